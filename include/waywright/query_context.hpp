@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+namespace waywright {
+
+namespace detail {
+struct QueryScratch;
+}
+
+/// The scratch memory of queries. Many threads may query one world at once, each with a context of its own. A context
+/// serves any number of worlds, one query at a time; kept between queries, it spares them every allocation. No answer
+/// depends on what a context served before.
+class QueryContext {
+ public:
+  QueryContext();
+  ~QueryContext();
+  QueryContext(QueryContext&&) noexcept;
+  QueryContext& operator=(QueryContext&&) noexcept;
+
+ private:
+  friend class World;
+  std::unique_ptr<detail::QueryScratch> scratch_;
+};
+
+}  // namespace waywright

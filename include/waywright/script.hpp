@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "waywright/error.hpp"
+#include "waywright/item.hpp"
+#include "waywright/path.hpp"
+#include "waywright/scene.hpp"
+
+namespace waywright {
+
+/// What a line of a world script asks for.
+enum class OperationKind : std::uint8_t { insert, remove, locate, ray, disc, nearest, path, check, hash };
+
+/// One line of a world script. Numbers are as read: whether they lie in range, or in the domain, is for the world to
+/// say.
+struct Operation {
+  OperationKind kind = OperationKind::check;
+  std::uint32_t line = 0;                  ///< from 1
+  Item item;                               ///< of an insertion; of a removal its id alone
+  Point from;                              ///< of locate, ray, disc, nearest and path
+  Point to;                                ///< of ray and path
+  double radius = 0.0;                     ///< of disc, nearest and path
+  std::optional<PathAlgorithm> algorithm;  ///< of path, where the line names one
+};
+
+/// The word the script uses: `point`, `segment`, ..., `remove`, `locate`, ...
+[[nodiscard]] std::string_view to_string(const Operation& operation);
+
+/// A whole world script, read before any of it runs.
+struct Script {
+  Box domain;  ///< as read; min < max holds
+  std::uint32_t domain_line = 0;
+  std::vector<Operation> operations;
+};
+
+/// Reads a world script. `name` is what messages call the text; they start `NAME:LINE: `. Errors: malformed.
+[[nodiscard]] Result<Script> parse_script(std::string_view text, std::string_view name);
+
+/// The scene that a script's insertions and removals leave; refused ones are passed over.
+[[nodiscard]] Scene scene_of(const Script& script);
+
+}  // namespace waywright

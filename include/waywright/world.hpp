@@ -1,0 +1,135 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waywright/error.hpp"
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+#include "waywright/path.hpp"
+#include "waywright/point.hpp"
+#include "waywright/query_context.hpp"
+
+namespace waywright {
+
+/// Where a point lies in the mesh.
+enum class Place : std::uint8_t { vertex, edge, face };
+
+/// The word the world script prints: `vertex`, `edge`, `face`.
+[[nodiscard]] std::string_view to_string(Place place);
+
+/// The answer to World::locate.
+struct Location {
+  Place at = Place::face;
+  /// The corners of the vertex, edge or face (1, 2 or 3 of them), as nearest doubles; a face counter-clockwise. Edge
+  /// and face start from the corner that comes first in (x, y) order.
+  std::array<Point, 3> corners{};
+  std::size_t corner_count = 0;
+  /// The polygons that cover the point, their boundary included; ascending.
+  std::vector<ItemId> inside;
+};
+
+/// A copy of a world's mesh, in the canonical order of the dump: vertices by (x, y), triangles counter-clockwise from
+/// their smallest index and sorted, edges smaller index first and sorted, ids ascending.
+struct MeshSnapshot {
+  struct ConstrainedEdge {
+    std::array<std::uint32_t, 2> vertices{};
+    std::uint32_t first_id = 0;  ///< where its ids start in `ids`
+    std::uint32_t id_count = 0;
+  };
+
+  std::vector<Point> vertices;  ///< nearest doubles
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<ConstrainedEdge> constraints;
+  std::vector<ItemId> ids;  ///< the ids of all constrained edges, one edge after the other; 0 is the domain
+};
+
+/// What World::validate found.
+struct Validation {
+  bool ok = true;
+  std::string fault;  ///< the first fault; empty when ok
+};
+
+/// A world of obstacles that changes while agents find their way through it: a dynamic constrained Delaunay
+/// triangulation of a closed box, exact in every decision. The live items alone fix the mesh, in whatever order they
+/// came. Geometry is never an error: crossing, overlapping, duplicate, collinear, zero-length and self-crossing items
+/// are all accepted and handled exactly.
+///
+/// Threads: const members may run at once, each call with its own QueryContext; no other member meanwhile.
+/// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
+class World {
+ public:
+  /// An empty world over the closed box `domain`: four vertices, two triangles, four constrained edges of id 0.
+  /// Errors: coordinate_range, bad_domain.
+  [[nodiscard]] static Result<World> create(const Box& domain);
+
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  [[nodiscard]] const Box& domain() const;
+
+  /// Inserts a shape under `id`, or, when `id` is null, under one more than the largest id this world has seen. Returns
+  /// the id. Either the whole shape is inserted or, on an error, nothing has changed.
+  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large. The error's index counts the
+  /// shape's points from 0, over all rings.
+  /// Cost: per point, its location; per side, what it crosses.
+  /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
+  Result<ItemId> insert(const Shape& shape, ItemId id = {});
+
+  /// A vertex that stays as long as the item lives; no wall.
+  Result<ItemId> insert_point(Point point, ItemId id = {});
+  /// A wall from `a` to `b`; of length zero it acts as a point.
+  Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
+  /// An open chain of walls through one point or more.
+  Result<ItemId> insert_polyline(std::span<const Point> points, ItemId id = {});
+  /// A solid obstacle of one closed ring; the side from its last point to its first is implied.
+  Result<ItemId> insert_polygon(std::span<const Point> ring, ItemId id = {});
+  /// A solid obstacle of several rings: inside is what an odd number of the rings' turns enclose.
+  Result<ItemId> insert_polygon(std::span<const std::vector<Point>> rings, ItemId id = {});
+
+  /// Whether an item of that id is alive.
+  [[nodiscard]] bool contains(ItemId id) const;
+  [[nodiscard]] std::size_t item_count() const;
+  /// The ids of all live items, ascending.
+  [[nodiscard]] std::vector<ItemId> item_ids() const;
+  /// The item's shape as it was inserted, points that repeat their predecessor merged. Errors: unknown_id.
+  [[nodiscard]] Result<Shape> shape(ItemId id) const;
+
+  [[nodiscard]] std::size_t vertex_count() const;
+  [[nodiscard]] std::size_t triangle_count() const;
+
+  /// Where `point` lies, and in which polygons. Errors: coordinate_range, out_of_domain.
+  /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
+  [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
+  [[nodiscard]] Result<Location> locate(Point point) const;
+
+  /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both.
+  /// Errors: coordinate_range, out_of_domain, bad_radius, not_supported.
+  /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006; see ARCHITECTURE.md for where we
+  /// depart from it.
+  [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
+  [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
+
+  /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the
+  /// empty circle and its ties on every free edge. Cost: linear in the mesh, with exact arithmetic throughout.
+  [[nodiscard]] Validation validate() const;
+
+  /// The mesh in canonical order. Cost: O(n log n).
+  [[nodiscard]] MeshSnapshot snapshot() const;
+  /// The mesh as canonical text with exact rational coordinates: equal for equal sets of live items.
+  [[nodiscard]] std::string dump() const;
+
+ private:
+  struct Impl;
+  explicit World(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace waywright
