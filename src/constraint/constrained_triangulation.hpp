@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "waywright/item.hpp"
+
+#include "constraint/item_table.hpp"
+#include "constraint/use_lists.hpp"
+#include "delaunay/triangulation.hpp"
+
+namespace waywright::constraint {
+
+/// A Delaunay triangulation constrained by items: which of them use each edge and each vertex, and why a vertex is
+/// there.
+///
+/// An edge's label is the list of the sides that cover it. A vertex is kept by the corners at it (`corner_uses`, a list
+/// of item slots) or by the crossing of two sides that run on through it: without a corner, it has more than two fixed
+/// edges, or no reason to be.
+template <class Geometry>
+class ConstrainedTriangulation {
+ public:
+  using Triangulation = delaunay::Triangulation<Geometry>;
+
+  explicit ConstrainedTriangulation(const Box& domain);
+
+  [[nodiscard]] const Box& domain() const { return domain_; }
+  [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
+  [[nodiscard]] const mesh::TriangleMesh& topology() const { return triangulation_.topology(); }
+  [[nodiscard]] const ItemTable& items() const { return items_; }
+  [[nodiscard]] const UseLists& uses() const { return uses_; }
+  /// The items with a corner at `v`, by slot; one as often as it has corners there.
+  [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
+
+  /// Inserts an item. Requires: every point lies in the domain and in range, the id is free, no ring is empty.
+  /// Source: Chen 2009, section 3.3, after Anglada 1997.
+  void insert(const Shape& shape, ItemId id);
+
+  /// Calls visit(side) for each side that covers the edge of `h`.
+  template <class Visit>
+  void for_each_side(mesh::HalfEdge h, Visit&& visit) const {
+    uses_.for_each(topology().label(h), [&](std::uint32_t slot) { visit(items_.side(slot)); });
+  }
+
+  /// Everything there is to check, exactly: topology, orientation, cover, empty circles, and that edges and vertices
+  /// are those which the items ask for. The first fault found, or nothing.
+  [[nodiscard]] std::optional<std::string> find_fault() const;
+
+ private:
+  /// What a side meets next on its way: a vertex, after crossing the free edges in `crossed_`, or a fixed edge.
+  struct Step {
+    mesh::Vertex vertex{};
+    mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, where there is one already
+    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge in the way, from its right to its left
+  };
+
+  mesh::Vertex insert_corner(const Point& point, std::uint32_t item);
+  void insert_side(std::uint32_t side);
+  [[nodiscard]] Step next_step(mesh::Vertex u, const Side& side);
+  [[nodiscard]] Step step_across(mesh::HalfEdge exit, const Side& side);
+  /// Parts a fixed edge where the side crosses it.
+  mesh::Vertex cut(mesh::HalfEdge fixed, const Side& side);
+  /// Makes the piece from `u` to the step's vertex an edge that `side` uses.
+  void take(mesh::Vertex u, const Step& step, std::uint32_t side);
+  void split_uses(mesh::HalfEdge half);
+
+  [[nodiscard]] std::optional<std::string> find_shape_fault() const;
+  [[nodiscard]] std::optional<std::string> find_delaunay_fault() const;
+  [[nodiscard]] std::optional<std::string> find_use_fault() const;
+  [[nodiscard]] std::optional<std::string> find_vertex_fault() const;
+  /// The edges that the side runs over, 0 where they don't lead to its end.
+  [[nodiscard]] std::size_t count_edges(std::uint32_t side) const;
+
+  Box domain_;
+  ItemTable items_;
+  UseLists uses_;
+  Triangulation triangulation_;
+  std::vector<Uses> corner_uses_;
+
+  std::vector<mesh::HalfEdge> crossed_;  ///< scratch
+};
+
+}  // namespace waywright::constraint
+
+#include "constraint/find_fault.hpp"
+#include "constraint/insert_item.hpp"

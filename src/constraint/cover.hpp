@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "constraint/exact_triangulation.hpp"
+#include "locate/walk.hpp"
+
+namespace waywright::constraint {
+
+/// Which polygons cover a face or a point. An object to keep: its memory serves query after query.
+class Cover {
+ public:
+  /// The polygons, by slot, that cover the inside of the face of `h`; in no order.
+  const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
+
+  /// The polygons, by slot, that cover the place, their boundary included; each once, in no order.
+  const std::vector<std::uint32_t>& of_place(const ExactTriangulation& triangulation, const locate::Located& place);
+
+  /// Whether the place lies strictly inside some polygon: covered, and on none of that polygon's sides.
+  bool is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place);
+
+  /// The faces around the place that no polygon covers, each by its half-edge: from the vertex, along the edge or, of
+  /// the face itself, the one whose origin comes first in (x, y) order. The order of the faces depends on the mesh's
+  /// geometry alone: counter-clockwise around a vertex from its first neighbour, an edge's left side first.
+  const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation, const locate::Located& place);
+
+ private:
+  void toggle(const ExactTriangulation& triangulation, mesh::HalfEdge crossed);
+  void collect_touching(const ExactTriangulation& triangulation, const locate::Located& place);
+
+  std::vector<std::uint32_t> odd_;       ///< polygons around the face at hand
+  std::vector<std::uint32_t> touching_;  ///< polygons with a side or corner at the place
+  std::vector<std::uint32_t> covering_;
+  std::vector<mesh::HalfEdge> around_;
+  std::vector<mesh::HalfEdge> open_;
+};
+
+/// The half-edges whose faces meet at the place, in the order that Cover::open_faces describes, ghost faces left out.
+void faces_at(const ExactTriangulation& triangulation, const locate::Located& place,
+              std::vector<mesh::HalfEdge>& faces);
+
+}  // namespace waywright::constraint

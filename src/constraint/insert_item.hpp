@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cassert>
+
+#include "constraint/constrained_triangulation.hpp"
+
+namespace waywright::constraint {
+
+template <class Geometry>
+ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain)
+    : domain_(domain),
+      triangulation_(domain, {UseLists::of(0), UseLists::of(1), UseLists::of(2), UseLists::of(3)}),
+      corner_uses_(topology().vertex_slots(), UseLists::kNone) {
+  ItemRecord& record = items_.item(ItemTable::kDomain);
+  record.corners.assign(triangulation_.box_corners().begin(), triangulation_.box_corners().end());
+  record.ring_ends = {4};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const mesh::Vertex corner = record.corners[i];
+    corner_uses_[number(corner)] = UseLists::of(ItemTable::kDomain);
+    items_.add_side({ItemTable::kDomain, corner, record.corners[(i + 1) % 4]});
+  }
+}
+
+// Corners first, then sides: a side finds its ends there, and is cut at every vertex on its way, among them the other
+// corners of its own item.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
+  const std::uint32_t slot = items_.add_item(id, shape.kind);
+  std::vector<std::uint32_t> new_sides;
+  for (const std::vector<Point>& ring : shape.rings) {
+    std::vector<mesh::Vertex>& corners = items_.item(slot).corners;
+    const std::size_t begin = corners.size();
+    for (const Point& point : ring) {
+      if (&point != ring.data() && point == *(&point - 1)) continue;
+      if (shape.kind == ItemKind::polygon && corners.size() > begin + 1 && &point == &ring.back() &&
+          point == ring.front()) {
+        continue;
+      }
+      corners.push_back(insert_corner(point, slot));
+    }
+    items_.item(slot).ring_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+    const std::size_t count = corners.size() - begin;
+    const std::size_t side_count = shape.kind == ItemKind::polygon && count > 1 ? count : count - 1;
+    for (std::size_t i = 0; i < side_count; ++i) {
+      new_sides.push_back(items_.add_side({slot, corners[begin + i], corners[begin + (i + 1) % count]}));
+    }
+  }
+  for (const std::uint32_t side : new_sides) insert_side(side);
+}
+
+template <class Geometry>
+mesh::Vertex ConstrainedTriangulation<Geometry>::insert_corner(const Point& point, std::uint32_t item) {
+  // Adding 0 turns -0 into 0, so that equal places have equal bits.
+  const Point place{point.x + 0.0, point.y + 0.0};
+  const auto inserted = triangulation_.insert(place, triangulation_.recent());
+  if (inserted.split != mesh::kNoHalfEdge) split_uses(inserted.split);
+  if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
+  Uses& uses = corner_uses_[number(inserted.vertex)];
+  uses = uses_.add(uses, item);
+  return inserted.vertex;
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
+  const Side side = items_.side(slot);
+  const Side backwards{side.item, side.to, side.from};
+  mesh::Vertex u = side.from;
+  while (u != side.to) {
+    Step step = next_step(u, side);
+    if (step.fixed == mesh::kNoHalfEdge) {
+      take(u, step, slot);
+      u = step.vertex;
+      continue;
+    }
+    // Cutting the fixed edge may change the faces crossed so far, so the piece is joined from its new end. Between
+    // the two there is now nothing but free edges.
+    const mesh::Vertex x = cut(step.fixed, side);
+    step = next_step(x, backwards);
+    assert(step.fixed == mesh::kNoHalfEdge && step.vertex == u);
+    take(x, step, slot);
+    u = x;
+  }
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, std::uint32_t side) {
+  if (step.along == mesh::kNoHalfEdge) {
+    triangulation_.force_edge(u, step.vertex, crossed_, UseLists::of(side));
+  } else {
+    triangulation_.fix(step.along, uses_.add(topology().label(step.along), side));
+  }
+}
+
+//            q
+//          / |         Around u, counter-clockwise: the side leaves along an edge whose far end lies on it, ahead, or
+//        /   |         through the face whose corner p lies on its right and whose corner q lies on its left.
+//      u - - | - ->
+//        \   |
+//          \ p
+template <class Geometry>
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::next_step(mesh::Vertex u,
+                                                                                                const Side& side) {
+  using exact::Sign;
+  const mesh::TriangleMesh& mesh = topology();
+  const mesh::Vertex ghost = triangulation_.ghost();
+  const auto side_of = [&](mesh::Vertex v) {
+    return v == ghost ? Sign::zero : triangulation_.orientation(side.from, side.to, v);
+  };
+  const bool ascends = triangulation_.comes_before(side.from, side.to);
+  mesh::HalfEdge h = mesh.outgoing(u);
+  Sign p_side = side_of(mesh.target(h));
+  for (;;) {
+    const mesh::Vertex p = mesh.target(h);
+    const mesh::Vertex q = mesh.apex(h);
+    if (p_side == Sign::zero && p != ghost && triangulation_.comes_before(u, p) == ascends) {
+      return {p, h, mesh::kNoHalfEdge};
+    }
+    const Sign q_side = side_of(q);
+    if (p_side == Sign::negative && q_side == Sign::positive) return step_across(mesh::next(h), side);
+    h = mesh.next_around(h);
+    p_side = q_side;
+  }
+}
+
+template <class Geometry>
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::step_across(mesh::HalfEdge exit,
+                                                                                                  const Side& side) {
+  using exact::Sign;
+  const mesh::TriangleMesh& mesh = topology();
+  crossed_.clear();
+  mesh::HalfEdge h = exit;
+  for (;;) {
+    if (mesh.is_fixed(h)) return {{}, mesh::kNoHalfEdge, h};
+    crossed_.push_back(h);
+    const mesh::HalfEdge t = mesh.twin(h);
+    const mesh::Vertex apex = mesh.apex(t);
+    const Sign apex_side = apex == side.to ? Sign::zero : triangulation_.orientation(side.from, side.to, apex);
+    if (apex_side == Sign::zero) return {apex, mesh::kNoHalfEdge, mesh::kNoHalfEdge};
+    h = apex_side == Sign::positive ? mesh::next(t) : mesh::previous(t);
+  }
+}
+
+template <class Geometry>
+mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const Side& side) {
+  const mesh::Vertex end = topology().origin(fixed);
+  const Side& other = items_.side(uses_.any(topology().label(fixed)));
+  const mesh::Vertex x = triangulation_.insert_crossing(fixed, side.from, side.to, other.from, other.to);
+  if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
+  split_uses(topology().find(x, end));
+  return x;
+}
+
+// The two halves of a parted edge carry the same list; one of them gets a list of its own.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::split_uses(mesh::HalfEdge half) {
+  triangulation_.fix(half, uses_.copy(topology().label(half)));
+}
+
+}  // namespace waywright::constraint

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+
+#include "mesh/index.hpp"
+
+namespace waywright::constraint {
+
+/// One straight side of an item, from corner to corner: what the edges that lie on it are used by. Its ends are
+/// explicit vertices, whatever crosses it.
+struct Side {
+  std::uint32_t item = 0;  ///< slot in the item table
+  mesh::Vertex from{};
+  mesh::Vertex to{};
+};
+
+/// An item as the mesh holds it.
+struct ItemRecord {
+  ItemId id;
+  ItemKind kind = ItemKind::point;
+  std::vector<mesh::Vertex> corners;     ///< ring after ring, points that repeat their predecessor merged
+  std::vector<std::uint32_t> ring_ends;  ///< where each ring's corners end
+  std::vector<std::uint32_t> sides;      ///< slots in the side table
+};
+
+/// The live items by id and by slot, and their sides. Slot 0 is the domain itself, under the null id.
+class ItemTable {
+ public:
+  static constexpr std::uint32_t kDomain = 0;
+
+  ItemTable();
+
+  [[nodiscard]] bool contains(ItemId id) const { return slots_.contains(id); }
+  /// The slot of a live item. Requires: contains(id).
+  [[nodiscard]] std::uint32_t slot(ItemId id) const { return slots_.find(id)->second; }
+  [[nodiscard]] const ItemRecord& item(std::uint32_t slot) const { return items_[slot]; }
+  [[nodiscard]] ItemRecord& item(std::uint32_t slot) { return items_[slot]; }
+  [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot]; }
+  /// Live items, the domain left out.
+  [[nodiscard]] std::size_t size() const { return slots_.size(); }
+  [[nodiscard]] std::size_t side_slots() const { return sides_.size(); }
+
+  std::uint32_t add_item(ItemId id, ItemKind kind);
+  /// Appends a side to its item.
+  std::uint32_t add_side(const Side& side);
+
+  [[nodiscard]] std::vector<ItemId> ids() const;
+  [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
+
+ private:
+  std::vector<ItemRecord> items_;
+  std::vector<Side> sides_;
+  std::unordered_map<ItemId, std::uint32_t> slots_;
+  ItemId largest_id_seen_;
+};
+
+}  // namespace waywright::constraint

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace waywright::constraint {
+
+/// A list of the users of an edge or a vertex, as one 32-bit number: 0 for none; a lone user, by far the most common
+/// list, is told by the number itself and takes no memory.
+using Uses = std::uint32_t;
+
+/// Keeps lists of users, numbers below 2^31 - 1. The lists are unordered; a user may be in one more than once.
+class UseLists {
+ public:
+  static constexpr Uses kNone = 0;
+  static constexpr std::uint32_t kLargestUser = 0x7ffffffd;
+
+  [[nodiscard]] static Uses of(std::uint32_t user) { return user + 1; }
+
+  [[nodiscard]] Uses add(Uses list, std::uint32_t user);
+  [[nodiscard]] Uses copy(Uses list);
+
+  /// Calls visit(user) for each.
+  template <class Visit>
+  void for_each(Uses list, Visit&& visit) const {
+    for (; is_node(list); list = nodes_[list & ~kNode].rest) visit(nodes_[list & ~kNode].user);
+    if (list != kNone) visit(list - 1);
+  }
+
+  /// Any one of the users. Requires: the list isn't empty.
+  [[nodiscard]] std::uint32_t any(Uses list) const { return is_node(list) ? nodes_[list & ~kNode].user : list - 1; }
+
+ private:
+  static constexpr std::uint32_t kNode = 0x80000000;
+
+  /// A user in front of a shorter list.
+  struct Node {
+    std::uint32_t user;
+    Uses rest;
+  };
+
+  [[nodiscard]] static bool is_node(Uses list) { return (list & kNode) != 0; }
+
+  std::vector<Node> nodes_;
+};
+
+}  // namespace waywright::constraint

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "waywright/point.hpp"
+
+#include "locate/walk.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace waywright::delaunay {
+
+/// A constrained Delaunay triangulation of a box: vertices come, fixed edges hold, and every other edge has the
+/// empty-circle property. Of four cocircular points the edge is the diagonal through the first of the four in (x, y)
+/// order; this is the limit of lowering every point lifted to the paraboloid by an infinitesimal, the first point by
+/// far the most, so that vertices and fixed edges leave exactly one triangulation.
+///
+/// All numbers are Geometry's business: see exact::Geometry, the one that the library uses.
+template <class Geometry>
+class Triangulation {
+ public:
+  using View = typename Geometry::View;
+
+  /// The box cut in two, its sides (bottom, right, top, left) fixed under those labels.
+  Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels);
+
+  [[nodiscard]] const mesh::TriangleMesh& topology() const { return mesh_; }
+  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  /// The vertex beyond the box, joined to every vertex on its sides.
+  [[nodiscard]] mesh::Vertex ghost() const { return ghost_; }
+  /// Whether the half-edge's face lies beyond the box.
+  [[nodiscard]] bool is_ghost_face(mesh::HalfEdge h) const {
+    return mesh_.origin(h) == ghost_ || mesh_.target(h) == ghost_ || mesh_.apex(h) == ghost_;
+  }
+  /// The box's corners, counter-clockwise from its smallest.
+  [[nodiscard]] const std::array<mesh::Vertex, 4>& box_corners() const { return box_corners_; }
+
+  [[nodiscard]] View view(mesh::Vertex v) const { return geometry_.view(number(v)); }
+  [[nodiscard]] exact::Sign orientation(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c) const {
+    return geometry_.orientation(view(a), view(b), view(c));
+  }
+  [[nodiscard]] bool comes_before(mesh::Vertex p, mesh::Vertex q) const {
+    return geometry_.order(view(p), view(q)) < 0;
+  }
+
+  /// Where `point`, which lies in the box, is; the walk starts from the face of `hint`.
+  [[nodiscard]] locate::Located locate(const Point& point, mesh::HalfEdge hint) const;
+
+  /// A living half-edge of a face in the box, near the last change.
+  [[nodiscard]] mesh::HalfEdge recent() const { return recent_; }
+
+  /// The vertex at `point`, made where there is none yet. On a fixed edge it parts the edge in two that carry its
+  /// label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
+  struct Inserted {
+    mesh::Vertex vertex;
+    bool is_new;
+    mesh::HalfEdge split;  ///< where a fixed edge was parted: one of its halves, from the vertex; else kNoHalfEdge
+  };
+  Inserted insert(const Point& point, mesh::HalfEdge hint);
+
+  /// Parts the fixed edge of `h` at its crossing with the line through `a` and `b`, explicit vertices; the edge lies on
+  /// the line through `c` and `d`, explicit too. Returns the new vertex.
+  mesh::Vertex insert_crossing(mesh::HalfEdge h, mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d);
+
+  /// Labels the edge of `h`, which holds it fixed.
+  void fix(mesh::HalfEdge h, mesh::Label label) { mesh_.set_label(h, label); }
+
+  /// Makes u - w an edge by retriangulating what it crosses, and fixes it under `label`. `crossed` lists the edges
+  /// between them in order from u to w, each half-edge in the face on u's side (so that it crosses from the right of
+  /// the way to its left); all are free, and no vertex lies between u and w. Returns the half-edge from u to w. Source:
+  /// Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations*, 1997.
+  mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
+                            mesh::Label label);
+
+  /// Whether the edge of `h`, free and inside the box, has the empty-circle property against its two neighbours.
+  [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
+
+ private:
+  static constexpr std::uint32_t kNotDangling = 0xffffffff;
+
+  /// An edge of a cavity's border, from `from` towards the next chain edge's.
+  struct ChainEdge {
+    mesh::Vertex from;
+    mesh::HalfEdge inner;  ///< its half-edge in the cavity: of a face about to be freed; later, of the one rebuilt
+    mesh::HalfEdge outer;  ///< the twin of that
+    mesh::Label label;
+    std::uint32_t partner = kNotDangling;  ///< where `outer` lies in the cavity too: the chain edge that it belongs to
+    bool is_rebuilt = false;
+  };
+  using Chain = std::vector<ChainEdge>;
+
+  /// The part of a chain between two of its vertices, and the edge that joins them.
+  struct Base {
+    std::uint32_t from, to;  ///< positions in the chain
+    mesh::HalfEdge parent;   ///< the joining edge's half-edge on the other side
+  };
+
+  mesh::Vertex add_vertex(const Point& point);
+  /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
+  void legalise_around_apex();
+  void remember(mesh::HalfEdge h);
+
+  void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
+  void append_to(Chain& chain, mesh::HalfEdge inner);
+  void pair_dangling_edges(Chain& chain);
+  /// Triangulates the polygon on the left of the way from the chain's first vertex to its last, `end`. Returns the
+  /// half-edge of that way.
+  mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end);
+  [[nodiscard]] std::uint32_t delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base) const;
+  void close(Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
+  /// Whether the circle through `a`, `b`, `c` (counter-clockwise) holds `d`, ties broken.
+  [[nodiscard]] bool circle_holds(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d) const;
+
+  mesh::TriangleMesh mesh_;
+  Geometry geometry_;
+  mesh::Vertex ghost_{};
+  std::array<mesh::Vertex, 4> box_corners_{};
+  mesh::HalfEdge recent_{};
+
+  // Scratch, kept for its memory.
+  std::vector<mesh::HalfEdge> stack_;
+  Chain left_chain_, right_chain_;
+  std::vector<std::uint32_t> dangling_;
+  std::vector<mesh::Face> cavity_;
+  std::vector<Base> bases_;
+};
+
+}  // namespace waywright::delaunay
+
+#include "delaunay/force_edge.hpp"
+#include "delaunay/triangulation_impl.hpp"

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "delaunay/triangulation.hpp"
+
+namespace waywright::delaunay {
+
+using mesh::first;
+using mesh::next;
+using mesh::number;
+using mesh::previous;
+
+template <class Geometry>
+Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels) {
+  const auto [ghost, a, b, c, d] = mesh_.make_square();
+  ghost_ = ghost;
+  box_corners_ = {a, b, c, d};
+  geometry_.place(number(ghost), Point{});
+  geometry_.place(number(a), box.min);
+  geometry_.place(number(b), Point{box.max.x, box.min.y});
+  geometry_.place(number(c), box.max);
+  geometry_.place(number(d), Point{box.min.x, box.max.y});
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh_.set_label(mesh_.find(box_corners_[i], box_corners_[(i + 1) % 4]), side_labels[i]);
+  }
+  // Of the box's four corners the first in (x, y) order is a, so the diagonal a - c is the right one.
+  remember(mesh_.find(a, c));
+}
+
+template <class Geometry>
+locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEdge hint) const {
+  return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(hint), ghost_);
+}
+
+template <class Geometry>
+typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point, mesh::HalfEdge hint) {
+  const locate::Located place = locate(point, hint);
+  if (place.spot == locate::Spot::vertex) {
+    remember(place.h);
+    return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
+  }
+  const mesh::Vertex v = add_vertex(point);
+  const bool parts_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
+  const mesh::Vertex end = mesh_.origin(place.h);
+  stack_.clear();
+  if (place.spot == locate::Spot::face) {
+    for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(place.h), v)) stack_.push_back(h);
+  } else {
+    for (const mesh::HalfEdge h : mesh_.split_edge(place.h, v)) {
+      if (!is_ghost_face(h)) stack_.push_back(h);
+    }
+  }
+  legalise_around_apex();
+  remember(mesh_.outgoing(v));
+  return {v, true, parts_fixed_edge ? mesh_.find(v, end) : mesh::kNoHalfEdge};
+}
+
+template <class Geometry>
+mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Vertex a, mesh::Vertex b, mesh::Vertex c,
+                                                      mesh::Vertex d) {
+  const mesh::Vertex v = mesh_.add_vertex();
+  geometry_.place_crossing(number(v), number(a), number(b), number(c), number(d));
+  stack_.clear();
+  for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) stack_.push_back(opposite);
+  legalise_around_apex();
+  return v;
+}
+
+template <class Geometry>
+mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
+  const mesh::Vertex v = mesh_.add_vertex();
+  geometry_.place(number(v), point);
+  return v;
+}
+
+// Source: Lawson, *Software for C1 surface interpolation*, 1977; the stack is explicit because a chain of flips can be
+// as long as the mesh is large.
+template <class Geometry>
+void Triangulation<Geometry>::legalise_around_apex() {
+  while (!stack_.empty()) {
+    const mesh::HalfEdge h = stack_.back();
+    stack_.pop_back();
+    if (mesh_.is_fixed(h) || is_legal(h)) continue;
+    const auto flipped = mesh_.flip(h);
+    stack_.push_back(flipped.opposite);
+    stack_.push_back(h);
+  }
+}
+
+//        c
+//      /   \         The edge a - b is legal when d lies outside the circle through a, b and c. On the circle, it is
+//      when
+//    a ----- b       the first of the four is a or b.
+//      \   /
+//        d
+template <class Geometry>
+bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
+  const mesh::HalfEdge t = mesh_.twin(h);
+  const mesh::Vertex a = mesh_.origin(h);
+  const mesh::Vertex b = mesh_.origin(t);
+  const mesh::Vertex c = mesh_.apex(h);
+  const mesh::Vertex d = mesh_.apex(t);
+  const exact::Sign sign = geometry_.in_circle(view(a), view(b), view(c), view(d));
+  if (sign != exact::Sign::zero) return sign == exact::Sign::negative;
+  const mesh::Vertex end = comes_before(a, b) ? a : b;
+  const mesh::Vertex apex = comes_before(c, d) ? c : d;
+  return comes_before(end, apex);
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::remember(mesh::HalfEdge h) {
+  recent_ = is_ghost_face(h) ? mesh_.twin(h) : h;
+}
+
+}  // namespace waywright::delaunay

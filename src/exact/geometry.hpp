@@ -1,0 +1,58 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "exact/crossing.hpp"
+#include "exact/exact_point.hpp"
+#include "exact/predicates.hpp"
+
+namespace waywright::exact {
+
+/// The places of a mesh's vertices, and the four questions that the combinatorial code asks about them: orientation,
+/// in-circle, order, and where two segments cross. Other arithmetic can take its place: whatever has these members.
+///
+/// A vertex is named by its index. `View` is how a place is handed to a question; it stays valid until a vertex is
+/// added.
+class Geometry {
+ public:
+  using View = ExactPoint;
+
+  /// Puts an explicit point, in range, at `vertex`, growing the table where needed.
+  void place(std::uint32_t vertex, const Point& point);
+  /// Puts the crossing of the lines through (a, b) and (c, d), explicit vertices all, at `vertex`.
+  void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+  /// Forgets the place of `vertex`.
+  void clear(std::uint32_t vertex);
+
+  [[nodiscard]] View view(std::uint32_t vertex) const {
+    const Point& point = points_[vertex];
+    const std::uint32_t crossing = crossing_of_[vertex];
+    return {point.x, point.y, crossing == kExplicit ? nullptr : &crossings_[crossing]};
+  }
+  [[nodiscard]] static View view(const Point& point) { return explicit_point(point); }
+
+  /// The vertex's coordinates, each as the nearest double.
+  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return points_[vertex]; }
+
+  [[nodiscard]] static Sign orientation(const View& a, const View& b, const View& c) {
+    return exact::orientation(a, b, c);
+  }
+  [[nodiscard]] static Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
+    return exact::in_circle(a, b, c, d);
+  }
+  [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) { return compare(p, q); }
+
+ private:
+  static constexpr std::uint32_t kExplicit = 0xffffffff;
+
+  void set(std::uint32_t vertex, const Point& point, std::uint32_t crossing);
+
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> crossing_of_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::uint32_t> free_crossings_;
+};
+
+}  // namespace waywright::exact

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "exact/exact_point.hpp"
+#include "exact/integer.hpp"
+
+namespace waywright::exact {
+
+/// A double as mantissa * 2^exponent, the mantissa odd (0 for 0).
+struct Dyadic {
+  std::int64_t mantissa = 0;
+  int exponent = 0;
+};
+
+/// Requires: `value` is finite and not subnormal.
+[[nodiscard]] inline Dyadic to_dyadic(double value) {
+  if (value == 0.0) return {};
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto fraction = (bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1} << 52);
+  const int zeros = std::countr_zero(fraction);
+  const auto magnitude = static_cast<std::int64_t>(fraction >> zeros);
+  const int exponent = static_cast<int>((bits >> 52) & 0x7ff) - 1075 + zeros;
+  return {value < 0 ? -magnitude : magnitude, exponent};
+}
+
+/// The largest power of two of which every coordinate it was shown is a multiple: the points' common lattice.
+class LatticeExponent {
+ public:
+  void include(double value) {
+    if (value != 0.0) exponent_ = std::min(exponent_, to_dyadic(value).exponent);
+  }
+  void include(const Point& point) {
+    include(point.x);
+    include(point.y);
+  }
+  void include(const ExactPoint& point) {
+    if (point.is_explicit()) {
+      include(Point{point.x, point.y});
+    } else {
+      include(*point.crossing);
+    }
+  }
+  void include(const Crossing& crossing) {
+    include(crossing.a);
+    include(crossing.b);
+    include(crossing.c);
+    include(crossing.d);
+  }
+  [[nodiscard]] int value() const { return exponent_ == kNothingSeen ? 0 : exponent_; }
+
+ private:
+  static constexpr int kNothingSeen = std::numeric_limits<int>::max();
+  int exponent_ = kNothingSeen;
+};
+
+/// The point (x / w, y / w) in units of 2^exponent of the lattice it was made for; w > 0.
+struct Homogeneous {
+  Integer x, y, w;
+};
+
+/// Requires: `value` is a multiple of 2^lattice_exponent.
+[[nodiscard]] inline Integer to_integer(double value, int lattice_exponent) {
+  const Dyadic dyadic = to_dyadic(value);
+  if (dyadic.mantissa == 0) return Integer{0};
+  return Integer{dyadic.mantissa} << static_cast<unsigned>(dyadic.exponent - lattice_exponent);
+}
+
+[[nodiscard]] Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent);
+[[nodiscard]] Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent);
+
+}  // namespace waywright::exact

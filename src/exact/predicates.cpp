@@ -1,0 +1,92 @@
+#include "exact/predicates.hpp"
+
+#include "exact/homogeneous.hpp"
+
+namespace waywright::exact {
+
+namespace integers {
+
+namespace {
+
+template <class... Points>
+int common_lattice(const Points&... points) {
+  LatticeExponent lattice;
+  (lattice.include(points), ...);
+  return lattice.value();
+}
+
+std::strong_ordering order_of(Sign sign) {
+  return sign == Sign::negative ? std::strong_ordering::less
+         : sign == Sign::zero   ? std::strong_ordering::equal
+                                : std::strong_ordering::greater;
+}
+
+}  // namespace
+
+// The sign of | a.x a.y a.w |
+//             | b.x b.y b.w |
+//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0.
+Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  const int lattice = common_lattice(a, b, c);
+  const Homogeneous p = to_homogeneous(a, lattice);
+  const Homogeneous q = to_homogeneous(b, lattice);
+  const Homogeneous r = to_homogeneous(c, lattice);
+  const Integer determinant =
+      p.x * (q.y * r.w - q.w * r.y) - p.y * (q.x * r.w - q.w * r.x) + p.w * (q.x * r.y - q.y * r.x);
+  return sign_of(determinant);
+}
+
+// A row of the in-circle determinant about d, times (p.w d.w)^2 and with a factor d.w > 0 taken out of its first two
+// columns: with dx = p.x d.w - d.x p.w and dy likewise, (dx p.w, dy p.w, dx^2 + dy^2).
+Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  const int lattice = common_lattice(a, b, c, d);
+  const Homogeneous centre = to_homogeneous(d, lattice);
+  struct Row {
+    Integer x, y, lift;
+  };
+  const auto row = [&](const ExactPoint& point) {
+    const Homogeneous p = to_homogeneous(point, lattice);
+    const Integer dx = p.x * centre.w - centre.x * p.w;
+    const Integer dy = p.y * centre.w - centre.y * p.w;
+    return Row{dx * p.w, dy * p.w, dx * dx + dy * dy};
+  };
+  const Row p = row(a);
+  const Row q = row(b);
+  const Row r = row(c);
+  const Integer determinant =
+      p.lift * (q.x * r.y - r.x * q.y) + q.lift * (r.x * p.y - p.x * r.y) + r.lift * (p.x * q.y - q.x * p.y);
+  return sign_of(determinant);
+}
+
+std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
+  const int lattice = common_lattice(p, q);
+  const Homogeneous a = to_homogeneous(p, lattice);
+  const Homogeneous b = to_homogeneous(q, lattice);
+  const Sign by_x = sign_of(Integer(a.x * b.w - b.x * a.w));
+  return order_of(by_x != Sign::zero ? by_x : sign_of(Integer(a.y * b.w - b.y * a.w)));
+}
+
+}  // namespace integers
+
+Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  if (const auto sign = filter::orientation(a, b, c)) return *sign;
+  return integers::orientation(a, b, c);
+}
+
+Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  if (const auto sign = filter::in_circle(a, b, c, d)) return *sign;
+  return integers::in_circle(a, b, c, d);
+}
+
+// Rounding to nearest is monotone: where two rounded coordinates differ, the true ones differ the same way. So integers
+// are only needed where rounded coordinates agree and one of them may have been rounded.
+std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
+  if (p.x < q.x) return std::strong_ordering::less;
+  if (p.x > q.x) return std::strong_ordering::greater;
+  if (!p.is_explicit() || !q.is_explicit()) return integers::compare(p, q);
+  if (p.y < q.y) return std::strong_ordering::less;
+  if (p.y > q.y) return std::strong_ordering::greater;
+  return std::strong_ordering::equal;
+}
+
+}  // namespace waywright::exact

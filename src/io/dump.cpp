@@ -1,0 +1,31 @@
+#include "io/dump.hpp"
+
+#include "constraint/canonical.hpp"
+#include "exact/crossing.hpp"
+
+namespace waywright::io {
+
+std::string dump(const constraint::ExactTriangulation& triangulation) {
+  const constraint::CanonicalMesh mesh = constraint::canonical_mesh(triangulation);
+  const MeshSnapshot& snapshot = mesh.snapshot;
+  std::string text = "vertices " + std::to_string(mesh.order.size()) + '\n';
+  for (const mesh::Vertex v : mesh.order) {
+    text += exact::to_fractions(triangulation.triangulation().view(v));
+    text += '\n';
+  }
+  text += "triangles " + std::to_string(snapshot.triangles.size()) + '\n';
+  for (const auto& [i, j, k] : snapshot.triangles) {
+    text += std::to_string(i) + ' ' + std::to_string(j) + ' ' + std::to_string(k) + '\n';
+  }
+  text += "constraints " + std::to_string(snapshot.constraints.size()) + '\n';
+  for (const MeshSnapshot::ConstrainedEdge& edge : snapshot.constraints) {
+    text += std::to_string(edge.vertices[0]) + ' ' + std::to_string(edge.vertices[1]);
+    for (std::uint32_t i = 0; i < edge.id_count; ++i) {
+      text += ' ' + std::to_string(snapshot.ids[edge.first_id + i].value);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace waywright::io

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "waywright/point.hpp"
+
+namespace waywright::locate {
+
+/// The random choices of one walk. Seeded by what is asked for, never by a clock or by what came before.
+/// Source: Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014 (SplitMix64).
+class Random {
+ public:
+  explicit Random(const Point& seed)
+      : state_(std::bit_cast<std::uint64_t>(seed.x) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(seed.y)) {}
+
+  [[nodiscard]] bool coin() {
+    if (left_ == 0) refill();
+    const bool heads = (bits_ & 1) != 0;
+    bits_ >>= 1;
+    --left_;
+    return heads;
+  }
+
+ private:
+  void refill() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    bits_ = z ^ (z >> 31);
+    left_ = 64;
+  }
+
+  std::uint64_t state_;
+  std::uint64_t bits_ = 0;
+  int left_ = 0;
+};
+
+}  // namespace waywright::locate

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+namespace waywright::mesh {
+
+// Three kinds of index that can't be mixed up. A face's half-edges are 3 f, 3 f + 1 and 3 f + 2, counter-clockwise.
+enum class Vertex : std::uint32_t {};
+enum class HalfEdge : std::uint32_t {};
+enum class Face : std::uint32_t {};
+
+/// No half-edge, no vertex, no face.
+inline constexpr HalfEdge kNoHalfEdge{0x7fffffff};
+inline constexpr Vertex kNoVertex{0xffffffff};
+inline constexpr Face kNoFace{0xffffffff};
+
+template <class Index>
+[[nodiscard]] constexpr std::uint32_t number(Index index) {
+  return static_cast<std::uint32_t>(index);
+}
+
+[[nodiscard]] constexpr Face face(HalfEdge h) { return Face{number(h) / 3}; }
+[[nodiscard]] constexpr HalfEdge first(Face f) { return HalfEdge{number(f) * 3}; }
+[[nodiscard]] constexpr HalfEdge next(HalfEdge h) {
+  return HalfEdge{number(h) % 3 == 2 ? number(h) - 2 : number(h) + 1};
+}
+[[nodiscard]] constexpr HalfEdge previous(HalfEdge h) {
+  return HalfEdge{number(h) % 3 == 0 ? number(h) + 2 : number(h) - 1};
+}
+
+}  // namespace waywright::mesh

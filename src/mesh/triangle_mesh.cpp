@@ -1,0 +1,199 @@
+#include "mesh/triangle_mesh.hpp"
+
+#include <cassert>
+
+namespace waywright::mesh {
+
+HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
+  const HalfEdge start = outgoing(from);
+  HalfEdge h = start;
+  do {
+    if (target(h) == to) return h;
+    h = next_around(h);
+  } while (h != start);
+  return kNoHalfEdge;
+}
+
+Vertex TriangleMesh::add_vertex() {
+  if (first_free_vertex_ == kEndOfList) {
+    outgoing_.push_back(number(kNoHalfEdge));
+    return Vertex{vertex_slots() - 1};
+  }
+  const Vertex v{first_free_vertex_};
+  first_free_vertex_ = outgoing_[number(v)] & ~kFree;
+  outgoing_[number(v)] = number(kNoHalfEdge);
+  --free_vertex_count_;
+  return v;
+}
+
+void TriangleMesh::free_vertex(Vertex v) {
+  outgoing_[number(v)] = kFree | first_free_vertex_;
+  first_free_vertex_ = number(v);
+  ++free_vertex_count_;
+}
+
+Face TriangleMesh::add_face() {
+  if (first_free_face_ == kEndOfList) {
+    corners_.resize(corners_.size() + 3, Corner{number(kNoHalfEdge), kNoVertex});
+    labels_.resize(corners_.size());
+    return Face{face_slots() - 1};
+  }
+  const Face f{first_free_face_};
+  first_free_face_ = corners_[number(first(f))].twin;
+  --free_face_count_;
+  return f;
+}
+
+void TriangleMesh::free_face(Face f) {
+  for (std::uint32_t i = 0; i < 3; ++i) corners_[number(first(f)) + i] = {number(kNoHalfEdge), kNoVertex};
+  corners_[number(first(f))].twin = first_free_face_;
+  first_free_face_ = number(f);
+  ++free_face_count_;
+}
+
+void TriangleMesh::set_corners(Face f, Vertex a, Vertex b, Vertex c) {
+  HalfEdge h = first(f);
+  for (const Vertex v : {a, b, c}) {
+    set_origin(h, v);
+    set_outgoing(v, h);
+    h = next(h);
+  }
+}
+
+void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
+  corners_[number(g)].twin = number(h);
+  corners_[number(h)].twin = number(g);
+  if (label != 0) set_label(g, label);
+}
+
+void TriangleMesh::set_label(HalfEdge h, Label label) {
+  for (const HalfEdge side : {h, twin(h)}) {
+    std::uint32_t& twin = corners_[number(side)].twin;
+    twin = label == 0 ? twin & ~kFixed : twin | kFixed;
+    labels_[number(side)] = label;
+  }
+}
+
+void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
+  const std::uint32_t twin_and_flag = corners_[number(from)].twin;
+  std::uint32_t& back = corners_[twin_and_flag & ~kFixed].twin;
+  corners_[number(to)].twin = twin_and_flag;
+  back = number(to) | (back & kFixed);
+  if ((twin_and_flag & kFixed) != 0) labels_[number(to)] = labels_[number(from)];
+}
+
+//        c               d ------- c
+//       / \              | \  f  / |       The square of the corners a, b, c, d as seen from inside; around it, four
+//      /   \             |   \ /   |       ghost faces join its sides to the ghost vertex.
+//     /     \            |   / \   |
+//    a ----- b           a ------- b
+std::array<Vertex, 5> TriangleMesh::make_square() {
+  assert(corners_.empty() && outgoing_.empty());
+  std::array<Vertex, 5> v{};
+  for (Vertex& vertex : v) vertex = add_vertex();
+  const auto [ghost, a, b, c, d] = v;
+  const Face lower = add_face();
+  const Face upper = add_face();
+  set_corners(lower, a, b, c);
+  set_corners(upper, a, c, d);
+  link(previous(first(lower)), first(upper), 0);
+
+  // The sides in counter-clockwise order; the ghost face beyond each runs the other way.
+  const std::array<HalfEdge, 4> sides = {first(lower), next(first(lower)), next(first(upper)), previous(first(upper))};
+  std::array<HalfEdge, 4> ghosts{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Face f = add_face();
+    const Vertex from = origin(sides[i]);
+    const Vertex to = target(sides[i]);
+    set_corners(f, to, from, ghost);
+    ghosts[i] = first(f);
+    link(sides[i], ghosts[i], 0);
+  }
+  // Around the ghost: the edge ghost -> to of one side's face is the edge from -> ghost of the next side's.
+  for (std::size_t i = 0; i < 4; ++i) link(previous(ghosts[i]), next(ghosts[(i + 1) % 4]), 0);
+  return v;
+}
+
+//        c                      c
+//       / \                    /|\          f = (a, b, v), two new faces (b, c, v) and (c, a, v).
+//      /   \                  / | \.
+//     /     \       ->       /  v  \.
+//    /   f   \              / .' '. \.
+//   a ------- b            a ------- b
+std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
+  const Face g = add_face();
+  const Face k = add_face();
+  const HalfEdge ab = first(f);
+  const Vertex a = origin(ab);
+  const Vertex b = target(ab);
+  const Vertex c = apex(ab);
+  take_over(first(g), next(ab));
+  take_over(first(k), previous(ab));
+  set_corners(f, a, b, v);
+  set_corners(g, b, c, v);
+  set_corners(k, c, a, v);
+  link(next(first(f)), previous(first(g)), 0);
+  link(next(first(g)), previous(first(k)), 0);
+  link(next(first(k)), previous(first(f)), 0);
+  return {first(f), first(g), first(k)};
+}
+
+//          c                       c
+//        /   \                   / | \         h runs a -> b before and a -> v after; the faces to the right of v,
+//      /       \               /   |   \       (v, b, c) and its mirror (v, a, d), are new.
+//    a --- h --> b    ->     a --- v --- b
+//      \       /               \   |   /
+//        \   /                   \ | /
+//          d                       d
+std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
+  const Face f = add_face();
+  const Face g = add_face();
+  const HalfEdge t = twin(h);
+  const Vertex a = origin(h);
+  const Vertex b = origin(t);
+  const Vertex c = apex(h);
+  const Vertex d = apex(t);
+  const Label edge_label = label(h);
+  const HalfEdge vb = first(f);
+  const HalfEdge va = first(g);
+  take_over(next(vb), next(h));
+  take_over(next(va), next(t));
+  set_corners(f, v, b, c);
+  set_corners(g, v, a, d);
+  set_origin(next(h), v);
+  set_origin(next(t), v);
+  set_outgoing(a, h);
+  set_outgoing(b, t);
+  link(next(h), previous(vb), 0);
+  link(next(t), previous(va), 0);
+  link(h, va, edge_label);
+  link(t, vb, edge_label);
+  return {next(va), previous(t), next(vb), previous(h)};
+}
+
+//          c                       c
+//        /   \                   / | \         f = (a, b, c) becomes (a, d, c), its half-edges h = a -> d, d -> c and
+//      /   f   \               /   |   \       c -> a; g = (b, a, d) becomes (b, c, d), with t = b -> c, c -> d and
+//    a --- h --> b    ->     a   f | g   b     d -> b. The edges c - a and d - b stay where they are.
+//      \   g   /               \   |   /
+//        \   /                   \ | /
+//          d                       d
+TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
+  assert(!is_fixed(h));
+  const HalfEdge t = twin(h);
+  const Vertex a = origin(h);
+  const Vertex b = origin(t);
+  const Vertex c = apex(h);
+  const Vertex d = apex(t);
+  const HalfEdge diagonal = next(h);
+  take_over(h, next(t));
+  take_over(t, diagonal);
+  set_origin(diagonal, d);
+  set_origin(next(t), c);
+  set_outgoing(a, h);
+  set_outgoing(b, t);
+  link(diagonal, next(t), 0);
+  return {diagonal, previous(t)};
+}
+
+}  // namespace waywright::mesh

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/index.hpp"
+
+namespace waywright::mesh {
+
+/// What an edge carries for the layers above; the mesh only copies it. An edge with a label other than 0 is fixed: it
+/// is never flipped.
+using Label = std::uint32_t;
+
+/// A triangulated sphere: every half-edge has a twin, every vertex a closed loop of faces. A triangulated polygon
+/// becomes one by a ghost vertex, joined to every vertex of its border; the faces there are ghosts too. Pure topology:
+/// nothing here sees a coordinate.
+///
+/// Freed slots are reused, the last freed first. Indices stay valid until their vertex or face is freed; which
+/// half-edge stands for an edge changes when a flip next to it rebuilds its face.
+///
+/// Source: Chen 2009, section 3.1 (half-edges, vertex and face loops: algorithms 1 and 2).
+class TriangleMesh {
+ public:
+  // Walking about. Each is O(1).
+  [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin & ~kFixed}; }
+  [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
+  [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
+  /// The corner of the half-edge's face that isn't on the half-edge.
+  [[nodiscard]] Vertex apex(HalfEdge h) const { return origin(previous(h)); }
+  /// Some half-edge that starts at `v`.
+  [[nodiscard]] HalfEdge outgoing(Vertex v) const { return HalfEdge{outgoing_[number(v)]}; }
+  /// The next half-edge that starts at the same vertex, counter-clockwise.
+  [[nodiscard]] HalfEdge next_around(HalfEdge h) const { return twin(previous(h)); }
+  /// The next half-edge that starts at the same vertex, clockwise.
+  [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
+  [[nodiscard]] bool is_fixed(HalfEdge h) const { return (corners_[number(h)].twin & kFixed) != 0; }
+  [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
+  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: the degree of `from`.
+  [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
+
+  [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
+  [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
+  /// Slots, the free ones included: one more than the largest index there may be.
+  [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
+  [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
+  [[nodiscard]] bool is_alive(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
+  [[nodiscard]] bool is_alive(Face f) const { return origin(first(f)) != kNoVertex; }
+
+  /// Calls visit(h) for every half-edge that starts at `v`, counter-clockwise.
+  template <class Visit>
+  void for_each_outgoing(Vertex v, Visit&& visit) const {
+    const HalfEdge start = outgoing(v);
+    HalfEdge h = start;
+    do {
+      visit(h);
+      h = next_around(h);
+    } while (h != start);
+  }
+
+  // Changing.
+
+  /// Makes the smallest world: a square of the corners a, b, c, d (counter-clockwise) cut along a - c, and a ghost
+  /// vertex joined to all four. Requires: the mesh is empty. Returns the five vertices, the ghost first.
+  std::array<Vertex, 5> make_square();
+
+  [[nodiscard]] Vertex add_vertex();
+  /// Requires: no face has `v` as a corner.
+  void free_vertex(Vertex v);
+  [[nodiscard]] Face add_face();
+  /// Requires: no half-edge of another face names one of `f` as its twin.
+  void free_face(Face f);
+  /// Gives `f` its corners, without twins and labels; each corner's outgoing half-edge is one of `f`.
+  void set_corners(Face f, Vertex a, Vertex b, Vertex c);
+  void set_outgoing(Vertex v, HalfEdge h) { outgoing_[number(v)] = number(h); }
+  /// Makes twins of `g` and `h`, with that label on their edge.
+  void link(HalfEdge g, HalfEdge h, Label label);
+  /// Labels the edge of `h`; 0 frees it.
+  void set_label(HalfEdge h, Label label);
+
+  /// Puts `v` into `f`, joined to its three corners. Returns the half-edges opposite to `v`, counter-clockwise around
+  /// it; the first is first(f).
+  std::array<HalfEdge, 3> split_face(Face f, Vertex v);
+  /// Puts `v` on the edge of `h`, joined to the apex on each side. Both halves carry the edge's label. `h` is then the
+  /// half from its origin to `v`. Returns the half-edges opposite to `v`, counter-clockwise around it.
+  std::array<HalfEdge, 4> split_edge(HalfEdge h, Vertex v);
+  /// Turns the edge of `h` in its quadrilateral, whose apexes are c on the side of `h` and d on the other. Returns the
+  /// half of the new edge that runs from d to c. Afterwards `h` and the half-edge that followed the new one's twin,
+  /// returned as `opposite`, are the two sides of the quadrilateral that d's corners face: both have c as their apex.
+  /// Requires: the edge isn't fixed, and the quadrilateral's four corners are distinct.
+  struct Flipped {
+    HalfEdge diagonal;
+    HalfEdge opposite;
+  };
+  Flipped flip(HalfEdge h);
+
+  /// The first broken link, label, loop or free list found, or nothing. Cost: linear.
+  [[nodiscard]] std::optional<std::string> find_fault() const;
+
+ private:
+  static constexpr std::uint32_t kFixed = 0x80000000;
+  static constexpr std::uint32_t kFree = 0x80000000;
+  static constexpr std::uint32_t kEndOfList = 0x7fffffff;
+
+  struct Corner {
+    std::uint32_t twin;  ///< the highest bit says that the edge is fixed; of a free face's first, the next free face
+    Vertex origin;       ///< kNoVertex in a free face
+  };
+
+  /// Gives `to` the twin and label that `from` has; both name the same edge, before and after its face is rebuilt.
+  void take_over(HalfEdge to, HalfEdge from);
+  void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
+
+  std::vector<Corner> corners_;
+  std::vector<Label> labels_;            ///< by half-edge; meaningful where the edge is fixed
+  std::vector<std::uint32_t> outgoing_;  ///< by vertex; with kFree set, the next free vertex
+  std::uint32_t first_free_face_ = kEndOfList;
+  std::uint32_t first_free_vertex_ = kEndOfList;
+  std::size_t free_face_count_ = 0;
+  std::size_t free_vertex_count_ = 0;
+};
+
+}  // namespace waywright::mesh

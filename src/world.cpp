@@ -1,0 +1,254 @@
+#include "waywright/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "constraint/canonical.hpp"
+#include "constraint/exact_triangulation.hpp"
+#include "io/dump.hpp"
+#include "path/scratch.hpp"
+#include "path/ta_star.hpp"
+
+namespace waywright {
+
+namespace detail {
+
+struct QueryScratch {
+  constraint::Cover cover;
+  path::Scratch path;
+};
+
+}  // namespace detail
+
+QueryContext::QueryContext() : scratch_(std::make_unique<detail::QueryScratch>()) {}
+QueryContext::~QueryContext() = default;
+QueryContext::QueryContext(QueryContext&&) noexcept = default;
+QueryContext& QueryContext::operator=(QueryContext&&) noexcept = default;
+
+struct World::Impl {
+  explicit Impl(const Box& domain) : triangulation(domain) {}
+
+  constraint::ExactTriangulation triangulation;
+};
+
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+namespace {
+
+/// A mesh may not outgrow its 31-bit half-edge indices: 2^31 / 6 vertices. This keeps half of that for crossings, which
+/// nobody can count before they are made.
+constexpr std::size_t kLargestPointCount = std::size_t{1} << 27;
+
+Error range_error(const Point& point, std::size_t index) {
+  const bool is_x = !exact::in_range(point.x);
+  const double value = is_x ? point.x : point.y;
+  std::string message = std::string(is_x ? "x" : "y") + " of point " + std::to_string(index);
+  if (!std::isfinite(value)) {
+    message += " is not finite";
+  } else if (std::abs(value) > exact::kLargestCoordinate) {
+    message += " lies beyond +-2^100";
+  } else {
+    message += " is nearer to 0 than 2^-100 without being 0";
+  }
+  return {ErrorCode::coordinate_range, std::move(message), {}, index};
+}
+
+std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index) {
+  if (!exact::in_range(point)) return range_error(point, index);
+  if (point.x < domain.min.x || point.x > domain.max.x || point.y < domain.min.y || point.y > domain.max.y) {
+    return Error{ErrorCode::out_of_domain, "point " + std::to_string(index) + " lies outside the domain", {}, index};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> find_arity_error(const Shape& shape) {
+  const auto refuse = [](std::string message) { return Error{ErrorCode::empty_shape, std::move(message), {}, 0}; };
+  if (shape.rings.empty()) return refuse("a " + std::string(to_string(shape.kind)) + " needs a ring of points");
+  for (const std::vector<Point>& ring : shape.rings) {
+    if (ring.empty()) return refuse("a ring needs at least one point");
+  }
+  if (shape.kind == ItemKind::polygon) return std::nullopt;
+  if (shape.rings.size() != 1) return refuse("only a polygon has more than one ring");
+  const std::size_t count = shape.rings[0].size();
+  if (shape.kind == ItemKind::point && count != 1) return refuse("a point needs exactly one point");
+  if (shape.kind == ItemKind::segment && count != 2) return refuse("a segment needs exactly two points");
+  return std::nullopt;
+}
+
+std::optional<Error> find_shape_error(const Box& domain, const Shape& shape) {
+  if (auto error = find_arity_error(shape)) return error;
+  std::size_t index = 0;
+  for (const std::vector<Point>& ring : shape.rings) {
+    for (const Point& point : ring) {
+      if (auto error = find_point_error(domain, point, index)) return error;
+      ++index;
+    }
+  }
+  return std::nullopt;
+}
+
+Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
+  return {kind, {std::vector<Point>(points.begin(), points.end())}};
+}
+
+}  // namespace
+
+Result<World> World::create(const Box& domain) {
+  std::size_t index = 0;
+  for (const Point& point : {domain.min, domain.max}) {
+    if (!exact::in_range(point)) return range_error(point, index);
+    ++index;
+  }
+  if (!(domain.min.x < domain.max.x && domain.min.y < domain.max.y)) {
+    return Error{ErrorCode::bad_domain, "a domain needs min.x < max.x and min.y < max.y", {}, 0};
+  }
+  const Box normalised{{domain.min.x + 0.0, domain.min.y + 0.0}, {domain.max.x + 0.0, domain.max.y + 0.0}};
+  return World(std::make_unique<Impl>(normalised));
+}
+
+const Box& World::domain() const { return impl_->triangulation.domain(); }
+
+Result<ItemId> World::insert(const Shape& shape, ItemId id) {
+  const constraint::ItemTable& items = impl_->triangulation.items();
+  if (id.is_null()) id = {items.largest_id_seen().value + 1};
+  if (id.value > ItemId::kLargest) return Error{ErrorCode::bad_id, "ids go up to 2^63 - 1", id, 0};
+  if (items.contains(id)) {
+    return Error{ErrorCode::id_in_use, "an item has id " + std::to_string(id.value) + " already", id, 0};
+  }
+  if (auto error = find_shape_error(domain(), shape)) {
+    error->item = id;
+    return *std::move(error);
+  }
+  std::size_t points = vertex_count();
+  for (const std::vector<Point>& ring : shape.rings) points += ring.size();
+  if (points > kLargestPointCount) return Error{ErrorCode::too_large, "the world has too many vertices", id, 0};
+  impl_->triangulation.insert(shape, id);
+  return id;
+}
+
+Result<ItemId> World::insert_point(Point point, ItemId id) {
+  return insert(shape_of_points(ItemKind::point, {&point, 1}), id);
+}
+
+Result<ItemId> World::insert_segment(Point a, Point b, ItemId id) {
+  const std::array<Point, 2> ends = {a, b};
+  return insert(shape_of_points(ItemKind::segment, ends), id);
+}
+
+Result<ItemId> World::insert_polyline(std::span<const Point> points, ItemId id) {
+  return insert(shape_of_points(ItemKind::polyline, points), id);
+}
+
+Result<ItemId> World::insert_polygon(std::span<const Point> ring, ItemId id) {
+  return insert(shape_of_points(ItemKind::polygon, ring), id);
+}
+
+Result<ItemId> World::insert_polygon(std::span<const std::vector<Point>> rings, ItemId id) {
+  return insert(Shape{ItemKind::polygon, {rings.begin(), rings.end()}}, id);
+}
+
+bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
+
+std::size_t World::item_count() const { return impl_->triangulation.items().size(); }
+
+std::vector<ItemId> World::item_ids() const { return impl_->triangulation.items().ids(); }
+
+Result<Shape> World::shape(ItemId id) const {
+  const constraint::ItemTable& items = impl_->triangulation.items();
+  if (!items.contains(id)) return Error{ErrorCode::unknown_id, "no item has id " + std::to_string(id.value), id, 0};
+  const constraint::ItemRecord& item = items.item(items.slot(id));
+  const auto& geometry = impl_->triangulation.triangulation().geometry();
+  Shape shape{item.kind, {}};
+  std::size_t i = 0;
+  for (const std::uint32_t end : item.ring_ends) {
+    std::vector<Point>& ring = shape.rings.emplace_back();
+    for (; i < end; ++i) ring.push_back(geometry.nearest(number(item.corners[i])));
+  }
+  if (shape.kind == ItemKind::segment && shape.rings[0].size() == 1) shape.rings[0].push_back(shape.rings[0][0]);
+  return shape;
+}
+
+std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }
+
+// Each vertex on the border makes one of the ghost faces. A triangulated sphere has 2 V - 4 faces.
+std::size_t World::triangle_count() const {
+  const mesh::TriangleMesh& mesh = impl_->triangulation.topology();
+  std::size_t border = 0;
+  mesh.for_each_outgoing(impl_->triangulation.triangulation().ghost(), [&](mesh::HalfEdge) { ++border; });
+  return mesh.face_count() - border;
+}
+
+Result<void> World::locate(Point point, QueryContext& context, Location& location) const {
+  if (auto error = find_point_error(domain(), point, 0)) return *std::move(error);
+  const constraint::ExactTriangulation& triangulation = impl_->triangulation;
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto& delaunay = triangulation.triangulation();
+  const locate::Located place = delaunay.locate(point, delaunay.recent());
+  constexpr std::array<Place, 3> kPlaces = {Place::vertex, Place::edge, Place::face};
+  const auto spot = static_cast<std::size_t>(place.spot);
+  location.at = kPlaces[spot];
+  location.corner_count = spot + 1;
+  std::array<mesh::Vertex, 3> corners = {mesh.origin(place.h), mesh.target(place.h), mesh.apex(place.h)};
+  const auto end = corners.begin() + static_cast<std::ptrdiff_t>(location.corner_count);
+  const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); };
+  std::rotate(corners.begin(), std::min_element(corners.begin(), end, before), end);
+  for (std::size_t i = 0; i < location.corner_count; ++i) {
+    location.corners[i] = delaunay.geometry().nearest(number(corners[i]));
+  }
+  location.inside.clear();
+  for (const std::uint32_t item : context.scratch_->cover.of_place(triangulation, place)) {
+    location.inside.push_back(triangulation.items().item(item).id);
+  }
+  std::sort(location.inside.begin(), location.inside.end());
+  return {};
+}
+
+Result<Location> World::locate(Point point) const {
+  QueryContext context;
+  Location location;
+  if (auto done = locate(point, context, location); !done) return done.error();
+  return location;
+}
+
+Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
+  std::size_t index = 0;
+  for (const Point& end : {query.start, query.goal}) {
+    if (auto error = find_point_error(domain(), end, index)) return *std::move(error);
+    ++index;
+  }
+  if (!(query.radius >= 0.0) || !std::isfinite(query.radius)) {
+    return Error{ErrorCode::bad_radius, "a radius is 0 or more, and finite", {}, 0};
+  }
+  if (query.radius > 0.0) {
+    return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
+  }
+  if (query.algorithm != PathAlgorithm::ta) {
+    return Error{ErrorCode::not_supported, "of the path algorithms only ta is supported yet", {}, 0};
+  }
+  path::TaStar(impl_->triangulation, context.scratch_->path).find(query, path);
+  return {};
+}
+
+Result<Path> World::find_path(const PathQuery& query) const {
+  QueryContext context;
+  Path path;
+  if (auto done = find_path(query, context, path); !done) return done.error();
+  return path;
+}
+
+Validation World::validate() const {
+  auto fault = impl_->triangulation.find_fault();
+  if (!fault) return {};
+  return {false, *std::move(fault)};
+}
+
+MeshSnapshot World::snapshot() const { return constraint::canonical_mesh(impl_->triangulation).snapshot; }
+
+std::string World::dump() const { return io::dump(impl_->triangulation); }
+
+}  // namespace waywright
