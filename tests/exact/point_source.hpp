@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cmath>
+#include <deque>
+
+#include "exact/crossing.hpp"
+#include "exact/exact_point.hpp"
+#include "exact/rational.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+
+/// Random points, explicit and constructed, of several kinds; keeps the crossings that its points refer to.
+class PointSource {
+ public:
+  enum class Kind { small_lattice, large_integers, doubles, mixed_sizes };
+
+  PointSource(Kind kind, std::uint64_t seed) : kind_(kind), random_(seed) {}
+
+  Random& random() { return random_; }
+
+  double coordinate() {
+    switch (kind_) {
+      case Kind::small_lattice:
+        return static_cast<double>(random_.between(-3, 3));
+      case Kind::large_integers:
+        return static_cast<double>(random_.between(-(1LL << 40), 1LL << 40));
+      case Kind::doubles:
+        return static_cast<double>(random_.between(-(1LL << 53), 1LL << 53)) * 0x1p-53;
+      case Kind::mixed_sizes:
+        break;
+    }
+    const auto mantissa = static_cast<double>(random_.between(-(1LL << 53), 1LL << 53));
+    return std::ldexp(mantissa, static_cast<int>(random_.between(-153, 46)));
+  }
+
+  Point point() { return {coordinate(), coordinate()}; }
+
+  /// Half the points are crossings; of those, many of segments that share an end or a line with an earlier one.
+  exact::ExactPoint any() {
+    if (random_.chance(50)) return exact::explicit_point(point());
+    for (;;) {
+      exact::Crossing crossing{point(), point(), point(), point()};
+      if (!crossings_.empty() && random_.chance(60)) {
+        const exact::Crossing& earlier = crossings_[random_.below(crossings_.size())];
+        crossing.a = earlier.a;
+        crossing.b = random_.chance(50) ? earlier.b : crossing.b;
+      }
+      if (!in_range(crossing) || is_parallel(crossing)) continue;
+      const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
+      if (rounded.is_exact) return exact::explicit_point(rounded.nearest);
+      crossings_.push_back(crossing);
+      return {rounded.nearest.x, rounded.nearest.y, &crossings_.back()};
+    }
+  }
+
+ private:
+  static bool in_range(const exact::Crossing& crossing) {
+    return exact::in_range(crossing.a) && exact::in_range(crossing.b) && exact::in_range(crossing.c) &&
+           exact::in_range(crossing.d);
+  }
+  static bool is_parallel(const exact::Crossing& crossing) {
+    const RationalPoint a = rational(crossing.a), b = rational(crossing.b), c = rational(crossing.c),
+                        d = rational(crossing.d);
+    return (b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x);
+  }
+
+  Kind kind_;
+  Random random_;
+  std::deque<exact::Crossing> crossings_;
+};
+
+}  // namespace waywright::test

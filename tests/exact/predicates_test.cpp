@@ -1,0 +1,169 @@
+#include "exact/predicates.hpp"
+
+#include <array>
+#include <fstream>
+#include <span>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "exact/crossing.hpp"
+#include "exact/point_source.hpp"
+#include "exact/rational.hpp"
+#include "support/data_folder.hpp"
+
+namespace waywright::test {
+
+namespace {
+
+using exact::ExactPoint;
+using exact::Sign;
+
+class Predicates : public testing::TestWithParam<PointSource::Kind> {};
+
+std::string kind_name(const testing::TestParamInfo<PointSource::Kind>& kind) {
+  switch (kind.param) {
+    case PointSource::Kind::small_lattice:
+      return "SmallLattice";
+    case PointSource::Kind::large_integers:
+      return "LargeIntegers";
+    case PointSource::Kind::doubles:
+      return "Doubles";
+    case PointSource::Kind::mixed_sizes:
+      return "MixedSizes";
+  }
+  return "Unknown";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Predicates,
+                         testing::Values(PointSource::Kind::small_lattice, PointSource::Kind::large_integers,
+                                         PointSource::Kind::doubles, PointSource::Kind::mixed_sizes),
+                         kind_name);
+
+TEST_P(Predicates, OrientationAgreesWithRationals) {
+  PointSource source(GetParam(), 1);
+  for (int i = 0; i < 1500; ++i) {
+    const ExactPoint a = source.any(), b = source.any(), c = source.any();
+    const Sign expected = rational_orientation(rational(a), rational(b), rational(c));
+    ASSERT_EQ(exact::orientation(a, b, c), expected) << "call " << i;
+    ASSERT_EQ(exact::integers::orientation(a, b, c), expected) << "call " << i;
+    ASSERT_EQ(exact::filter::orientation(a, b, c).value_or(expected), expected) << "call " << i;
+    ASSERT_EQ(exact::orientation(b, a, c), -expected);
+    ASSERT_EQ(exact::orientation(a, c, b), -expected);
+    ASSERT_EQ(exact::orientation(b, c, a), expected);
+  }
+}
+
+TEST_P(Predicates, InCircleAgreesWithRationals) {
+  PointSource source(GetParam(), 2);
+  for (int i = 0; i < 1000; ++i) {
+    const ExactPoint a = source.any(), b = source.any(), c = source.any(), d = source.any();
+    const Sign expected = rational_in_circle(rational(a), rational(b), rational(c), rational(d));
+    ASSERT_EQ(exact::in_circle(a, b, c, d), expected) << "call " << i;
+    ASSERT_EQ(exact::integers::in_circle(a, b, c, d), expected) << "call " << i;
+    ASSERT_EQ(exact::filter::in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
+    ASSERT_EQ(exact::in_circle(b, c, a, d), expected);
+    ASSERT_EQ(exact::in_circle(b, a, c, d), -expected);
+    ASSERT_EQ(exact::in_circle(a, b, d, c), -expected);
+  }
+}
+
+TEST_P(Predicates, OrderAgreesWithRationals) {
+  PointSource source(GetParam(), 3);
+  for (int i = 0; i < 2000; ++i) {
+    const ExactPoint p = source.any(), q = source.random().chance(20) ? p : source.any();
+    const Sign expected = rational_order(rational(p), rational(q));
+    ASSERT_EQ(exact::compare(p, q) < 0, expected == Sign::negative);
+    ASSERT_EQ(exact::compare(p, q) == 0, expected == Sign::zero);
+    ASSERT_EQ(exact::compare(q, p) > 0, expected == Sign::negative);
+  }
+}
+
+// Points within a few ulps of a line and of a circle: the filter has to let most of these go, and may be wrong on none.
+TEST(Filter, IsNeverWrongNextToZero) {
+  Random random(4);
+  int undecided = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto nudge = [&] { return static_cast<double>(random.between(-2, 2)) * 0x1p-52; };
+    const double t = static_cast<double>(random.between(0, 1 << 20)) * 0x1p-20;
+    const ExactPoint a{0.1, 0.1}, b{0.9, 0.9}, c{t + nudge(), t + nudge()};
+    const auto filtered = exact::filter::orientation(a, b, c);
+    if (!filtered) {
+      ++undecided;
+    } else {
+      ASSERT_EQ(*filtered, rational_orientation(rational(a), rational(b), rational(c)));
+    }
+    const ExactPoint d{0.6 + nudge(), 0.8 + nudge()};
+    const ExactPoint east{1.0, nudge()}, north{nudge(), 1.0}, west{-1.0, nudge()};
+    const auto circled = exact::filter::in_circle(east, north, west, d);
+    if (circled) {
+      ASSERT_EQ(*circled, rational_in_circle(rational(east), rational(north), rational(west), rational(d)));
+    }
+  }
+  EXPECT_GT(undecided, 0);
+}
+
+TEST(Filter, DecidesPlainCasesAlone) {
+  const ExactPoint a{0, 0}, b{4, 0}, c{0, 4};
+  EXPECT_EQ(exact::filter::orientation(a, b, c), Sign::positive);
+  EXPECT_EQ(exact::filter::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
+  EXPECT_EQ(exact::filter::in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
+  EXPECT_EQ(exact::filter::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
+}
+
+TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {
+  // The lines y = x / 3 and y = 2 - 2 x / 7 meet in (42/13, 14/13).
+  const Point a{0, 0}, b{9, 3}, c{0, 2}, d{7, 0};
+  const exact::Crossing crossing{a, b, c, d};
+  const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
+  EXPECT_FALSE(rounded.is_exact);
+  const ExactPoint p{rounded.nearest.x, rounded.nearest.y, &crossing};
+  EXPECT_EQ(exact::orientation(exact::explicit_point(a), exact::explicit_point(b), p), Sign::zero);
+  EXPECT_EQ(exact::orientation(p, exact::explicit_point(d), exact::explicit_point(c)), Sign::zero);
+  EXPECT_NE(exact::compare(p, ExactPoint{p.x, p.y}), std::strong_ordering::equal);
+}
+
+TEST(Constructed, OnePlaceHasOneValueWhateverPairMadeIt) {
+  // (42/13, 14/13) again, now from the line through it and the origin's mirror image about it, and a vertical twist.
+  const exact::Crossing first{{0, 0}, {9, 3}, {0, 2}, {7, 0}};
+  const exact::Crossing second{{3, 1}, {-6, -2}, {14, -2}, {-7, 4}};
+  const exact::RoundedCrossing p = exact::round_to_nearest(first);
+  const exact::RoundedCrossing q = exact::round_to_nearest(second);
+  EXPECT_EQ(p.nearest, q.nearest);
+  const ExactPoint one{p.nearest.x, p.nearest.y, &first};
+  const ExactPoint other{q.nearest.x, q.nearest.y, &second};
+  EXPECT_EQ(exact::compare(one, other), std::strong_ordering::equal);
+  EXPECT_EQ(exact::to_fractions(one), "42 13 14 13");
+  EXPECT_EQ(exact::to_fractions(other), "42 13 14 13");
+}
+
+// 1,000 lines each of Shewchuk-style near-degenerate input; skipped where the real data is absent.
+TEST(RealData, SignsOfNastyPredicates) {
+  const std::filesystem::path folder = data_folder() / "nasty" / "predicates";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";
+  std::size_t lines = 0;
+  const auto read = [&](std::ifstream& file, std::span<ExactPoint> points, int& expected) {
+    int id = 0;
+    if (!(file >> id)) return false;
+    for (ExactPoint& point : points) file >> point.x >> point.y;
+    file >> expected;
+    ++lines;
+    return true;
+  };
+  int expected = 0;
+  std::array<ExactPoint, 4> p;
+  std::ifstream orientations(folder / "orient2d.txt");
+  while (read(orientations, std::span(p).first(3), expected)) {
+    ASSERT_EQ(static_cast<int>(exact::orientation(p[0], p[1], p[2])), expected) << "orient2d, line " << lines;
+    ASSERT_EQ(static_cast<int>(exact::integers::orientation(p[0], p[1], p[2])), expected);
+  }
+  std::ifstream circles(folder / "incircle.txt");
+  while (read(circles, p, expected)) {
+    ASSERT_EQ(static_cast<int>(exact::in_circle(p[0], p[1], p[2], p[3])), expected) << "incircle, line " << lines;
+    ASSERT_EQ(static_cast<int>(exact::integers::in_circle(p[0], p[1], p[2], p[3])), expected);
+  }
+  EXPECT_EQ(lines, 2000U);
+}
+
+}  // namespace
+}  // namespace waywright::test
