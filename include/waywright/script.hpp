@@ -40,7 +40,8 @@ struct Script {
 /// Reads a world script. `name` is what messages call the text; they start `NAME:LINE: `. Errors: malformed.
 [[nodiscard]] Result<Script> parse_script(std::string_view text, std::string_view name);
 
-/// The scene that a script's insertions and removals leave; refused ones are passed over.
+/// The scene that a script's insertions and removals leave, in the order of the insertions. An insertion that a world
+/// would refuse is passed over: its id is in use, or a coordinate of it is out of range or outside the domain.
 [[nodiscard]] Scene scene_of(const Script& script);
 
 }  // namespace waywright

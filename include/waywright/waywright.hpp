@@ -3,6 +3,7 @@
 #include "waywright/error.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"

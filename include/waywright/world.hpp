@@ -12,6 +12,7 @@
 #include "waywright/error.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
@@ -33,21 +34,6 @@ struct Location {
   std::size_t corner_count = 0;
   /// The polygons that cover the point, their boundary included; ascending.
   std::vector<ItemId> inside;
-};
-
-/// A copy of a world's mesh, in the canonical order of the dump: vertices by (x, y), triangles counter-clockwise from
-/// their smallest index and sorted, edges smaller index first and sorted, ids ascending.
-struct MeshSnapshot {
-  struct ConstrainedEdge {
-    std::array<std::uint32_t, 2> vertices{};
-    std::uint32_t first_id = 0;  ///< where its ids start in `ids`
-    std::uint32_t id_count = 0;
-  };
-
-  std::vector<Point> vertices;  ///< nearest doubles
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<ConstrainedEdge> constraints;
-  std::vector<ItemId> ids;  ///< the ids of all constrained edges, one edge after the other; 0 is the domain
 };
 
 /// What World::validate found.

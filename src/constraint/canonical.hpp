@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "waywright/world.hpp"
+#include "waywright/mesh_snapshot.hpp"
 
 #include "constraint/exact_triangulation.hpp"
 

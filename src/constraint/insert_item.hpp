@@ -26,26 +26,30 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain)
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   const std::uint32_t slot = items_.add_item(id, shape.kind);
-  std::vector<std::uint32_t> new_sides;
-  for (const std::vector<Point>& ring : shape.rings) {
-    std::vector<mesh::Vertex>& corners = items_.item(slot).corners;
-    const std::size_t begin = corners.size();
-    for (const Point& point : ring) {
-      if (&point != ring.data() && point == *(&point - 1)) continue;
-      if (shape.kind == ItemKind::polygon && corners.size() > begin + 1 && &point == &ring.back() &&
-          point == ring.front()) {
-        continue;
-      }
-      corners.push_back(insert_corner(point, slot));
-    }
-    items_.item(slot).ring_ends.push_back(static_cast<std::uint32_t>(corners.size()));
-    const std::size_t count = corners.size() - begin;
-    const std::size_t side_count = shape.kind == ItemKind::polygon && count > 1 ? count : count - 1;
-    for (std::size_t i = 0; i < side_count; ++i) {
-      new_sides.push_back(items_.add_side({slot, corners[begin + i], corners[begin + (i + 1) % count]}));
-    }
+  for (const std::vector<Point>& ring : shape.rings) insert_ring(ring, slot);
+  const std::vector<std::uint32_t> sides = items_.item(slot).sides;
+  for (const std::uint32_t side : sides) insert_side(side);
+}
+
+/// The corners of a ring, and a record of each of its sides; the sides themselves come later.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::insert_ring(const std::vector<Point>& ring, std::uint32_t slot) {
+  const bool is_closed = items_.item(slot).kind == ItemKind::polygon;
+  std::size_t end = ring.size();
+  while (is_closed && end > 1 && ring[end - 1] == ring.front()) --end;
+
+  std::vector<mesh::Vertex>& corners = items_.item(slot).corners;
+  const std::size_t begin = corners.size();
+  for (std::size_t i = 0; i < end; ++i) {
+    if (i == 0 || ring[i] != ring[i - 1]) corners.push_back(insert_corner(ring[i], slot));
   }
-  for (const std::uint32_t side : new_sides) insert_side(side);
+  items_.item(slot).ring_ends.push_back(static_cast<std::uint32_t>(corners.size()));
+
+  const std::size_t count = corners.size() - begin;
+  const std::size_t side_count = is_closed && count > 1 ? count : count - 1;
+  for (std::size_t i = 0; i < side_count; ++i) {
+    items_.add_side({slot, corners[begin + i], corners[begin + (i + 1) % count]});
+  }
 }
 
 template <class Geometry>

@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "waywright/scene.hpp"
+
+#include "io/text.hpp"
+
+namespace waywright {
+namespace {
+
+/// The rows of a map, or what is wrong with it.
+class MapReader {
+ public:
+  MapReader(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
+
+  Result<std::vector<std::string_view>> run() {
+    if (!header_line("type", "octile") || !size_line("height", height_) || !size_line("width", width_) ||
+        !header_line("map", {}) || !read_rows()) {
+      return std::move(error_);
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  /// Reads a line of `key`, and after it `value` unless that is empty.
+  bool header_line(std::string_view key, std::string_view value);
+  bool size_line(std::string_view key, std::uint64_t& size);
+  bool read_rows();
+  bool read_row(std::string_view row);
+  bool fail(std::string_view expected, std::string_view found);
+
+  io::LineReader lines_;
+  std::string_view name_;
+  std::uint64_t height_ = 0;
+  std::uint64_t width_ = 0;
+  std::vector<std::string_view> rows_;
+  Error error_;
+};
+
+bool MapReader::fail(std::string_view expected, std::string_view found) {
+  std::string what = "expected ";
+  what += expected;
+  what += ", found ";
+  what += found;
+  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(), what);
+  return false;
+}
+
+bool MapReader::header_line(std::string_view key, std::string_view value) {
+  std::string expected = "'";
+  expected += key;
+  if (!value.empty()) {
+    expected += ' ';
+    expected += value;
+  }
+  expected += '\'';
+  std::string_view line;
+  if (!lines_.next(line)) return fail(expected, "the end of the text");
+  io::WordReader words(line);
+  std::string_view word;
+  const bool matches =
+      words.next(word) && word == key && (value.empty() || (words.next(word) && word == value)) && words.at_end();
+  return matches || fail(expected, io::in_quotes(line));
+}
+
+bool MapReader::size_line(std::string_view key, std::uint64_t& size) {
+  std::string expected = "'";
+  expected += key;
+  expected += "' and a number, 1 or more";
+  std::string_view line;
+  if (!lines_.next(line)) return fail(expected, "the end of the text");
+  io::WordReader words(line);
+  std::string_view word;
+  if (words.next(word) && word == key && words.next(word) && words.at_end()) {
+    size = io::read_unsigned(word).value_or(0);
+  }
+  return size > 0 || fail(expected, io::in_quotes(line));
+}
+
+bool MapReader::read_row(std::string_view row) {
+  constexpr std::string_view kAlphabet = ".GS@OTW";
+  const std::size_t strange = row.find_first_not_of(kAlphabet);
+  if (strange != std::string_view::npos) {
+    return fail("cells out of '.GS@OTW'", io::in_quotes(row.substr(strange, 1)));
+  }
+  if (row.size() == width_) return true;
+  return fail(io::with_number("a row of ", width_, " cells"), io::with_number("", row.size(), ""));
+}
+
+bool MapReader::read_rows() {
+  std::string_view line;
+  while (rows_.size() < height_) {
+    if (!lines_.next(line)) {
+      return fail(io::with_number("", height_, " rows"),
+                  io::with_number("the end of the text after ", rows_.size(), ""));
+    }
+    if (!read_row(line)) return false;
+    rows_.push_back(line);
+  }
+  while (lines_.next(line)) {
+    if (!io::WordReader(line).at_end()) {
+      return fail(io::with_number("no more after ", height_, " rows"), io::in_quotes(line));
+    }
+  }
+  return true;
+}
+
+/// The sides of a cell in the order in which a ring runs along them, the cell to the left where y points up. Side s + 3
+/// (mod 4) is the direction out of the cell across side s.
+enum Side : std::uint8_t { top, right, bottom, left };
+
+/// The blocked cells of a map and what bounds their groups. A group is what is connected through the sides of blocked
+/// cells.
+///
+/// At a lattice point where two blocked cells touch diagonally, the other two being free, two ways of turning are
+/// possible. Cells of two groups keep their rings apart: each ring turns round its own cell. Two cells of one group are
+/// also connected some other way about, so one of the two free cells is enclosed there, and parted from the other: the
+/// ring passes from the one blocked cell to the other and stays with its free cell. Thus every ring bounds one region
+/// of what the group leaves free, and passes no point twice: every ring is simple, and rings of a group meet in points
+/// alone.
+class Tracer {
+ public:
+  explicit Tracer(const std::vector<std::string_view>& rows);
+
+  /// The groups as polygons, in the order of their first cells, row by row: first the outer ring, then the holes.
+  std::vector<Item> run();
+
+ private:
+  struct Position {
+    std::size_t cell = 0;
+    Side side = top;
+
+    friend bool operator==(const Position&, const Position&) = default;
+  };
+
+  /// Marks the group of `first` with `group`.
+  void fill(std::size_t first, std::size_t group);
+  std::vector<Point> trace(std::size_t first);
+  [[nodiscard]] Position next(Position at) const;
+  [[nodiscard]] std::size_t neighbour(std::size_t cell, unsigned direction) const;
+  /// The lattice point where the ring starts along a side.
+  [[nodiscard]] Point start_of(Position at) const;
+
+  /// Groups count from kFirstGroup; lower numbers mark what is in none.
+  static constexpr std::size_t kFree = 0;
+  static constexpr std::size_t kUnmarked = 1;
+  static constexpr std::size_t kFirstGroup = 2;
+
+  std::size_t stride_;              ///< cells a row, a free cell on both ends included
+  std::vector<std::size_t> group_;  ///< of each cell, a free row above and one below included
+  std::vector<bool> top_traced_;    ///< whether a ring has passed along the cell's top side
+  std::vector<std::size_t> stack_;  ///< of the filling
+};
+
+Tracer::Tracer(const std::vector<std::string_view>& rows)
+    : stride_(rows.front().size() + 2), group_(stride_ * (rows.size() + 2), kFree), top_traced_(group_.size()) {
+  std::size_t cell = stride_ + 1;
+  for (const std::string_view row : rows) {
+    for (const char c : row) group_[cell++] = c == '.' || c == 'G' || c == 'S' ? kFree : kUnmarked;
+    cell += 2;
+  }
+}
+
+std::size_t Tracer::neighbour(std::size_t cell, unsigned direction) const {
+  switch (direction % 4) {
+    case 0:
+      return cell + 1;
+    case 1:
+      return cell + stride_;
+    case 2:
+      return cell - 1;
+    default:
+      return cell - stride_;
+  }
+}
+
+std::vector<Item> Tracer::run() {
+  std::vector<Item> items;
+  for (std::size_t cell = stride_; cell < group_.size() - stride_; ++cell) {
+    if (group_[cell] == kFree) continue;
+    if (group_[cell] == kUnmarked) {
+      fill(cell, kFirstGroup + items.size());
+      items.push_back({ItemId{items.size() + 1}, Shape{ItemKind::polygon, {}}});
+    }
+    // Every ring has a top side, and the first one met in a group's first cell is of its outer ring.
+    if (group_[cell - stride_] == kFree && !top_traced_[cell]) {
+      items[group_[cell] - kFirstGroup].shape.rings.push_back(trace(cell));
+    }
+  }
+  return items;
+}
+
+void Tracer::fill(std::size_t first, std::size_t group) {
+  group_[first] = group;
+  stack_.push_back(first);
+  while (!stack_.empty()) {
+    const std::size_t cell = stack_.back();
+    stack_.pop_back();
+    for (const unsigned direction : {0U, 1U, 2U, 3U}) {
+      const std::size_t other = neighbour(cell, direction);
+      if (group_[other] != kUnmarked) continue;
+      group_[other] = group;
+      stack_.push_back(other);
+    }
+  }
+}
+
+Tracer::Position Tracer::next(Position at) const {
+  const auto outwards = static_cast<Side>((at.side + 3) % 4);
+  const std::size_t ahead = neighbour(at.cell, at.side);
+  const std::size_t diagonal = neighbour(ahead, outwards);
+  if (group_[ahead] != kFree)
+    return group_[diagonal] != kFree ? Position{diagonal, outwards} : Position{ahead, at.side};
+  if (group_[diagonal] == group_[at.cell]) return {diagonal, outwards};
+  return {at.cell, static_cast<Side>((at.side + 1) % 4)};
+}
+
+Point Tracer::start_of(Position at) const {
+  const std::size_t x = at.cell % stride_ - 1 + (at.side == right || at.side == bottom ? 1 : 0);
+  const std::size_t y = at.cell / stride_ - 1 + (at.side == bottom || at.side == left ? 1 : 0);
+  return {static_cast<double>(x), static_cast<double>(y)};
+}
+
+std::vector<Point> Tracer::trace(std::size_t first) {
+  // The first top side in scan order starts in a corner: a side before it in line would have been met earlier.
+  const Position start{first, top};
+  std::vector<Point> ring{start_of(start)};
+  top_traced_[first] = true;
+  for (Position at = next(start), before = start; at != start; before = at, at = next(at)) {
+    if (at.side != before.side) ring.push_back(start_of(at));
+    if (at.side == top) top_traced_[at.cell] = true;
+  }
+  return ring;
+}
+
+}  // namespace
+
+Result<Scene> parse_movingai_map(std::string_view text, std::string_view name) {
+  Result<std::vector<std::string_view>> rows = MapReader(text, name).run();
+  if (!rows.ok()) return rows.error();
+  const Point far_corner{static_cast<double>(rows->front().size()), static_cast<double>(rows->size())};
+  return Scene{.domain = {{0.0, 0.0}, far_corner}, .items = Tracer(*rows).run(), .y_down = true};
+}
+
+}  // namespace waywright

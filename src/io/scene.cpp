@@ -1,0 +1,91 @@
+#include "waywright/scene.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "waywright/script.hpp"
+
+#include "io/triangle.hpp"
+
+namespace waywright {
+namespace {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+};
+
+Error unreadable(const std::string& file_name, int reason) {
+  return Error{.code = ErrorCode::unreadable,
+               .message = file_name + ": cannot be read: " + std::generic_category().message(reason),
+               .item = {}};
+}
+
+Result<std::string> read_file(const std::string& file_name) {
+  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(file_name.c_str(), "rb"));
+  if (!file) return unreadable(file_name, errno);
+  std::string text;
+  std::array<char, std::size_t{1} << 16> chunk{};
+  while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+    text.append(chunk.data(), count);
+  }
+  if (std::ferror(file.get()) != 0) return unreadable(file_name, errno);
+  return text;
+}
+
+Result<Scene> read_script(std::string_view text, const std::string& file_name) {
+  const Result<Script> script = parse_script(text, file_name);
+  if (!script.ok()) return script.error();
+  return scene_of(*script);
+}
+
+Result<Scene> read_poly(std::string_view text, const std::string& file_name) {
+  if (!io::lacks_vertices(text)) return parse_triangle_poly(text, file_name);
+  const std::string node_name = file_name.substr(0, file_name.rfind('.')) + ".node";
+  const Result<std::string> node_text = read_file(node_name);
+  if (!node_text.ok()) return node_text.error();
+  return parse_triangle_poly(text, file_name, *node_text, node_name);
+}
+
+}  // namespace
+
+Result<SceneFormat> scene_format(std::string_view file_name) {
+  constexpr std::array kEndings{
+      std::pair<std::string_view, SceneFormat>{".wws", SceneFormat::script},
+      std::pair<std::string_view, SceneFormat>{".map", SceneFormat::movingai},
+      std::pair<std::string_view, SceneFormat>{".poly", SceneFormat::triangle_poly},
+      std::pair<std::string_view, SceneFormat>{".node", SceneFormat::triangle_node},
+  };
+  for (const auto& [ending, format] : kEndings) {
+    if (file_name.ends_with(ending)) return format;
+  }
+  std::string message(file_name);
+  message += ": expected a file name that ends in .wws, .map, .poly or .node";
+  return Error{.code = ErrorCode::not_supported, .message = std::move(message), .item = {}};
+}
+
+Result<Scene> read_scene(const std::string& file_name) {
+  const Result<SceneFormat> format = scene_format(file_name);
+  if (!format.ok()) return format.error();
+  const Result<std::string> text = read_file(file_name);
+  if (!text.ok()) return text.error();
+  switch (*format) {
+    case SceneFormat::script:
+      return read_script(*text, file_name);
+    case SceneFormat::movingai:
+      return parse_movingai_map(*text, file_name);
+    case SceneFormat::triangle_poly:
+      return read_poly(*text, file_name);
+    case SceneFormat::triangle_node:
+      break;
+  }
+  return parse_triangle_node(*text, file_name);
+}
+
+}  // namespace waywright

@@ -1,0 +1,298 @@
+#include "waywright/script.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "exact/exact_point.hpp"
+#include "io/text.hpp"
+
+namespace waywright {
+namespace {
+
+/// How a line of a script is written.
+struct Grammar {
+  std::string_view word;
+  std::string_view usage;
+  OperationKind kind;
+  ItemKind item = ItemKind::point;  ///< of an insertion
+};
+
+constexpr std::array kGrammars{
+    Grammar{"point", "point ID X Y", OperationKind::insert, ItemKind::point},
+    Grammar{"segment", "segment ID X1 Y1 X2 Y2", OperationKind::insert, ItemKind::segment},
+    Grammar{"polyline", "polyline ID N X1 Y1 ... XN YN", OperationKind::insert, ItemKind::polyline},
+    Grammar{"polygon", "polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...", OperationKind::insert, ItemKind::polygon},
+    Grammar{"remove", "remove ID", OperationKind::remove},
+    Grammar{"locate", "locate X Y", OperationKind::locate},
+    Grammar{"ray", "ray X1 Y1 X2 Y2", OperationKind::ray},
+    Grammar{"disc", "disc X Y RADIUS", OperationKind::disc},
+    Grammar{"nearest", "nearest X Y RADIUS", OperationKind::nearest},
+    Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM]", OperationKind::path},
+    Grammar{"check", "check", OperationKind::check},
+    Grammar{"hash", "hash", OperationKind::hash},
+};
+
+constexpr std::string_view kHeaderUsage = "waywright 1";
+constexpr std::string_view kDomainUsage = "domain X0 Y0 X1 Y1";
+
+/// Reads one script. Every reading member returns false once `error_` says what is wrong.
+class ScriptParser {
+ public:
+  ScriptParser(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
+
+  Result<Script> run() {
+    if (!read_header() || !read_lines()) return std::move(error_);
+    return std::move(script_);
+  }
+
+ private:
+  bool read_header();
+  bool read_lines();
+  bool read_line(std::string_view word);
+  bool read_domain();
+  bool read_operation(Operation& operation, const Grammar& grammar);
+  bool read_insertion(Item& item, ItemKind kind);
+  bool read_rings(Shape& shape);
+  bool read_ring(std::vector<Point>& ring);
+  bool read_algorithm(Operation& operation);
+
+  /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
+  bool next_line(std::string_view& word);
+  bool number(double& value);
+  bool point(Point& value) { return number(value.x) && number(value.y); }
+  bool id(ItemId& value);
+  bool end_of_line();
+
+  /// Says that `expected` was, and that `found` stood there instead; `found` is empty at the end of the line.
+  bool fail(std::string_view expected, std::string_view found);
+
+  io::LineReader lines_;
+  std::string_view name_;
+  io::WordReader words_;
+  std::string_view usage_;  ///< of the line at hand
+  Script script_;
+  Error error_;
+};
+
+bool ScriptParser::next_line(std::string_view& word) {
+  std::string_view line;
+  while (lines_.next(line)) {
+    words_ = io::WordReader(io::without_comment(line));
+    if (words_.next(word)) return true;
+  }
+  return false;
+}
+
+bool ScriptParser::fail(std::string_view expected, std::string_view found) {
+  std::string what = "expected ";
+  what += expected;
+  if (!usage_.empty()) {
+    what += " in '";
+    what += usage_;
+    what += '\'';
+  }
+  what += ", found ";
+  what += found.empty() ? std::string("the end of the line") : io::in_quotes(found);
+  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(), what);
+  return false;
+}
+
+bool ScriptParser::number(double& value) {
+  std::string_view word;
+  if (!words_.next(word)) return fail("a number", {});
+  const std::optional<double> read = io::read_number(word);
+  if (!read) return fail("a number", word);
+  value = *read;
+  return true;
+}
+
+bool ScriptParser::id(ItemId& value) {
+  constexpr std::string_view kExpected = "an id from 1 to 9223372036854775807";
+  std::string_view word;
+  if (!words_.next(word)) return fail(kExpected, {});
+  const std::optional<ItemId> read = io::read_id(word);
+  if (!read) return fail(kExpected, word);
+  value = *read;
+  return true;
+}
+
+bool ScriptParser::end_of_line() {
+  std::string_view word;
+  return !words_.next(word) || fail("no more", word);
+}
+
+bool ScriptParser::read_header() {
+  std::string_view word;
+  if (!next_line(word)) {
+    error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(),
+                          "expected the header 'waywright 1', found the end of the text");
+    return false;
+  }
+  if (word != "waywright") return fail("the header 'waywright 1'", word);
+  usage_ = kHeaderUsage;
+  std::string_view version;
+  if (!words_.next(version)) return fail("the format version", {});
+  return version == "1" ? end_of_line() : fail("format version 1", version);
+}
+
+bool ScriptParser::read_lines() {
+  std::string_view word;
+  while (next_line(word)) {
+    if (!read_line(word)) return false;
+  }
+  if (script_.domain_line != 0) return true;
+  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(),
+                        "expected 'domain X0 Y0 X1 Y1', found the end of the text");
+  return false;
+}
+
+bool ScriptParser::read_line(std::string_view word) {
+  usage_ = {};
+  if (word == "domain") return script_.domain_line == 0 ? read_domain() : fail("no second domain", word);
+  const auto grammar =
+      std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.word == word; });
+  if (grammar == kGrammars.end()) return fail("an operation", word);
+  if (script_.domain_line == 0) return fail("'domain X0 Y0 X1 Y1' before anything else", word);
+  usage_ = grammar->usage;
+  Operation operation;
+  operation.kind = grammar->kind;
+  operation.line = static_cast<std::uint32_t>(lines_.number());
+  if (!read_operation(operation, *grammar) || !end_of_line()) return false;
+  script_.operations.push_back(std::move(operation));
+  return true;
+}
+
+bool ScriptParser::read_domain() {
+  usage_ = kDomainUsage;
+  Box& box = script_.domain;
+  if (!point(box.min) || !point(box.max) || !end_of_line()) return false;
+  const auto check = [this](double low, double high) {
+    std::string found;
+    io::append_number(found, high);
+    std::string expected = "a number above ";
+    io::append_number(expected, low);
+    return low < high || fail(expected, found);
+  };
+  if (!check(box.min.x, box.max.x) || !check(box.min.y, box.max.y)) return false;
+  script_.domain_line = static_cast<std::uint32_t>(lines_.number());
+  return true;
+}
+
+bool ScriptParser::read_operation(Operation& operation, const Grammar& grammar) {
+  switch (operation.kind) {
+    case OperationKind::insert:
+      return read_insertion(operation.item, grammar.item);
+    case OperationKind::remove:
+      return id(operation.item.id);
+    case OperationKind::locate:
+      return point(operation.from);
+    case OperationKind::ray:
+      return point(operation.from) && point(operation.to);
+    case OperationKind::disc:
+    case OperationKind::nearest:
+      return point(operation.from) && number(operation.radius);
+    case OperationKind::path:
+      return point(operation.from) && point(operation.to) && number(operation.radius) && read_algorithm(operation);
+    case OperationKind::check:
+    case OperationKind::hash:
+      break;
+  }
+  return true;
+}
+
+bool ScriptParser::read_insertion(Item& item, ItemKind kind) {
+  item.shape.kind = kind;
+  if (!id(item.id)) return false;
+  if (kind == ItemKind::polygon) return read_rings(item.shape);
+  std::vector<Point>& ring = item.shape.rings.emplace_back();
+  if (kind == ItemKind::polyline) return read_ring(ring);
+  ring.resize(kind == ItemKind::point ? 1 : 2);
+  return std::all_of(ring.begin(), ring.end(), [this](Point& p) { return point(p); });
+}
+
+bool ScriptParser::read_rings(Shape& shape) {
+  if (!read_ring(shape.rings.emplace_back())) return false;
+  std::string_view word;
+  while (words_.next(word)) {
+    if (word != "/") return fail("'/' or no more", word);
+    if (!read_ring(shape.rings.emplace_back())) return false;
+  }
+  return true;
+}
+
+bool ScriptParser::read_ring(std::vector<Point>& ring) {
+  constexpr std::string_view kExpected = "a count of points, 1 or more,";
+  std::string_view word;
+  if (!words_.next(word)) return fail(kExpected, {});
+  const std::optional<std::uint64_t> count = io::read_unsigned(word);
+  if (!count || *count == 0) return fail(kExpected, word);
+  // A point takes two digits and a blank at least: a count that the line cannot keep must not cost its memory.
+  ring.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3)));
+  for (std::uint64_t i = 0; i < *count; ++i) {
+    Point p;
+    if (!point(p)) return false;
+    ring.push_back(p);
+  }
+  return true;
+}
+
+bool ScriptParser::read_algorithm(Operation& operation) {
+  std::string_view word;
+  if (!words_.next(word)) return true;
+  if (word == "optimal") {
+    operation.algorithm = PathAlgorithm::optimal;
+  } else if (word == "ta") {
+    operation.algorithm = PathAlgorithm::ta;
+  } else if (word == "tra") {
+    operation.algorithm = PathAlgorithm::tra;
+  } else {
+    return fail("'optimal', 'ta' or 'tra'", word);
+  }
+  return true;
+}
+
+/// Whether a world over `domain` takes the shape.
+bool fits(const Shape& shape, const Box& domain) {
+  const auto takes = [&](Point p) {
+    return exact::in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y &&
+           p.y <= domain.max.y;
+  };
+  return std::all_of(shape.rings.begin(), shape.rings.end(),
+                     [&](const std::vector<Point>& ring) { return std::all_of(ring.begin(), ring.end(), takes); });
+}
+
+}  // namespace
+
+std::string_view to_string(const Operation& operation) {
+  if (operation.kind == OperationKind::insert) return to_string(operation.item.shape.kind);
+  const auto grammar =
+      std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.kind == operation.kind; });
+  return grammar == kGrammars.end() ? std::string_view{} : grammar->word;
+}
+
+Result<Script> parse_script(std::string_view text, std::string_view name) { return ScriptParser(text, name).run(); }
+
+Scene scene_of(const Script& script) {
+  std::unordered_map<ItemId, const Operation*> alive;
+  for (const Operation& operation : script.operations) {
+    if (operation.kind == OperationKind::remove) {
+      alive.erase(operation.item.id);
+    } else if (operation.kind == OperationKind::insert && fits(operation.item.shape, script.domain)) {
+      alive.try_emplace(operation.item.id, &operation);
+    }
+  }
+  Scene scene{.domain = script.domain, .items = {}, .y_down = false};
+  scene.items.reserve(alive.size());
+  for (const Operation& operation : script.operations) {
+    if (operation.kind != OperationKind::insert) continue;
+    const auto found = alive.find(operation.item.id);
+    if (found != alive.end() && found->second == &operation) scene.items.push_back(operation.item);
+  }
+  return scene;
+}
+
+}  // namespace waywright

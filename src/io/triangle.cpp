@@ -1,0 +1,310 @@
+#include "io/triangle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "waywright/scene.hpp"
+
+#include "exact/exact_point.hpp"
+#include "io/text.hpp"
+
+namespace waywright {
+namespace {
+
+/// The vertices of a file; their ids are first_id, first_id + 1, ...
+struct VertexList {
+  std::uint64_t first_id = 1;
+  std::vector<Point> points;
+};
+
+/// Two positions in a vertex list.
+using Ends = std::array<std::size_t, 2>;
+
+/// Reads the sections of one file. Every member that returns bool returns false once the error says what is wrong.
+class SectionReader {
+ public:
+  SectionReader(std::string_view text, std::string_view name) : lines_(text), text_size_(text.size()), name_(name) {}
+
+  [[nodiscard]] Error take_error() { return std::move(error_); }
+
+  bool vertices(VertexList& list);
+  bool segments(const VertexList& list, std::vector<Ends>& segments);
+  bool holes();
+  /// The one section that may be missing.
+  bool regions();
+  bool end();
+
+  bool fail(std::string_view expected, std::string_view found, ErrorCode code = ErrorCode::malformed);
+
+ private:
+  /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
+  bool next_line();
+  /// Moves on to a section's first line and reads how many entries it has.
+  bool section(std::string_view counted, std::uint64_t& count);
+  /// Moves on to an entry's line and reads its id, one more than the last one's; the first is 0 or 1.
+  bool entry(std::string_view kind, std::uint64_t index, std::uint64_t& first_id);
+  bool word(std::string_view expected, std::string_view& value);
+  bool integer(std::string_view expected, std::uint64_t& value);
+  /// Reads an integer that may be left out at the end of the line; it is 0 then.
+  bool optional_integer(std::string_view expected, std::uint64_t largest, std::uint64_t& value);
+  bool coordinates(Point& point);
+  /// Reads numbers that are checked and passed over.
+  bool numbers(std::string_view expected, std::uint64_t count);
+  bool end_of_line();
+
+  io::LineReader lines_;
+  std::size_t text_size_;
+  std::string_view name_;
+  io::WordReader words_;
+  Error error_;
+};
+
+bool SectionReader::fail(std::string_view expected, std::string_view found, ErrorCode code) {
+  std::string what = "expected ";
+  what += expected;
+  what += ", found ";
+  what += found;
+  error_ = io::error_at(code, name_, lines_.number(), what);
+  return false;
+}
+
+bool SectionReader::next_line() {
+  std::string_view line;
+  while (lines_.next(line)) {
+    words_ = io::WordReader(io::without_comment(line));
+    if (!words_.at_end()) return true;
+  }
+  return false;
+}
+
+bool SectionReader::word(std::string_view expected, std::string_view& value) {
+  return words_.next(value) || fail(expected, "the end of the line");
+}
+
+bool SectionReader::integer(std::string_view expected, std::uint64_t& value) {
+  std::string_view text;
+  if (!word(expected, text)) return false;
+  const std::optional<std::uint64_t> read = io::read_unsigned(text);
+  if (!read) return fail(expected, io::in_quotes(text));
+  value = *read;
+  return true;
+}
+
+bool SectionReader::optional_integer(std::string_view expected, std::uint64_t largest, std::uint64_t& value) {
+  value = 0;
+  if (words_.at_end()) return true;
+  if (!integer(expected, value)) return false;
+  return value <= largest || fail(expected, io::with_number("", value, ""));
+}
+
+bool SectionReader::coordinates(Point& point) {
+  for (double* const value : {&point.x, &point.y}) {
+    constexpr std::string_view kExpected = "a coordinate";
+    std::string_view text;
+    if (!word(kExpected, text)) return false;
+    const std::optional<double> read = io::read_number(text);
+    if (!read) return fail(kExpected, io::in_quotes(text));
+    if (!exact::in_range(*read)) {
+      return fail("a coordinate that is 0 or has a size from 2^-100 to 2^100", io::in_quotes(text),
+                  ErrorCode::coordinate_range);
+    }
+    *value = *read;
+  }
+  return true;
+}
+
+bool SectionReader::numbers(std::string_view expected, std::uint64_t count) {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    std::string_view text;
+    if (!word(expected, text)) return false;
+    if (!io::read_number(text)) return fail(expected, io::in_quotes(text));
+  }
+  return true;
+}
+
+bool SectionReader::end_of_line() {
+  std::string_view text;
+  return !words_.next(text) || fail("no more on the line", io::in_quotes(text));
+}
+
+bool SectionReader::section(std::string_view counted, std::uint64_t& count) {
+  std::string expected = "the number of ";
+  expected += counted;
+  if (!next_line()) return fail(expected, "the end of the text");
+  return integer(expected, count);
+}
+
+bool SectionReader::entry(std::string_view kind, std::uint64_t index, std::uint64_t& first_id) {
+  std::string expected(kind);
+  expected += index == 0 ? std::string(" 0 or 1") : io::with_number(" ", first_id + index, "");
+  if (!next_line()) return fail(expected, "the end of the text");
+  std::uint64_t id = 0;
+  if (!integer(expected, id)) return false;
+  if (index == 0) first_id = std::min<std::uint64_t>(id, 1);
+  return id == first_id + index || fail(expected, io::with_number("", id, ""));
+}
+
+bool SectionReader::vertices(VertexList& list) {
+  std::uint64_t count = 0;
+  std::uint64_t dimension = 2;
+  std::uint64_t attributes = 0;
+  std::uint64_t markers = 0;
+  if (!section("vertices", count)) return false;
+  if (!words_.at_end() && !integer("dimension 2", dimension)) return false;
+  if (dimension != 2) return fail("dimension 2", io::with_number("", dimension, ""));
+  if (!optional_integer("the number of attributes", UINT64_MAX, attributes) ||
+      !optional_integer("0 or 1 boundary markers", 1, markers) || !end_of_line()) {
+    return false;
+  }
+  // A vertex takes a line of six characters at least: a count that the text cannot keep must not cost its memory.
+  list.points.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, text_size_ / 6 + 1)));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Point point;
+    if (!entry("vertex", i, list.first_id) || !coordinates(point) || !numbers("an attribute", attributes) ||
+        !numbers("a boundary marker", markers) || !end_of_line()) {
+      return false;
+    }
+    list.points.push_back(point);
+  }
+  return true;
+}
+
+bool SectionReader::segments(const VertexList& list, std::vector<Ends>& segments) {
+  std::uint64_t count = 0;
+  std::uint64_t markers = 0;
+  if (!section("segments", count) || !optional_integer("0 or 1 boundary markers", 1, markers) || !end_of_line()) {
+    return false;
+  }
+  std::uint64_t first_id = 1;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (!entry("segment", i, first_id)) return false;
+    Ends ends{};
+    for (std::size_t& end : ends) {
+      constexpr std::string_view kExpected = "the id of a vertex";
+      std::uint64_t id = 0;
+      if (!integer(kExpected, id)) return false;
+      if (id < list.first_id || id - list.first_id >= list.points.size()) {
+        return fail(kExpected, io::with_number("", id, ", which no vertex has"));
+      }
+      end = static_cast<std::size_t>(id - list.first_id);
+    }
+    if (!numbers("a boundary marker", markers) || !end_of_line()) return false;
+    segments.push_back(ends);
+  }
+  return true;
+}
+
+bool SectionReader::holes() {
+  std::uint64_t count = 0;
+  if (!section("holes", count) || !end_of_line()) return false;
+  std::uint64_t first_id = 1;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (!entry("hole", i, first_id) || !numbers("a coordinate", 2) || !end_of_line()) return false;
+  }
+  return true;
+}
+
+bool SectionReader::regions() {
+  if (!next_line()) return true;
+  std::uint64_t count = 0;
+  if (!integer("the number of regions", count) || !end_of_line()) return false;
+  std::uint64_t first_id = 1;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (!entry("region", i, first_id) || !numbers("a coordinate", 2) || !numbers("an attribute", 1)) return false;
+    if (!words_.at_end() && !numbers("a largest area", 1)) return false;
+    if (!end_of_line()) return false;
+  }
+  return true;
+}
+
+bool SectionReader::end() { return !next_line() || fail("the end of the text", "one more line"); }
+
+/// The bounds of a domain along one axis: at least `margin` beyond what it holds, and multiples of `unit`, so that the
+/// domain's corners are numbers as simple as the margin allows; never out of range.
+std::pair<double, double> grown(double low, double high, double margin, double unit) {
+  const double least = std::floor((low - margin) / unit) * unit;
+  const double most = std::ceil((high + margin) / unit) * unit;
+  return {std::max(least, -exact::kLargestCoordinate), std::min(most, exact::kLargestCoordinate)};
+}
+
+Box domain_around(const std::vector<Point>& points) {
+  Box box;
+  if (!points.empty()) box = {points.front(), points.front()};
+  for (const Point p : points) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+  }
+  const double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
+  const double size =
+      std::max({std::fabs(box.min.x), std::fabs(box.min.y), std::fabs(box.max.x), std::fabs(box.max.y)});
+  // Far from the origin a margin of 1 would be lost to rounding: there the doubles' own distance sets the least.
+  const double margin = std::max({1.0, extent / 8.0, std::ldexp(size, -48)});
+  const double unit = std::ldexp(1.0, std::max(0, std::ilogb(margin) - 1));
+  const auto [min_x, max_x] = grown(box.min.x, box.max.x, margin, unit);
+  const auto [min_y, max_y] = grown(box.min.y, box.max.y, margin, unit);
+  return {{min_x, min_y}, {max_x, max_y}};
+}
+
+Scene to_scene(const VertexList& list, const std::vector<Ends>& segments) {
+  Scene scene{.domain = domain_around(list.points), .items = {}, .y_down = false};
+  std::vector<bool> on_segment(list.points.size());
+  for (const Ends ends : segments) on_segment[ends[0]] = on_segment[ends[1]] = true;
+  const auto add = [&](ItemKind kind, std::vector<Point> points) {
+    scene.items.push_back({ItemId{scene.items.size() + 1}, Shape{kind, {std::move(points)}}});
+  };
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    if (!on_segment[i]) add(ItemKind::point, {list.points[i]});
+  }
+  for (const Ends ends : segments) add(ItemKind::segment, {list.points[ends[0]], list.points[ends[1]]});
+  return scene;
+}
+
+}  // namespace
+
+namespace io {
+
+bool lacks_vertices(std::string_view poly_text) {
+  LineReader lines(poly_text);
+  std::string_view line;
+  while (lines.next(line)) {
+    WordReader words(without_comment(line));
+    std::string_view word;
+    if (words.next(word)) return read_unsigned(word) == 0;
+  }
+  return false;
+}
+
+}  // namespace io
+
+Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, std::string_view node_text,
+                                  std::string_view node_name) {
+  SectionReader poly(text, name);
+  VertexList list;
+  if (!poly.vertices(list)) return poly.take_error();
+  if (list.points.empty() && !node_text.empty()) {
+    SectionReader node(node_text, node_name);
+    if (!node.vertices(list) || !node.end()) return node.take_error();
+  } else if (list.points.empty()) {
+    poly.fail("vertices, here or in a .node file of the same name", "none");
+    return poly.take_error();
+  }
+  std::vector<Ends> segments;
+  if (!poly.segments(list, segments) || !poly.holes() || !poly.regions() || !poly.end()) return poly.take_error();
+  return to_scene(list, segments);
+}
+
+Result<Scene> parse_triangle_node(std::string_view text, std::string_view name) {
+  SectionReader node(text, name);
+  VertexList list;
+  if (!node.vertices(list) || !node.end()) return node.take_error();
+  return to_scene(list, {});
+}
+
+}  // namespace waywright

@@ -1,0 +1,54 @@
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waywright/scene.hpp"
+
+#include "io/text.hpp"
+
+namespace waywright {
+namespace {
+
+void append_point(std::string& out, Point point) {
+  out += ' ';
+  io::append_number(out, point.x);
+  out += ' ';
+  io::append_number(out, point.y);
+}
+
+/// Appends the points of a ring, their count before them where the kind's line has one.
+void append_ring(std::string& out, const std::vector<Point>& ring, bool with_count) {
+  if (with_count) {
+    out += ' ';
+    io::append_unsigned(out, ring.size());
+  }
+  for (const Point point : ring) append_point(out, point);
+}
+
+void append_item(std::string& out, const Item& item) {
+  const ItemKind kind = item.shape.kind;
+  const bool with_count = kind == ItemKind::polyline || kind == ItemKind::polygon;
+  out += to_string(kind);
+  out += ' ';
+  io::append_unsigned(out, item.id.value);
+  std::string_view separator;
+  for (const std::vector<Point>& ring : item.shape.rings) {
+    out += separator;
+    append_ring(out, ring, with_count);
+    separator = " /";
+  }
+  out += '\n';
+}
+
+}  // namespace
+
+std::string to_script(const Scene& scene) {
+  std::string out = "waywright 1\ndomain";
+  append_point(out, scene.domain.min);
+  append_point(out, scene.domain.max);
+  out += '\n';
+  for (const Item& item : scene.items) append_item(out, item);
+  return out;
+}
+
+}  // namespace waywright

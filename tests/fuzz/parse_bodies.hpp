@@ -1,0 +1,95 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waywright/scene.hpp"
+#include "waywright/script.hpp"
+
+/// What must hold of any text at all, for the fuzz targets and for the tests that replay their corpus. Each body
+/// returns what is wrong, nothing when nothing is.
+namespace waywright::test {
+
+inline constexpr std::string_view kFuzzName = "fuzz";
+
+/// An error names the text and a line that the text has.
+inline std::string fault_of_error(const Error& error, std::string_view text) {
+  if (error.code != ErrorCode::malformed && error.code != ErrorCode::coordinate_range)
+    return "an error of another code";
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+  if (error.index < 1 || error.index > lines) return "an error on a line that is not there";
+  const std::string start = std::string(kFuzzName) + ":" + std::to_string(error.index) + ": ";
+  return error.message.rfind(start, 0) == 0 ? "" : "an error without name and line: " + error.message;
+}
+
+/// A scene printed as a script reads back as the same scene.
+inline std::string fault_of_scene(Scene scene) {
+  scene.y_down = false;
+  const Result<Script> script = parse_script(to_script(scene), kFuzzName);
+  if (!script.ok()) return "the scene's script is refused: " + script.error().message;
+  return scene_of(*script) == scene ? "" : "the scene's script reads back as another scene";
+}
+
+inline std::string fault_of_script(std::string_view text) {
+  const Result<Script> script = parse_script(text, kFuzzName);
+  if (!script.ok()) return fault_of_error(script.error(), text);
+  for (const Operation& operation : script->operations) {
+    if (to_string(operation).empty()) return "an operation without a word";
+  }
+  return fault_of_scene(scene_of(*script));
+}
+
+/// Twice the area that the rings enclose, holes taken off.
+inline double doubled_area(const std::vector<std::vector<Point>>& rings) {
+  double doubled = 0.0;
+  for (const std::vector<Point>& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i];
+      const Point b = ring[(i + 1) % ring.size()];
+      doubled += a.x * b.y - b.x * a.y;
+    }
+  }
+  return doubled;
+}
+
+/// The polygons of a map have the area of its blocked cells, whose letters occur nowhere else in an accepted map.
+inline std::string fault_of_map(std::string_view text) {
+  const Result<Scene> scene = parse_movingai_map(text, kFuzzName);
+  if (!scene.ok()) return fault_of_error(scene.error(), text);
+  const auto blocked = std::count_if(text.begin(), text.end(),
+                                     [](char c) { return std::string_view("@OTW").find(c) != std::string_view::npos; });
+  double doubled = 0.0;
+  for (const Item& item : scene->items) doubled += doubled_area(item.shape.rings);
+  if (doubled != 2.0 * static_cast<double>(blocked)) return "the polygons' area is not that of the blocked cells";
+  return fault_of_scene(*scene);
+}
+
+/// The text is a `.poly` file and, after a line `%` if there is one, the `.node` file beside it; all of it is read as a
+/// `.node` file too.
+inline std::string fault_of_poly(std::string_view text) {
+  constexpr std::string_view kSeparator = "\n%\n";
+  const std::size_t separator = text.find(kSeparator);
+  const std::string_view poly = text.substr(0, separator);
+  const std::string_view node =
+      separator == std::string_view::npos ? std::string_view{} : text.substr(separator + kSeparator.size());
+  for (const Result<Scene>& scene :
+       {parse_triangle_poly(poly, kFuzzName, node, kFuzzName), parse_triangle_node(text, kFuzzName)}) {
+    const std::string fault = scene.ok() ? fault_of_scene(*scene) : fault_of_error(scene.error(), text);
+    if (!fault.empty()) return fault;
+  }
+  return {};
+}
+
+/// Ends the process with a message where there is a fault: what a fuzzer notices.
+inline void stop_at(const std::string& fault) {
+  if (fault.empty()) return;
+  std::fprintf(stderr, "%s\n", fault.c_str());
+  std::abort();
+}
+
+}  // namespace waywright::test
