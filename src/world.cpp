@@ -92,6 +92,8 @@ std::optional<Error> find_shape_error(const Box& domain, const Shape& shape) {
   return std::nullopt;
 }
 
+Error unknown_id(ItemId id) { return {ErrorCode::unknown_id, "no item has id " + std::to_string(id.value), id, 0}; }
+
 Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
   return {kind, {std::vector<Point>(points.begin(), points.end())}};
 }
@@ -152,6 +154,12 @@ Result<ItemId> World::insert_polygon(std::span<const std::vector<Point>> rings, 
   return insert(Shape{ItemKind::polygon, {rings.begin(), rings.end()}}, id);
 }
 
+Result<void> World::remove(ItemId id) {
+  if (!contains(id)) return unknown_id(id);
+  impl_->triangulation.remove(id);
+  return {};
+}
+
 bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
 
 std::size_t World::item_count() const { return impl_->triangulation.items().size(); }
@@ -160,7 +168,7 @@ std::vector<ItemId> World::item_ids() const { return impl_->triangulation.items(
 
 Result<Shape> World::shape(ItemId id) const {
   const constraint::ItemTable& items = impl_->triangulation.items();
-  if (!items.contains(id)) return Error{ErrorCode::unknown_id, "no item has id " + std::to_string(id.value), id, 0};
+  if (!items.contains(id)) return unknown_id(id);
   const constraint::ItemRecord& item = items.item(items.slot(id));
   const auto& geometry = impl_->triangulation.triangulation().geometry();
   Shape shape{item.kind, {}};

@@ -80,6 +80,11 @@ class World {
   /// A solid obstacle of several rings: inside is what an odd number of the rings' turns enclose.
   Result<ItemId> insert_polygon(std::span<const std::vector<Point>> rings, ItemId id = {});
 
+  /// Takes an item out. What remains is, bit for bit, the mesh that a fresh build of the remaining items gives.
+  /// Errors: unknown_id. Cost: what the item touches, however large the world.
+  /// Source: Chen 2009, sections 3.4 and 3.5.
+  Result<void> remove(ItemId id);
+
   /// Whether an item of that id is alive.
   [[nodiscard]] bool contains(ItemId id) const;
   [[nodiscard]] std::size_t item_count() const;

@@ -39,6 +39,11 @@ class ConstrainedTriangulation {
   /// Source: Chen 2009, section 3.3, after Anglada 1997.
   void insert(const Shape& shape, ItemId id);
 
+  /// Takes an item out: ids off the edges; edges without ids are free again; vertices without a reason go, and the
+  /// pieces of what ran straight through them are one edge again. Requires: an item of that id is alive. Source: Chen
+  /// 2009, section 3.4, algorithms 15 to 17, completed for overlaps and shared crossings.
+  void remove(ItemId id);
+
   /// Calls visit(side) for each side that covers the edge of `h`.
   template <class Visit>
   void for_each_side(mesh::HalfEdge h, Visit&& visit) const {
@@ -67,6 +72,12 @@ class ConstrainedTriangulation {
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses.
   void take(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);
+  void strip_side(std::uint32_t side);
+  void strip_corner(mesh::Vertex v, std::uint32_t item);
+  /// Takes `v` out if neither a corner nor a crossing needs it.
+  void drop_if_unneeded(mesh::Vertex v);
+  /// The edge over which `side` leaves `u`, going on from `previous`. Requires: it does.
+  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side, mesh::Vertex previous) const;
 
   [[nodiscard]] std::optional<std::string> find_shape_fault() const;
   [[nodiscard]] std::optional<std::string> find_delaunay_fault() const;
@@ -81,10 +92,13 @@ class ConstrainedTriangulation {
   Triangulation triangulation_;
   std::vector<Uses> corner_uses_;
 
-  std::vector<mesh::HalfEdge> crossed_;  ///< scratch
+  // Scratch, kept for its memory.
+  std::vector<mesh::HalfEdge> crossed_;
+  std::vector<mesh::Vertex> touched_;
 };
 
 }  // namespace waywright::constraint
 
 #include "constraint/find_fault.hpp"
 #include "constraint/insert_item.hpp"
+#include "constraint/remove_item.hpp"

@@ -110,9 +110,7 @@ std::size_t ConstrainedTriangulation<Geometry>::count_edges(std::uint32_t slot) 
     mesh::HalfEdge step = mesh::kNoHalfEdge;
     mesh.for_each_outgoing(u, [&](mesh::HalfEdge h) {
       if (!mesh.is_fixed(h) || triangulation_.comes_before(u, mesh.target(h)) != ascends) return;
-      uses_.for_each(mesh.label(h), [&](std::uint32_t user) {
-        if (user == slot) step = h;
-      });
+      if (uses_.contains(mesh.label(h), slot)) step = h;
     });
     if (step == mesh::kNoHalfEdge) return 0;
     u = mesh.target(step);

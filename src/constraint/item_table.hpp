@@ -48,6 +48,8 @@ class ItemTable {
   std::uint32_t add_item(ItemId id, ItemKind kind);
   /// Appends a side to its item.
   std::uint32_t add_side(const Side& side);
+  /// Forgets an item and its sides; their slots are reused.
+  void remove_item(std::uint32_t slot);
 
   [[nodiscard]] std::vector<ItemId> ids() const;
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
@@ -55,6 +57,8 @@ class ItemTable {
  private:
   std::vector<ItemRecord> items_;
   std::vector<Side> sides_;
+  std::vector<std::uint32_t> free_items_;
+  std::vector<std::uint32_t> free_sides_;
   std::unordered_map<ItemId, std::uint32_t> slots_;
   ItemId largest_id_seen_;
 };

@@ -19,6 +19,11 @@ class UseLists {
 
   [[nodiscard]] Uses add(Uses list, std::uint32_t user);
   [[nodiscard]] Uses copy(Uses list);
+  /// The list less one entry of `user`. Requires: `user` is in it.
+  [[nodiscard]] Uses remove(Uses list, std::uint32_t user);
+  /// Gives back what a list holds; the list is not to be used again.
+  void release(Uses list);
+  [[nodiscard]] bool contains(Uses list, std::uint32_t user) const;
 
   /// Calls visit(user) for each.
   template <class Visit>
@@ -41,7 +46,10 @@ class UseLists {
 
   [[nodiscard]] static bool is_node(Uses list) { return (list & kNode) != 0; }
 
+  void free_node(Uses list);
+
   std::vector<Node> nodes_;
+  Uses first_free_ = kNone;  ///< freed nodes, chained by their rests
 };
 
 }  // namespace waywright::constraint

@@ -66,6 +66,16 @@ class Triangulation {
   /// Labels the edge of `h`, which holds it fixed.
   void fix(mesh::HalfEdge h, mesh::Label label) { mesh_.set_label(h, label); }
 
+  /// Frees the edge of `h`. Until legalise_freed has run, it need not be Delaunay.
+  void free_edge(mesh::HalfEdge h);
+  /// Flips freed edges, and what follows from that, until every free edge is legal again.
+  void legalise_freed();
+
+  /// Takes a vertex out: one without fixed edges, or one with two that lie on one line; these then are one edge, under
+  /// the first's label. Requires: the triangulation is Delaunay, `v` is no corner of the box. Returns the joined edge,
+  /// or kNoHalfEdge. Source: Chen 2009, section 3.4, algorithm 17; the hole is filled as force_edge fills one.
+  mesh::HalfEdge remove_vertex(mesh::Vertex v);
+
   /// Makes u - w an edge by retriangulating what it crosses, and fixes it under `label`. `crossed` lists the edges
   /// between them in order from u to w, each half-edge in the face on u's side (so that it crosses from the right of
   /// the way to its left); all are free, and no vertex lies between u and w. Returns the half-edge from u to w. Source:
@@ -101,13 +111,18 @@ class Triangulation {
   void legalise_around_apex();
   void remember(mesh::HalfEdge h);
 
+  mesh::HalfEdge remove_free_vertex(mesh::Vertex v);
+  mesh::HalfEdge remove_vertex_on_line(mesh::Vertex v, mesh::HalfEdge to_p, mesh::HalfEdge to_q);
+  void forget(mesh::Vertex v, mesh::HalfEdge near);
+
   void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
   void append_to(Chain& chain, mesh::HalfEdge inner);
   void pair_dangling_edges(Chain& chain);
   /// Triangulates the polygon on the left of the way from the chain's first vertex to its last, `end`. Returns the
-  /// half-edge of that way.
-  mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end);
-  [[nodiscard]] std::uint32_t delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base) const;
+  /// half-edge of that way. A chain of which parts may lie on the right of a base (`is_star`) must be what was around
+  /// one Delaunay vertex.
+  mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end, bool is_star = false);
+  [[nodiscard]] std::uint32_t delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base, bool is_star) const;
   void close(Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
   /// Whether the circle through `a`, `b`, `c` (counter-clockwise) holds `d`, ties broken.
   [[nodiscard]] bool circle_holds(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d) const;
@@ -120,6 +135,7 @@ class Triangulation {
 
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> stack_;
+  std::vector<mesh::HalfEdge> freed_;
   Chain left_chain_, right_chain_;
   std::vector<std::uint32_t> dangling_;
   std::vector<mesh::Face> cavity_;
@@ -129,4 +145,5 @@ class Triangulation {
 }  // namespace waywright::delaunay
 
 #include "delaunay/force_edge.hpp"
+#include "delaunay/remove_vertex.hpp"
 #include "delaunay/triangulation_impl.hpp"

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+
+#include "constraint/constrained_triangulation.hpp"
+
+namespace waywright::constraint {
+
+// First the item lets go of its edges and corners, then the edges that nobody holds any more are made Delaunay, and
+// only then do vertices go: taking one out of a Delaunay triangulation leaves one.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
+  const std::uint32_t slot = items_.slot(id);
+  touched_.clear();
+  for (const std::uint32_t side : items_.item(slot).sides) strip_side(side);
+  for (const mesh::Vertex v : items_.item(slot).corners) strip_corner(v, slot);
+  triangulation_.legalise_freed();
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  for (const mesh::Vertex v : touched_) drop_if_unneeded(v);
+  items_.remove_item(slot);
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::strip_side(std::uint32_t slot) {
+  const Side& side = items_.side(slot);
+  mesh::Vertex previous = mesh::kNoVertex;
+  for (mesh::Vertex u = side.from; u != side.to;) {
+    const mesh::HalfEdge h = edge_of_side(u, slot, previous);
+    previous = u;
+    u = topology().target(h);
+    touched_.push_back(u);
+    const Uses rest = uses_.remove(topology().label(h), slot);
+    if (rest == UseLists::kNone) {
+      triangulation_.free_edge(h);
+    } else {
+      triangulation_.fix(h, rest);
+    }
+  }
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::strip_corner(mesh::Vertex v, std::uint32_t item) {
+  Uses& uses = corner_uses_[number(v)];
+  uses = uses_.remove(uses, item);
+  touched_.push_back(v);
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::drop_if_unneeded(mesh::Vertex v) {
+  if (corner_uses_[number(v)] != UseLists::kNone) return;
+  const mesh::TriangleMesh& mesh = topology();
+  std::size_t fixed_edges = 0;
+  Uses spare = UseLists::kNone;
+  mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) {
+    if (mesh.is_fixed(h) && ++fixed_edges == 2) spare = mesh.label(h);
+  });
+  // Without a corner, whatever comes to the vertex goes straight on: two fixed edges are one line, more are a crossing.
+  if (fixed_edges > 2) return;
+  uses_.release(spare);
+  triangulation_.remove_vertex(v);
+}
+
+template <class Geometry>
+mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, std::uint32_t side,
+                                                                mesh::Vertex previous) const {
+  const mesh::TriangleMesh& mesh = topology();
+  mesh::HalfEdge h = mesh.outgoing(u);
+  while (!mesh.is_fixed(h) || mesh.target(h) == previous || !uses_.contains(mesh.label(h), side)) {
+    h = mesh.next_around(h);
+  }
+  return h;
+}
+
+}  // namespace waywright::constraint

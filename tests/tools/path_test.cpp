@@ -1,0 +1,124 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/command.hpp"
+
+namespace waywright::test {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> arguments(const std::string& map, const std::vector<std::string>& from,
+                                   const std::vector<std::string>& to) {
+  std::vector<std::string> all{"path", map, "--from"};
+  all.insert(all.end(), from.begin(), from.end());
+  all.emplace_back("--to");
+  all.insert(all.end(), to.begin(), to.end());
+  return all;
+}
+
+TEST(PathCommand, PrintsOneLineAndNothingElse) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("map.wws", "waywright 1\ndomain -10 -10 10 10\n");
+  const auto result = run_command(arguments(map, {"-3", "4"}, {"0", "-0.0"}));
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, R"({"op":"path","found":true,"length":5,"pieces":[{"line":[-3,4,0,0]}]})"
+                        "\n");
+}
+
+TEST(PathCommand, TakesNumbersAsScriptsDo) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("map.wws", "waywright 1\ndomain -10 -10 10 10\n");
+  for (const std::string three : {"-3", "-3.0", "-.3e1", "-30e-1"}) {
+    const auto lines = json_lines(run_command(arguments(map, {three, three}, {"+5", "3"})).out);
+    ASSERT_EQ(lines.size(), 1U) << three;
+    EXPECT_EQ(lines[0].at("length"), 10) << three;
+  }
+}
+
+TEST(PathCommand, NoPathIsAnAnswer) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("map.wws",
+                                      "waywright 1\ndomain 0 0 10 10\nsegment 1 5 0 5 10\n"
+                                      "polygon 2 3 1 1 4 1 1 4\npath 1 1 2 2 0\n");
+  const auto parted = run_command(arguments(map, {"4", "8"}, {"8", "8"}));
+  EXPECT_EQ(parted.status, 0);
+  EXPECT_EQ(parted.out, "{\"op\":\"path\",\"found\":false,\"reason\":\"no-path\"}\n");
+  EXPECT_EQ(json_lines(run_command(arguments(map, {"2", "2"}, {"4", "8"})).out).at(0).at("reason"), "start-blocked");
+  EXPECT_EQ(json_lines(run_command(arguments(map, {"4", "8"}, {"2", "2"})).out).at(0).at("reason"), "goal-blocked");
+}
+
+TEST(PathCommand, ReadsMovingAiMaps) {
+  const TemporaryFolder folder;
+  // Free everywhere but for a column of two cells below the upper side: the way round it leads through (1, 2) and (2,
+  // 2).
+  const std::string map = folder.file("map.map", "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n");
+  const auto lines = json_lines(run_command(arguments(map, {"0", "0"}, {"3", "0"})).out);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(lines[0].at("length").get<double>(), 1 + 2 * std::sqrt(5.0), 1e-12);
+}
+
+TEST(PathCommand, ReadsTrianglesFormats) {
+  const TemporaryFolder folder;
+  const std::string vertices = "1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 0\n6 2 3\n";
+  const std::string segments = "5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n0\n";
+  const double round_the_wall = 2 * std::sqrt(1.0 + 4.0);
+  for (const std::string& map : {folder.file("whole.poly", "6 2 0 0\n" + vertices + segments),
+                                 folder.file("split.poly", "0 2 0 0\n" + segments)}) {
+    static_cast<void>(folder.file("split.node", "6 2 0 0\n" + vertices));
+    const auto lines = json_lines(run_command(arguments(map, {"1", "1"}, {"3", "1"})).out);
+    ASSERT_EQ(lines.size(), 1U) << map;
+    EXPECT_NEAR(lines[0].at("length").get<double>(), round_the_wall, 1e-12) << map;
+  }
+  const auto free = json_lines(run_command(arguments(folder.file("split.node"), {"1", "1"}, {"3", "1"})).out);
+  ASSERT_EQ(free.size(), 1U);
+  EXPECT_EQ(free[0].at("length"), 2);
+}
+
+TEST(ConvertCommand, WritesAScriptThatHoldsTheSameWorld) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("a.map", "type octile\nheight 4\nwidth 5\nmap\n.@@..\n.@.@.\n.@@@.\nT...W\n");
+  const std::string script = folder.file("a.wws");
+  const auto converted = run_command({"convert", map, script});
+  EXPECT_EQ(converted.status, 0);
+  EXPECT_EQ(converted.out + converted.err, "");
+  // The cell (2, 1) is open to the upper right only through a diagonal, which is closed.
+  const auto places = run_script(read_file(script) +
+                                 "locate 1.5 1.5\nlocate 2.5 1.5\nlocate 3.5 0.5\nlocate 4.5 3.5\n"
+                                 "path 2.5 1.5 3.5 0.5 0\n");
+  const auto lines = json_lines(places.out);
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[0].at("inside").size(), 1U);
+  EXPECT_EQ(lines[1].at("inside").size(), 0U);
+  EXPECT_EQ(lines[2].at("inside").size(), 0U);
+  EXPECT_EQ(lines[3].at("inside").size(), 1U);
+  EXPECT_EQ(lines[4].at("reason"), "no-path");
+
+  const std::string again = folder.file("b.wws");
+  EXPECT_EQ(run_command({"convert", script, again}).status, 0);
+  EXPECT_EQ(read_file(again), read_file(script));
+}
+
+TEST(ConvertCommand, KeepsWhatRemovalsLeaveAndPassesOverQueries) {
+  const TemporaryFolder folder;
+  const std::string script =
+      "waywright 1\ndomain 0 0 10 10\npoint 3 1 1\nsegment 5 1 2 3 4\nremove 3\n"
+      "point 6 99 99\npath 1 1 2 2 0\npolygon 3 3 5 5 6 5 6 6\n";
+  const std::string out = folder.file("b.wws");
+  EXPECT_EQ(run_command({"convert", folder.file("a.wws", script), out}).status, 0);
+  const std::string dump = folder.file("dump");
+  EXPECT_EQ(run_command({"run", out, "--dump", dump}).status, 0);
+  const std::string expected = folder.file("expected");
+  EXPECT_EQ(
+      run_script("waywright 1\ndomain 0 0 10 10\npolygon 3 3 5 5 6 5 6 6\nsegment 5 1 2 3 4\n", {"--dump", expected})
+          .status,
+      0);
+  EXPECT_EQ(read_file(dump), read_file(expected));
+}
+
+}  // namespace
+}  // namespace waywright::test

@@ -1,0 +1,200 @@
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tools/command.hpp"
+
+namespace waywright::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string kHead = "waywright 1\ndomain 0 0 10 10\n";
+
+TEST(RunCommand, PrintsTheFormatsOwnLocateLine) {
+  const auto result = run_script(
+      "waywright 1\n"
+      "# a triangle that fills half the domain\n"
+      "domain 0 0 4 4\n\n\n\n\n\n\n\n"
+      "polygon 7 3 0 0 4 0 0 4\n"
+      "locate 1 1\n");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, R"({"line":12,"op":"locate","at":"face","vertices":[[0,0],[4,0],[0,4]],"inside":[7]})"
+                        "\n");
+}
+
+TEST(RunCommand, LocatesInFacesOnEdgesAndAtVertices) {
+  // The domain's diagonal runs through its smallest corner (0, 0).
+  const auto lines = json_lines(run_script(kHead + "locate 5 2\nlocate 2 2\nlocate 10 0\nlocate 10 4\n").out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0],
+            json::parse(R"({"line":3,"op":"locate","at":"face","vertices":[[0,0],[10,0],[10,10]],"inside":[]})"));
+  EXPECT_EQ(lines[1], json::parse(R"({"line":4,"op":"locate","at":"edge","vertices":[[0,0],[10,10]],"inside":[]})"));
+  EXPECT_EQ(lines[2], json::parse(R"({"line":5,"op":"locate","at":"vertex","vertices":[[10,0]],"inside":[]})"));
+  EXPECT_EQ(lines[3], json::parse(R"({"line":6,"op":"locate","at":"edge","vertices":[[10,0],[10,10]],"inside":[]})"));
+}
+
+TEST(RunCommand, ListsThePolygonsThatCoverAPointAscending) {
+  const auto lines = json_lines(run_script(kHead + "polygon 9 4 1 1 6 1 6 6 1 6\n"
+                                                   "polygon 4 4 4 4 9 4 9 9 4 9\n"
+                                                   "polygon 5 4 0 0 10 0 10 10 0 10 / 4 3 3 7 3 7 7 3 7\n"
+                                                   "locate 5 5\nlocate 2 2\nlocate 6 6\nlocate 3 3\n")
+                                    .out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0].at("inside"), json::parse("[4,9]"));  // in the hole of 5
+  EXPECT_EQ(lines[1].at("inside"), json::parse("[5,9]"));
+  EXPECT_EQ(lines[2].at("inside"), json::parse("[4,9]"));  // a corner of 9
+  EXPECT_EQ(lines[3].at("inside"), json::parse("[5,9]"));  // the hole's corner bounds 5
+}
+
+TEST(RunCommand, PrintsAPathInTheFormatsShape) {
+  const auto result = run_script(kHead + "path 1 1 5 4 0 ta\n");
+  EXPECT_EQ(result.out, R"({"line":3,"op":"path","found":true,"length":5,"pieces":[{"line":[1,1,5,4]}]})"
+                        "\n");
+}
+
+TEST(RunCommand, WalksRoundTheEndOfAWall) {
+  const auto lines = json_lines(run_script(kHead + "segment 1 5 0 5 6\npath 2 3 8 3 0\n").out);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].at("found"), true);
+  EXPECT_EQ(lines[0].at("pieces"), json::parse(R"([{"line":[2,3,5,6]},{"line":[5,6,8,3]}])"));
+  EXPECT_NEAR(lines[0].at("length").get<double>(), 8.48528137423857, 1e-12);  // 6 times the root of 2
+}
+
+TEST(RunCommand, SaysWhyThereIsNoPath) {
+  const auto result = run_script(kHead +
+                                 "segment 1 5 0 5 10\n"
+                                 "polygon 2 4 7 7 9 7 9 9 7 9\n"
+                                 "path 1 1 9 1 0\npath 8 8 6 6 0\npath 6 6 8 8 0\n");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out, R"({"line":5,"op":"path","found":false,"reason":"no-path"})"
+                        "\n"
+                        R"({"line":6,"op":"path","found":false,"reason":"start-blocked"})"
+                        "\n"
+                        R"({"line":7,"op":"path","found":false,"reason":"goal-blocked"})"
+                        "\n");
+}
+
+TEST(RunCommand, PrintsCheck) {
+  EXPECT_EQ(run_script(kHead + "segment 1 1 1 9 9\nsegment 2 1 9 9 1\ncheck\n").out,
+            "{\"line\":5,\"op\":\"check\",\"ok\":true}\n");
+}
+
+TEST(RunCommand, PrintsNumbersInTheirShortestFormAndNoNegativeZero) {
+  const auto result = run_script(
+      "waywright 1\n"
+      "domain -1 -1 1 1\n"
+      "point 1 0.1 -0.0\n"
+      "point 2 -1e-7 0.30000000000000004\n"
+      "locate 0.1 0\nlocate -1e-7 0.30000000000000004\n");
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_NE(result.out.find("[[0.1,0]]"), std::string::npos) << result.out;
+  EXPECT_EQ(lines[1].at("vertices"), json::parse("[[-1e-7,0.30000000000000004]]"));
+}
+
+struct Refusal {
+  std::string operation;
+  std::string op;
+  std::string code;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.operation; }
+
+class RunCommandRefuses : public testing::TestWithParam<Refusal> {};
+
+TEST_P(RunCommandRefuses, WithACodeAndAMessageAndGoesOn) {
+  const auto& [operation, op, code] = GetParam();
+  const std::string script = kHead + "point 1 5 5\n" + operation + "\nlocate 5 5\n";
+  const auto result = run_script(script, {"--check"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 2U) << result.out;
+  EXPECT_EQ(lines[0].at("line"), 4);
+  EXPECT_EQ(lines[0].at("op"), op);
+  EXPECT_EQ(lines[0].at("error"), code);
+  EXPECT_GT(lines[0].at("message").get<std::string>().size(), 8U);
+  EXPECT_EQ(lines[0].size(), 4U);
+  EXPECT_EQ(lines[1].at("at"), "vertex");
+
+  const auto strict = run_script(script, {"--strict"});
+  EXPECT_EQ(strict.status, 1);
+  EXPECT_EQ(strict.err, "");
+  EXPECT_EQ(strict.out, result.out.substr(0, result.out.find('\n') + 1));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RunCommandRefuses,
+    testing::Values(
+        Refusal{"point 1 2 2", "point", "id-in-use"}, Refusal{"segment 1 2 2 3 3", "segment", "id-in-use"},
+        Refusal{"point 2 11 2", "point", "out-of-domain"}, Refusal{"segment 2 1 1 1 -0.5", "segment", "out-of-domain"},
+        Refusal{"polyline 2 3 1 1 2 2 3 30", "polyline", "out-of-domain"},
+        Refusal{"polygon 2 3 1 1 2 2 3 30", "polygon", "out-of-domain"},
+        Refusal{"polygon 2 3 1 1 2 2 3 3 / 1 -1 1", "polygon", "out-of-domain"},
+        Refusal{"point 2 nan 2", "point", "coordinate-range"}, Refusal{"point 2 inf 2", "point", "coordinate-range"},
+        Refusal{"point 2 1e300 2", "point", "coordinate-range"},
+        Refusal{"segment 2 1 1 1 1e-300", "segment", "coordinate-range"},
+        Refusal{"locate 11 2", "locate", "out-of-domain"}, Refusal{"locate nan 2", "locate", "coordinate-range"},
+        Refusal{"path 1 1 20 1 0", "path", "out-of-domain"}, Refusal{"path -1 1 2 1 0 ta", "path", "out-of-domain"},
+        Refusal{"path 1 1 2 1e300 0", "path", "coordinate-range"}, Refusal{"path 1 1 2 1 -1", "path", "bad-radius"},
+        Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
+        Refusal{"path 1 1 2 1 0.5", "path", "not-supported"},
+        Refusal{"path 1 1 2 1 0 optimal", "path", "not-supported"},
+        Refusal{"path 1 1 2 1 0 tra", "path", "not-supported"}, Refusal{"remove 1", "remove", "not-supported"},
+        Refusal{"hash", "hash", "not-supported"}, Refusal{"ray 1 1 2 2", "ray", "not-supported"},
+        Refusal{"disc 1 1 2", "disc", "not-supported"}, Refusal{"disc 1 1 -2", "disc", "bad-radius"},
+        Refusal{"nearest 1 1 0", "nearest", "not-supported"}, Refusal{"nearest 1 1 nan", "nearest", "bad-radius"},
+        Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+
+TEST(RunCommand, RunsAFileAsItRunsStandardInput) {
+  const TemporaryFolder folder;
+  const std::string script = kHead + "segment 1 2 2 8 3\nlocate 5 2\npath 1 1 9 9 0\ncheck\n";
+  const auto from_file = run_command({"run", folder.file("world.wws", script)});
+  EXPECT_EQ(from_file.status, 0);
+  EXPECT_EQ(from_file.out, run_script(script).out);
+  EXPECT_EQ(json_lines(from_file.out).size(), 3U);
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(RunCommand, TakesCarriageReturnsCommentsAndBlankLines) {
+  const auto result =
+      run_script("\r\n# a comment\r\nwaywright 1 # the header\r\n\r\ndomain 0 0 1 1\r\ncheck # all\r\n");
+  EXPECT_EQ(result.out, "{\"line\":6,\"op\":\"check\",\"ok\":true}\n");
+}
+
+TEST(RunCommand, DumpsTheMeshOfAnEmptyDomain) {
+  const TemporaryFolder folder;
+  const auto result = run_script("waywright 1\ndomain 0 0 1 0.5\n", {"--dump", folder.file("mesh"), "--check"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(read_file(folder.file("mesh")),
+            "vertices 4\n0 1 0 1\n0 1 1 2\n1 1 0 1\n1 1 1 2\n"
+            "triangles 2\n0 2 3\n0 3 1\n"
+            "constraints 4\n0 1 0\n0 2 0\n1 3 0\n2 3 0\n");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(RunCommand, StopsAtTheFirstRefusalAndWritesNoFilesWhenStrict) {
+  const TemporaryFolder folder;
+  const auto result = run_script(kHead + "locate 1 2\npoint 1 20 20\nlocate 3 4\n",
+                                 {"--strict", "--dump", folder.file("dump"), "--svg", folder.file("svg")});
+  EXPECT_EQ(result.status, 1);
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[1].at("error"), "out-of-domain");
+  EXPECT_EQ(folder.file_count(), 0U);
+}
+
+TEST(RunCommand, ManyAnswersComeInOrder) {
+  std::string script = kHead;
+  for (int i = 0; i < 5000; ++i) script += "locate 5 2\n";
+  const auto lines = json_lines(run_script(script).out);
+  ASSERT_EQ(lines.size(), 5000U);
+  for (std::size_t i = 0; i < lines.size(); ++i) ASSERT_EQ(lines[i].at("line"), i + 3);
+}
+
+}  // namespace
+}  // namespace waywright::test

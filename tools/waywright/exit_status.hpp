@@ -1,0 +1,12 @@
+#pragma once
+
+namespace waywright::command {
+
+/// What the command ends with.
+enum ExitStatus : int {
+  kDone = 0,
+  kRefused = 1,   ///< a check failed or, with --strict, an operation was refused
+  kUnusable = 2,  ///< bad arguments, a file that cannot be read or written, malformed text
+};
+
+}  // namespace waywright::command

@@ -1,0 +1,71 @@
+#include "json_lines.hpp"
+
+#include <cstddef>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace waywright::command {
+
+namespace {
+
+// The library writes 0.0 where the format has 0, and sorts what it prints: only its quoting serves here.
+std::string json_string(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string opening(const Request& request) {
+  if (!request.line) return fmt::format(R"({{"op":"{}")", request.op);
+  return fmt::format(R"({{"line":{},"op":"{}")", *request.line, request.op);
+}
+
+/// Adding zero leaves every number as it is but -0.
+double without_sign_of_zero(double value) { return value + 0.0; }
+
+void append_point(std::string& out, const Point& point) {
+  fmt::format_to(std::back_inserter(out), "{},{}", without_sign_of_zero(point.x), without_sign_of_zero(point.y));
+}
+
+}  // namespace
+
+std::string json_line(const Request& request, const Location& location) {
+  std::string out = opening(request) + fmt::format(R"(,"at":"{}","vertices":[)", to_string(location.at));
+  for (std::size_t i = 0; i < location.corner_count; ++i) {
+    out += i == 0 ? "[" : ",[";
+    append_point(out, location.corners.at(i));
+    out += ']';
+  }
+  out += R"(],"inside":[)";
+  for (std::size_t i = 0; i < location.inside.size(); ++i) {
+    fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : ",", location.inside[i].value);
+  }
+  return out + "]}";
+}
+
+std::string json_line(const Request& request, const Path& path) {
+  if (path.status != PathStatus::found) {
+    return opening(request) + fmt::format(R"(,"found":false,"reason":"{}"}})", to_string(path.status));
+  }
+  std::string out = opening(request) + fmt::format(R"(,"found":true,"length":{},"pieces":[)", path.length);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    out += i == 1 ? R"({"line":[)" : R"(,{"line":[)";
+    append_point(out, path.points[i - 1]);
+    out += ',';
+    append_point(out, path.points[i]);
+    out += "]}";
+  }
+  return out + "]}";
+}
+
+std::string json_line(const Request& request, const Validation& validation) {
+  if (validation.ok) return opening(request) + R"(,"ok":true})";
+  return opening(request) + fmt::format(R"(,"ok":false,"fault":{}}})", json_string(validation.fault));
+}
+
+std::string json_line(const Request& request, const Error& error) {
+  return opening(request) +
+         fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message));
+}
+
+}  // namespace waywright::command

@@ -1,0 +1,41 @@
+#include "waywright/path.hpp"
+
+#include <fmt/format.h>
+
+#include "waywright/scene.hpp"
+#include "waywright/svg.hpp"
+#include "waywright/world.hpp"
+
+#include "commands.hpp"
+#include "failure.hpp"
+#include "input.hpp"
+#include "json_lines.hpp"
+#include "output.hpp"
+
+namespace waywright::command {
+
+ExitStatus path(const PathOptions& options) {
+  PathQuery query;
+  query.start = parse_point("--from", options.from);
+  query.goal = parse_point("--to", options.to);
+  const Scene scene = load_scene(options.map);
+  OutputFile svg(options.svg);
+  const World world = build_world(scene, options.map);
+
+  const Result<Path> searched = world.find_path(query);
+  if (!searched.ok()) throw Failure(fmt::format("waywright: path: {}", searched.error().message));
+  StandardOutput output;
+  output.write_line(json_line({"path", {}}, *searched));
+  output.flush();
+  if (svg.wanted()) {
+    SvgOptions picture;
+    picture.mesh = !options.no_mesh;
+    picture.y_down = scene.y_down;
+    picture.title = title_of(options.map);
+    svg.write(to_svg(world, {*searched}, picture));
+    svg.commit();
+  }
+  return kDone;
+}
+
+}  // namespace waywright::command

@@ -1,0 +1,36 @@
+#include "progress.hpp"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace waywright::command {
+
+namespace {
+
+using std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kPatience{1000};
+constexpr std::chrono::milliseconds kInterval{200};
+
+}  // namespace
+
+Progress::Progress(std::string_view what, std::size_t total)
+    : what_(what), total_(total), to_terminal_(isatty(STDERR_FILENO) == 1), next_(steady_clock::now() + kPatience) {}
+
+void Progress::advance() {
+  ++done_;
+  if (!to_terminal_ || steady_clock::now() < next_) return;
+  next_ = steady_clock::now() + kInterval;
+  shown_ = true;
+  fmt::print(stderr, "\r{}: {} of {}", what_, done_, total_);
+  std::fflush(stderr);
+}
+
+void Progress::finish() {
+  if (!shown_) return;
+  shown_ = false;
+  fmt::print(stderr, "\r\x1b[K");
+}
+
+}  // namespace waywright::command

@@ -1,0 +1,95 @@
+#include "runner.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "json_lines.hpp"
+
+namespace waywright::command {
+
+namespace {
+
+Request request_of(const Operation& operation) { return {to_string(operation), operation.line}; }
+
+bool has_radius(OperationKind kind) { return kind == OperationKind::disc || kind == OperationKind::nearest; }
+
+}  // namespace
+
+Outcome Runner::carry_out(const Operation& operation) {
+  switch (operation.kind) {
+    case OperationKind::insert:
+      return insert(operation);
+    case OperationKind::locate:
+      return locate(operation);
+    case OperationKind::path:
+      return find_path(operation);
+    case OperationKind::check:
+      return check(operation);
+    case OperationKind::remove:
+    case OperationKind::ray:
+    case OperationKind::disc:
+    case OperationKind::nearest:
+    case OperationKind::hash:
+      break;
+  }
+  return refuse_unsupported(operation);
+}
+
+bool Runner::validate_after(const Operation& operation) {
+  const Validation validation = world_.validate();
+  if (!validation.ok) output_.write_line(json_line({"check", operation.line}, validation));
+  return validation.ok;
+}
+
+Outcome Runner::insert(const Operation& operation) {
+  const Result<ItemId> inserted = world_.insert(operation.item.shape, operation.item.id);
+  if (!inserted.ok()) return refuse(operation, inserted.error());
+  paths_.clear();
+  return Outcome::done;
+}
+
+Outcome Runner::locate(const Operation& operation) {
+  const Result<void> located = world_.locate(operation.from, context_, location_);
+  if (!located.ok()) return refuse(operation, located.error());
+  output_.write_line(json_line(request_of(operation), location_));
+  return Outcome::done;
+}
+
+Outcome Runner::find_path(const Operation& operation) {
+  const PathQuery query{operation.from, operation.to, operation.radius,
+                        operation.algorithm.value_or(PathAlgorithm::ta)};
+  Path path;
+  const Result<void> searched = world_.find_path(query, context_, path);
+  if (!searched.ok()) return refuse(operation, searched.error());
+  output_.write_line(json_line(request_of(operation), path));
+  if (path.status == PathStatus::found) paths_.push_back(std::move(path));
+  return Outcome::done;
+}
+
+Outcome Runner::check(const Operation& operation) {
+  const Validation validation = world_.validate();
+  output_.write_line(json_line(request_of(operation), validation));
+  return validation.ok ? Outcome::done : Outcome::check_failed;
+}
+
+Outcome Runner::refuse(const Operation& operation, const Error& error) {
+  output_.write_line(json_line(request_of(operation), error));
+  return Outcome::refused;
+}
+
+Outcome Runner::refuse_unsupported(const Operation& operation) {
+  Error error;
+  if (has_radius(operation.kind) && !(std::isfinite(operation.radius) && operation.radius >= 0.0)) {
+    error.code = ErrorCode::bad_radius;
+    error.message = fmt::format("the radius {} is negative or not finite", operation.radius);
+  } else {
+    error.code = ErrorCode::not_supported;
+    error.message = fmt::format("this version does not carry out '{}'", to_string(operation));
+  }
+  return refuse(operation, error);
+}
+
+}  // namespace waywright::command
