@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "constraint/canonical.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "io/dump.hpp"
+#include "io/sha256.hpp"
 #include "path/scratch.hpp"
 #include "path/ta_star.hpp"
 
@@ -80,7 +82,13 @@ std::optional<Error> find_arity_error(const Shape& shape) {
   return std::nullopt;
 }
 
-std::optional<Error> find_shape_error(const Box& domain, const Shape& shape) {
+std::size_t point_count(const Shape& shape) {
+  std::size_t count = 0;
+  for (const std::vector<Point>& ring : shape.rings) count += ring.size();
+  return count;
+}
+
+std::optional<Error> find_shape_error(const Box& domain, const Shape& shape, std::size_t vertex_count) {
   if (auto error = find_arity_error(shape)) return error;
   std::size_t index = 0;
   for (const std::vector<Point>& ring : shape.rings) {
@@ -89,7 +97,21 @@ std::optional<Error> find_shape_error(const Box& domain, const Shape& shape) {
       ++index;
     }
   }
+  if (vertex_count + index > kLargestPointCount) {
+    return Error{ErrorCode::too_large, "the world has too many vertices", {}, 0};
+  }
   return std::nullopt;
+}
+
+Error about(ItemId id, Error error) {
+  error.item = id;
+  return error;
+}
+
+Error bad_id(ItemId id) { return {ErrorCode::bad_id, "ids go up to 2^63 - 1", id, 0}; }
+
+Error id_in_use(ItemId id) {
+  return {ErrorCode::id_in_use, "an item has id " + std::to_string(id.value) + " already", id, 0};
 }
 
 Error unknown_id(ItemId id) { return {ErrorCode::unknown_id, "no item has id " + std::to_string(id.value), id, 0}; }
@@ -118,17 +140,9 @@ const Box& World::domain() const { return impl_->triangulation.domain(); }
 Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   const constraint::ItemTable& items = impl_->triangulation.items();
   if (id.is_null()) id = {items.largest_id_seen().value + 1};
-  if (id.value > ItemId::kLargest) return Error{ErrorCode::bad_id, "ids go up to 2^63 - 1", id, 0};
-  if (items.contains(id)) {
-    return Error{ErrorCode::id_in_use, "an item has id " + std::to_string(id.value) + " already", id, 0};
-  }
-  if (auto error = find_shape_error(domain(), shape)) {
-    error->item = id;
-    return *std::move(error);
-  }
-  std::size_t points = vertex_count();
-  for (const std::vector<Point>& ring : shape.rings) points += ring.size();
-  if (points > kLargestPointCount) return Error{ErrorCode::too_large, "the world has too many vertices", id, 0};
+  if (id.value > ItemId::kLargest) return bad_id(id);
+  if (items.contains(id)) return id_in_use(id);
+  if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
   impl_->triangulation.insert(shape, id);
   return id;
 }
@@ -158,6 +172,53 @@ Result<void> World::remove(ItemId id) {
   if (!contains(id)) return unknown_id(id);
   impl_->triangulation.remove(id);
   return {};
+}
+
+Result<void> World::replace(ItemId id, const Shape& shape) {
+  if (!contains(id)) return unknown_id(id);
+  if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
+  impl_->triangulation.remove(id);
+  impl_->triangulation.insert(shape, id);
+  return {};
+}
+
+// All that can be wrong is found out before the first change, in a list of the ids as the changes will leave them.
+Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
+  std::unordered_map<ItemId, bool> is_alive;
+  const auto alive = [&](ItemId id) {
+    const auto found = is_alive.find(id);
+    return found == is_alive.end() ? contains(id) : found->second;
+  };
+  std::vector<ItemId> ids;
+  ItemId largest = impl_->triangulation.items().largest_id_seen();
+  std::size_t vertices = vertex_count();
+  for (const Change& change : changes) {
+    const auto refuse = [&](Error error) {
+      error.index = ids.size();
+      error.message = "change " + std::to_string(ids.size()) + ": " + error.message;
+      return error;
+    };
+    ItemId id = change.id;
+    if (change.kind == Change::Kind::insert) {
+      if (id.is_null()) id = {largest.value + 1};
+      if (id.value > ItemId::kLargest) return refuse(bad_id(id));
+      if (alive(id)) return refuse(id_in_use(id));
+    } else if (!alive(id)) {
+      return refuse(unknown_id(id));
+    }
+    if (change.kind != Change::Kind::remove) {
+      if (auto error = find_shape_error(domain(), change.shape, vertices)) return refuse(about(id, *std::move(error)));
+      vertices += point_count(change.shape);
+    }
+    is_alive[id] = change.kind != Change::Kind::remove;
+    largest = std::max(largest, id);
+    ids.push_back(id);
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (changes[i].kind != Change::Kind::insert) impl_->triangulation.remove(ids[i]);
+    if (changes[i].kind != Change::Kind::remove) impl_->triangulation.insert(changes[i].shape, ids[i]);
+  }
+  return ids;
 }
 
 bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
@@ -254,6 +315,10 @@ Validation World::validate() const {
   if (!fault) return {};
   return {false, *std::move(fault)};
 }
+
+ItemsHash World::items_hash() const { return {impl_->triangulation.items().hash()}; }
+
+MeshHash World::mesh_hash() const { return {io::sha256(dump())}; }
 
 MeshSnapshot World::snapshot() const { return constraint::canonical_mesh(impl_->triangulation).snapshot; }
 

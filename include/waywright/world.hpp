@@ -19,6 +19,32 @@
 
 namespace waywright {
 
+/// One of several changes that World::apply makes together.
+struct Change {
+  enum class Kind : std::uint8_t { insert, remove, replace };
+
+  Kind kind = Kind::insert;
+  ItemId id;    ///< of an insertion: null for one that the world hands out
+  Shape shape;  ///< of an insertion or replacement
+};
+
+/// Two hashes of the same items, whatever made them and wherever: equal when the items are, and in practice only then.
+/// docs/hashes.md defines both, for others to compute.
+struct ItemsHash {
+  std::array<std::uint64_t, 2> words{};
+
+  friend bool operator==(const ItemsHash&, const ItemsHash&) = default;
+};
+struct MeshHash {
+  std::array<std::uint8_t, 32> bytes{};
+
+  friend bool operator==(const MeshHash&, const MeshHash&) = default;
+};
+
+/// 32 and 64 hexadecimal digits.
+[[nodiscard]] std::string to_string(const ItemsHash& hash);
+[[nodiscard]] std::string to_string(const MeshHash& hash);
+
 /// Where a point lies in the mesh.
 enum class Place : std::uint8_t { vertex, edge, face };
 
@@ -85,6 +111,14 @@ class World {
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
+  /// Puts another shape in an item's place, under its id: what moves an obstacle. Either done or, on an error, nothing
+  /// has changed. Errors: unknown_id, and those of insert.
+  Result<void> replace(ItemId id, const Shape& shape);
+
+  /// Makes several changes, one after the other, as one operation: all of them or, on an error, none. Returns the id of
+  /// each change's item. Errors: those of the single changes; the error's index is the change's position.
+  Result<std::vector<ItemId>> apply(std::span<const Change> changes);
+
   /// Whether an item of that id is alive.
   [[nodiscard]] bool contains(ItemId id) const;
   [[nodiscard]] std::size_t item_count() const;
@@ -114,6 +148,11 @@ class World {
 
   /// The mesh in canonical order. Cost: O(n log n).
   [[nodiscard]] MeshSnapshot snapshot() const;
+  /// The hash of the domain and the live items, kept up by every operation. Cost: none.
+  [[nodiscard]] ItemsHash items_hash() const;
+  /// The SHA-256 of the dump's bytes. Cost: the dump's.
+  [[nodiscard]] MeshHash mesh_hash() const;
+
   /// The mesh as canonical text with exact rational coordinates: equal for equal sets of live items.
   [[nodiscard]] std::string dump() const;
 

@@ -62,6 +62,7 @@ class ConstrainedTriangulation {
     mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge in the way, from its right to its left
   };
 
+  void count_hash(std::uint32_t item);
   void insert_ring(const std::vector<Point>& ring, std::uint32_t item);
   mesh::Vertex insert_corner(const Point& point, std::uint32_t item);
   void insert_side(std::uint32_t side);

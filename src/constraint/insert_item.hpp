@@ -19,6 +19,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain)
     corner_uses_[number(corner)] = UseLists::of(ItemTable::kDomain);
     items_.add_side({ItemTable::kDomain, corner, record.corners[(i + 1) % 4]});
   }
+  count_hash(ItemTable::kDomain);
 }
 
 // Corners first, then sides: a side finds its ends there, and is cut at every vertex on its way, among them the other
@@ -29,6 +30,19 @@ void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   for (const std::vector<Point>& ring : shape.rings) insert_ring(ring, slot);
   const std::vector<std::uint32_t> sides = items_.item(slot).sides;
   for (const std::uint32_t side : sides) insert_side(side);
+  count_hash(slot);
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::count_hash(std::uint32_t slot) {
+  const ItemRecord& record = items_.item(slot);
+  ItemHash hash(record.id, record.kind, record.ring_ends.size());
+  std::uint32_t i = 0;
+  for (const std::uint32_t end : record.ring_ends) {
+    hash.begin_ring(end - i);
+    for (; i < end; ++i) hash.add(triangulation_.geometry().nearest(number(record.corners[i])));
+  }
+  items_.set_hash(slot, hash.words());
 }
 
 /// The corners of a ring, and a record of each of its sides; the sides themselves come later.

@@ -4,13 +4,13 @@
 
 namespace waywright::constraint {
 
-ItemTable::ItemTable() { items_.push_back({{}, ItemKind::polygon, {}, {}, {}}); }
+ItemTable::ItemTable() { items_.push_back({{}, ItemKind::polygon, {}, {}, {}, {}}); }
 
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
   std::uint32_t slot = 0;
   if (free_items_.empty()) {
     slot = static_cast<std::uint32_t>(items_.size());
-    items_.push_back({id, kind, {}, {}, {}});
+    items_.push_back({id, kind, {}, {}, {}, {}});
   } else {
     slot = free_items_.back();
     free_items_.pop_back();
@@ -36,8 +36,14 @@ std::uint32_t ItemTable::add_side(const Side& side) {
   return slot;
 }
 
+void ItemTable::set_hash(std::uint32_t slot, const ItemHash::Words& hash) {
+  items_[slot].hash = hash;
+  ItemHash::add_to(hash_, hash);
+}
+
 void ItemTable::remove_item(std::uint32_t slot) {
   ItemRecord& record = items_[slot];
+  ItemHash::subtract_from(hash_, record.hash);
   slots_.erase(record.id);
   free_sides_.insert(free_sides_.end(), record.sides.begin(), record.sides.end());
   free_items_.push_back(slot);

@@ -7,6 +7,7 @@
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
 
+#include "constraint/item_hash.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::constraint {
@@ -26,6 +27,7 @@ struct ItemRecord {
   std::vector<mesh::Vertex> corners;     ///< ring after ring, points that repeat their predecessor merged
   std::vector<std::uint32_t> ring_ends;  ///< where each ring's corners end
   std::vector<std::uint32_t> sides;      ///< slots in the side table
+  ItemHash::Words hash{};
 };
 
 /// The live items by id and by slot, and their sides. Slot 0 is the domain itself, under the null id.
@@ -41,6 +43,8 @@ class ItemTable {
   [[nodiscard]] const ItemRecord& item(std::uint32_t slot) const { return items_[slot]; }
   [[nodiscard]] ItemRecord& item(std::uint32_t slot) { return items_[slot]; }
   [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot]; }
+  /// The sum of the hashes of the live items and the domain.
+  [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }
   /// Live items, the domain left out.
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
   [[nodiscard]] std::size_t side_slots() const { return sides_.size(); }
@@ -48,6 +52,8 @@ class ItemTable {
   std::uint32_t add_item(ItemId id, ItemKind kind);
   /// Appends a side to its item.
   std::uint32_t add_side(const Side& side);
+  /// Counts an item's hash in. To be called once, when its corners are known.
+  void set_hash(std::uint32_t slot, const ItemHash::Words& hash);
   /// Forgets an item and its sides; their slots are reused.
   void remove_item(std::uint32_t slot);
 
@@ -61,6 +67,7 @@ class ItemTable {
   std::vector<std::uint32_t> free_sides_;
   std::unordered_map<ItemId, std::uint32_t> slots_;
   ItemId largest_id_seen_;
+  ItemHash::Words hash_{};
 };
 
 }  // namespace waywright::constraint
