@@ -42,6 +42,8 @@ World::~World() = default;
 
 namespace {
 
+using Operation = constraint::ExactTriangulation::Operation;
+
 /// A mesh may not outgrow its 31-bit half-edge indices: 2^31 / 6 vertices. This keeps half of that for crossings, which
 /// nobody can count before they are made.
 constexpr std::size_t kLargestPointCount = std::size_t{1} << 27;
@@ -143,7 +145,9 @@ Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   if (id.value > ItemId::kLargest) return bad_id(id);
   if (items.contains(id)) return id_in_use(id);
   if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
+  Operation operation(impl_->triangulation);
   impl_->triangulation.insert(shape, id);
+  operation.commit();
   return id;
 }
 
@@ -170,15 +174,19 @@ Result<ItemId> World::insert_polygon(std::span<const std::vector<Point>> rings, 
 
 Result<void> World::remove(ItemId id) {
   if (!contains(id)) return unknown_id(id);
+  Operation operation(impl_->triangulation);
   impl_->triangulation.remove(id);
+  operation.commit();
   return {};
 }
 
 Result<void> World::replace(ItemId id, const Shape& shape) {
   if (!contains(id)) return unknown_id(id);
   if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
+  Operation operation(impl_->triangulation);
   impl_->triangulation.remove(id);
   impl_->triangulation.insert(shape, id);
+  operation.commit();
   return {};
 }
 
@@ -214,10 +222,12 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     largest = std::max(largest, id);
     ids.push_back(id);
   }
+  Operation operation(impl_->triangulation);
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i].kind != Change::Kind::insert) impl_->triangulation.remove(ids[i]);
     if (changes[i].kind != Change::Kind::remove) impl_->triangulation.insert(changes[i].shape, ids[i]);
   }
+  operation.commit();
   return ids;
 }
 

@@ -35,6 +35,26 @@ class ConstrainedTriangulation {
   /// The items with a corner at `v`, by slot; one as often as it has corners there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
 
+  /// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.
+  /// One at a time.
+  class Operation {
+   public:
+    explicit Operation(ConstrainedTriangulation& triangulation) : triangulation_(triangulation) {
+      triangulation_.begin();
+    }
+    ~Operation() {
+      if (!is_committed_) triangulation_.roll_back();
+    }
+    Operation(const Operation&) = delete;
+    Operation& operator=(const Operation&) = delete;
+
+    void commit() { is_committed_ = true; }
+
+   private:
+    ConstrainedTriangulation& triangulation_;
+    bool is_committed_ = false;
+  };
+
   /// Inserts an item. Requires: every point lies in the domain and in range, the id is free, no ring is empty.
   /// Source: Chen 2009, section 3.3, after Anglada 1997.
   void insert(const Shape& shape, ItemId id);
@@ -61,6 +81,11 @@ class ConstrainedTriangulation {
     mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, where there is one already
     mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge in the way, from its right to its left
   };
+
+  void begin();
+  void roll_back();
+  void set_corner_uses(mesh::Vertex v, Uses uses);
+  void grow_corner_uses();
 
   void count_hash(std::uint32_t item);
   void insert_ring(const std::vector<Point>& ring, std::uint32_t item);
@@ -92,6 +117,7 @@ class ConstrainedTriangulation {
   UseLists uses_;
   Triangulation triangulation_;
   std::vector<Uses> corner_uses_;
+  std::vector<std::pair<mesh::Vertex, Uses>> corner_uses_log_;  ///< what they were
 
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> crossed_;
@@ -102,4 +128,5 @@ class ConstrainedTriangulation {
 
 #include "constraint/find_fault.hpp"
 #include "constraint/insert_item.hpp"
+#include "constraint/operation.hpp"
 #include "constraint/remove_item.hpp"

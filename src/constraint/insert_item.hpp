@@ -72,9 +72,8 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::insert_corner(const Point& poin
   const Point place{point.x + 0.0, point.y + 0.0};
   const auto inserted = triangulation_.insert(place, triangulation_.recent());
   if (inserted.split != mesh::kNoHalfEdge) split_uses(inserted.split);
-  if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
-  Uses& uses = corner_uses_[number(inserted.vertex)];
-  uses = uses_.add(uses, item);
+  grow_corner_uses();
+  set_corner_uses(inserted.vertex, uses_.add(corner_uses_[number(inserted.vertex)], item));
   return inserted.vertex;
 }
 
@@ -163,7 +162,7 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   const mesh::Vertex end = topology().origin(fixed);
   const Side& other = items_.side(uses_.any(topology().label(fixed)));
   const mesh::Vertex x = triangulation_.insert_crossing(fixed, side.from, side.to, other.from, other.to);
-  if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
+  grow_corner_uses();
   split_uses(topology().find(x, end));
   return x;
 }

@@ -30,7 +30,8 @@ struct ItemRecord {
   ItemHash::Words hash{};
 };
 
-/// The live items by id and by slot, and their sides. Slot 0 is the domain itself, under the null id.
+/// The live items by id and by slot, and their sides. Slot 0 is the domain itself, under the null id. Items that come
+/// and go are logged and can be taken back to the last begin().
 class ItemTable {
  public:
   static constexpr std::uint32_t kDomain = 0;
@@ -54,20 +55,38 @@ class ItemTable {
   std::uint32_t add_side(const Side& side);
   /// Counts an item's hash in. To be called once, when its corners are known.
   void set_hash(std::uint32_t slot, const ItemHash::Words& hash);
-  /// Forgets an item and its sides; their slots are reused.
+  /// Forgets an item. Its slot and its sides' are reused from the next begin() on.
   void remove_item(std::uint32_t slot);
+
+  /// Starts the log anew.
+  void begin();
+  /// Takes back everything since begin(). Allocates nothing.
+  void roll_back();
 
   [[nodiscard]] std::vector<ItemId> ids() const;
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
 
  private:
+  using Slots = std::unordered_map<ItemId, std::uint32_t>;
+
+  struct Undo {
+    std::uint32_t slot;
+    Slots::node_type removed;  ///< of a removal, the item's entry in `slots_`; of an insertion, empty
+  };
+
+  void recycle(std::uint32_t slot);
+
   std::vector<ItemRecord> items_;
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> free_items_;
-  std::vector<std::uint32_t> free_sides_;
-  std::unordered_map<ItemId, std::uint32_t> slots_;
+  std::vector<std::uint32_t> free_items_;  ///< has room for all
+  std::vector<std::uint32_t> free_sides_;  ///< has room for all
+  Slots slots_;
   ItemId largest_id_seen_;
   ItemHash::Words hash_{};
+
+  std::vector<Undo> log_;
+  ItemId largest_id_before_;
+  ItemHash::Words hash_before_{};
 };
 
 }  // namespace waywright::constraint

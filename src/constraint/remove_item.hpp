@@ -41,8 +41,7 @@ void ConstrainedTriangulation<Geometry>::strip_side(std::uint32_t slot) {
 
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::strip_corner(mesh::Vertex v, std::uint32_t item) {
-  Uses& uses = corner_uses_[number(v)];
-  uses = uses_.remove(uses, item);
+  set_corner_uses(v, uses_.remove(corner_uses_[number(v)], item));
   touched_.push_back(v);
 }
 

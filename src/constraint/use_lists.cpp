@@ -9,9 +9,9 @@ Uses UseLists::add(Uses list, std::uint32_t user) {
     return static_cast<Uses>(nodes_.size() - 1) | kNode;
   }
   const Uses result = first_free_;
-  Node& node = nodes_[result & ~kNode];
-  first_free_ = node.rest;
-  node = {user, list};
+  const Uses next_free = nodes_[result & ~kNode].rest;
+  write(result, {user, list});
+  first_free_ = next_free;
   return result;
 }
 
@@ -28,17 +28,18 @@ Uses UseLists::copy(Uses list) {
 // The last node of a list holds two users, its own and the lone one that is its rest; it goes when either does.
 Uses UseLists::remove(Uses list, std::uint32_t user) {
   if (!is_node(list)) return kNone;
-  Uses at = list;
-  Uses* link = &list;
-  for (;;) {
+  Uses before = kNone;
+  for (Uses at = list;;) {
     const Node node = nodes_[at & ~kNode];
-    if (node.user == user || node.rest == of(user)) {
-      *link = node.user == user ? node.rest : of(node.user);
-      free_node(at);
-      return list;
+    if (node.user != user && node.rest != of(user)) {
+      before = at;
+      at = node.rest;
+      continue;
     }
-    link = &nodes_[at & ~kNode].rest;
-    at = node.rest;
+    const Uses rest = node.user == user ? node.rest : of(node.user);
+    if (before != kNone) write(before, {nodes_[before & ~kNode].user, rest});
+    free_node(at);
+    return before == kNone ? rest : list;
   }
 }
 
@@ -58,8 +59,26 @@ bool UseLists::contains(Uses list, std::uint32_t user) const {
 }
 
 void UseLists::free_node(Uses list) {
-  nodes_[list & ~kNode].rest = first_free_;
+  write(list, {nodes_[list & ~kNode].user, first_free_});
   first_free_ = list;
+}
+
+void UseLists::write(Uses list, const Node& node) {
+  const std::uint32_t index = list & ~kNode;
+  log_.push_back({index, nodes_[index]});
+  nodes_[index] = node;
+}
+
+void UseLists::begin() {
+  log_.clear();
+  size_before_ = nodes_.size();
+  first_free_before_ = first_free_;
+}
+
+void UseLists::roll_back() {
+  for (; !log_.empty(); log_.pop_back()) nodes_[log_.back().index] = log_.back().node;
+  nodes_.resize(size_before_);
+  first_free_ = first_free_before_;
 }
 
 }  // namespace waywright::constraint

@@ -9,7 +9,8 @@ namespace waywright::constraint {
 /// list, is told by the number itself and takes no memory.
 using Uses = std::uint32_t;
 
-/// Keeps lists of users, numbers below 2^31 - 1. The lists are unordered; a user may be in one more than once.
+/// Keeps lists of users, numbers below 2^31 - 1. The lists are unordered; a user may be in one more than once. What
+/// happens to them is logged and can be taken back to the last begin().
 class UseLists {
  public:
   static constexpr Uses kNone = 0;
@@ -24,6 +25,11 @@ class UseLists {
   /// Gives back what a list holds; the list is not to be used again.
   void release(Uses list);
   [[nodiscard]] bool contains(Uses list, std::uint32_t user) const;
+
+  /// Starts the log anew.
+  void begin();
+  /// Takes back everything since begin(). Allocates nothing.
+  void roll_back();
 
   /// Calls visit(user) for each.
   template <class Visit>
@@ -46,10 +52,19 @@ class UseLists {
 
   [[nodiscard]] static bool is_node(Uses list) { return (list & kNode) != 0; }
 
+  struct Undo {
+    std::uint32_t index;
+    Node node;
+  };
+
+  void write(Uses list, const Node& node);
   void free_node(Uses list);
 
   std::vector<Node> nodes_;
   Uses first_free_ = kNone;  ///< freed nodes, chained by their rests
+  std::vector<Undo> log_;
+  std::size_t size_before_ = 0;
+  Uses first_free_before_ = kNone;
 };
 
 }  // namespace waywright::constraint

@@ -50,6 +50,11 @@ class Triangulation {
   /// A living half-edge of a face in the box, near the last change.
   [[nodiscard]] mesh::HalfEdge recent() const { return recent_; }
 
+  /// Starts an operation: what follows can be taken back to here.
+  void begin();
+  /// Takes back everything since begin(). Allocates nothing.
+  void roll_back();
+
   /// The vertex at `point`, made where there is none yet. On a fixed edge it parts the edge in two that carry its
   /// label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
   struct Inserted {
@@ -132,6 +137,7 @@ class Triangulation {
   mesh::Vertex ghost_{};
   std::array<mesh::Vertex, 4> box_corners_{};
   mesh::HalfEdge recent_{};
+  mesh::HalfEdge recent_before_{};
 
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> stack_;

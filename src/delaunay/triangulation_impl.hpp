@@ -27,6 +27,21 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
 }
 
 template <class Geometry>
+void Triangulation<Geometry>::begin() {
+  mesh_.begin();
+  geometry_.begin();
+  recent_before_ = recent_;
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::roll_back() {
+  mesh_.roll_back();
+  geometry_.roll_back();
+  recent_ = recent_before_;
+  freed_.clear();
+}
+
+template <class Geometry>
 locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEdge hint) const {
   return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(hint), ghost_);
 }

@@ -2,38 +2,65 @@
 
 namespace waywright::exact {
 
-void Geometry::place(std::uint32_t vertex, const Point& point) { set(vertex, point, kExplicit); }
+void Geometry::place(std::uint32_t vertex, const Point& point) {
+  grow_to(vertex);
+  log(vertex);
+  points_[vertex] = point;
+  crossing_of_[vertex] = kExplicit;
+}
 
 void Geometry::place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                               std::uint32_t d) {
+  grow_to(vertex);
   const Crossing crossing{points_[a], points_[b], points_[c], points_[d]};
   const RoundedCrossing rounded = round_to_nearest(crossing);
-  if (rounded.is_exact) return place(vertex, rounded.nearest);
-  std::uint32_t slot = 0;
-  if (free_crossings_.empty()) {
-    slot = static_cast<std::uint32_t>(crossings_.size());
-    crossings_.push_back(crossing);
-  } else {
-    slot = free_crossings_.back();
-    free_crossings_.pop_back();
-    crossings_[slot] = crossing;
-  }
-  set(vertex, rounded.nearest, slot);
+  log(vertex);
+  crossing_of_[vertex] = rounded.is_exact ? kExplicit : add_crossing(crossing);
+  points_[vertex] = rounded.nearest;
 }
 
 void Geometry::clear(std::uint32_t vertex) {
   if (crossing_of_[vertex] == kExplicit) return;
-  free_crossings_.push_back(crossing_of_[vertex]);
+  left_crossings_.push_back(crossing_of_[vertex]);
+  log(vertex);
   crossing_of_[vertex] = kExplicit;
 }
 
-void Geometry::set(std::uint32_t vertex, const Point& point, std::uint32_t crossing) {
-  if (vertex >= points_.size()) {
-    points_.resize(vertex + std::size_t{1});
-    crossing_of_.resize(vertex + std::size_t{1}, kExplicit);
+void Geometry::begin() {
+  log_.clear();
+  free_crossings_.insert(free_crossings_.end(), left_crossings_.begin(), left_crossings_.end());
+  left_crossings_.clear();
+}
+
+void Geometry::roll_back() {
+  for (; !log_.empty(); log_.pop_back()) {
+    const Undo& change = log_.back();
+    if (crossing_of_[change.vertex] != kExplicit) free_crossings_.push_back(crossing_of_[change.vertex]);
+    points_[change.vertex] = change.point;
+    crossing_of_[change.vertex] = change.crossing;
   }
-  points_[vertex] = point;
-  crossing_of_[vertex] = crossing;
+  left_crossings_.clear();
+}
+
+void Geometry::grow_to(std::uint32_t vertex) {
+  if (vertex < points_.size()) return;
+  crossing_of_.resize(vertex + std::size_t{1}, kExplicit);
+  points_.resize(vertex + std::size_t{1});
+}
+
+void Geometry::log(std::uint32_t vertex) { log_.push_back({vertex, crossing_of_[vertex], points_[vertex]}); }
+
+std::uint32_t Geometry::add_crossing(const Crossing& crossing) {
+  if (free_crossings_.empty()) {
+    if (crossings_.size() == crossings_.capacity()) crossings_.reserve(2 * crossings_.size() + 1);
+    free_crossings_.reserve(crossings_.capacity());
+    crossings_.push_back(crossing);
+    return static_cast<std::uint32_t>(crossings_.size() - 1);
+  }
+  const std::uint32_t slot = free_crossings_.back();
+  free_crossings_.pop_back();
+  crossings_[slot] = crossing;
+  return slot;
 }
 
 }  // namespace waywright::exact

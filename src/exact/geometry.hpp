@@ -13,6 +13,8 @@ namespace waywright::exact {
 /// The places of a mesh's vertices, and the four questions that the combinatorial code asks about them: orientation,
 /// in-circle, order, and where two segments cross. Other arithmetic can take its place: whatever has these members.
 ///
+/// Places are logged as they change and can be taken back to the last begin().
+///
 /// A vertex is named by its index. `View` is how a place is handed to a question; it stays valid until a vertex is
 /// added.
 class Geometry {
@@ -25,6 +27,11 @@ class Geometry {
   void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
   /// Forgets the place of `vertex`.
   void clear(std::uint32_t vertex);
+
+  /// Starts the log anew.
+  void begin();
+  /// Takes back everything since begin(). Allocates nothing.
+  void roll_back();
 
   [[nodiscard]] View view(std::uint32_t vertex) const {
     const Point& point = points_[vertex];
@@ -47,12 +54,22 @@ class Geometry {
  private:
   static constexpr std::uint32_t kExplicit = 0xffffffff;
 
-  void set(std::uint32_t vertex, const Point& point, std::uint32_t crossing);
+  struct Undo {
+    std::uint32_t vertex;
+    std::uint32_t crossing;  ///< the one before
+    Point point;             ///< the one before
+  };
+
+  void grow_to(std::uint32_t vertex);
+  void log(std::uint32_t vertex);
+  [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
   std::vector<Point> points_;
   std::vector<std::uint32_t> crossing_of_;
   std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> free_crossings_;
+  std::vector<std::uint32_t> free_crossings_;  ///< has room for all
+  std::vector<std::uint32_t> left_crossings_;  ///< free from the next begin() on; until then they may be taken back
+  std::vector<Undo> log_;
 };
 
 }  // namespace waywright::exact

@@ -1,8 +1,18 @@
 #include "mesh/triangle_mesh.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace waywright::mesh {
+
+namespace {
+
+/// At least `needed`, and at least half as much again as there was: growing one by one costs O(1) each.
+std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
+  return needed <= capacity ? capacity : std::max(needed, capacity + capacity / 2);
+}
+
+}  // namespace
 
 HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   const HalfEdge start = outgoing(from);
@@ -14,41 +24,47 @@ HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
+// Memory comes first, then the log, then the change: where memory runs out, what is logged is what was done.
 Vertex TriangleMesh::add_vertex() {
-  if (first_free_vertex_ == kEndOfList) {
-    outgoing_.push_back(number(kNoHalfEdge));
-    return Vertex{vertex_slots() - 1};
-  }
-  const Vertex v{first_free_vertex_};
-  first_free_vertex_ = outgoing_[number(v)] & ~kFree;
-  outgoing_[number(v)] = number(kNoHalfEdge);
-  --free_vertex_count_;
-  return v;
+  const bool is_new = first_free_vertex_ == kEndOfList;
+  if (is_new) outgoing_.reserve(grown_capacity(outgoing_.capacity(), outgoing_.size() + 1));
+  log(ChangeKind::add_vertex, is_new ? vertex_slots() : first_free_vertex_);
+  if (!is_new) return pop_free_vertex();
+  outgoing_.push_back(number(kNoHalfEdge));
+  return Vertex{vertex_slots() - 1};
 }
 
 void TriangleMesh::free_vertex(Vertex v) {
-  outgoing_[number(v)] = kFree | first_free_vertex_;
-  first_free_vertex_ = number(v);
-  ++free_vertex_count_;
+  log(ChangeKind::free_vertex, number(v));
+  push_free_vertex(v);
 }
 
 Face TriangleMesh::add_face() {
-  if (first_free_face_ == kEndOfList) {
-    corners_.resize(corners_.size() + 3, Corner{number(kNoHalfEdge), kNoVertex});
-    labels_.resize(corners_.size());
-    return Face{face_slots() - 1};
+  const bool is_new = first_free_face_ == kEndOfList;
+  const Face f{is_new ? face_slots() : first_free_face_};
+  if (is_new) {
+    const std::size_t capacity = grown_capacity(corners_.capacity(), corners_.size() + 3);
+    labels_.reserve(capacity);
+    corners_.reserve(capacity);
   }
-  const Face f{first_free_face_};
-  first_free_face_ = corners_[number(first(f))].twin;
-  --free_face_count_;
+  touch(f, Touch::made);
+  log(ChangeKind::add_face, number(f));
+  if (!is_new) return pop_free_face();
+  corners_.resize(corners_.size() + 3, Corner{number(kNoHalfEdge), kNoVertex});
+  labels_.resize(corners_.size());
   return f;
 }
 
 void TriangleMesh::free_face(Face f) {
-  for (std::uint32_t i = 0; i < 3; ++i) corners_[number(first(f)) + i] = {number(kNoHalfEdge), kNoVertex};
-  corners_[number(first(f))].twin = first_free_face_;
-  first_free_face_ = number(f);
-  ++free_face_count_;
+  SavedFace saved{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    saved.corners[i] = corners_[number(first(f)) + i];
+    saved.labels[i] = labels_[number(first(f)) + i];
+  }
+  touch(f, Touch::freed);
+  saved_faces_.push_back(saved);
+  log(ChangeKind::free_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
+  push_free_face(f);
 }
 
 void TriangleMesh::set_corners(Face f, Vertex a, Vertex b, Vertex c) {
@@ -63,10 +79,15 @@ void TriangleMesh::set_corners(Face f, Vertex a, Vertex b, Vertex c) {
 void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
   corners_[number(g)].twin = number(h);
   corners_[number(h)].twin = number(g);
-  if (label != 0) set_label(g, label);
+  if (label != 0) write_label(g, label);
 }
 
-void TriangleMesh::set_label(HalfEdge h, Label label) {
+void TriangleMesh::set_label(HalfEdge h, Label new_label) {
+  log(ChangeKind::set_label, number(h), label(h));
+  write_label(h, new_label);
+}
+
+void TriangleMesh::write_label(HalfEdge h, Label label) {
   for (const HalfEdge side : {h, twin(h)}) {
     std::uint32_t& twin = corners_[number(side)].twin;
     twin = label == 0 ? twin & ~kFixed : twin | kFixed;
@@ -123,6 +144,8 @@ std::array<Vertex, 5> TriangleMesh::make_square() {
 std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
   const Face g = add_face();
   const Face k = add_face();
+  touch(f, Touch::rebuilt);
+  log(ChangeKind::split_face, number(f));
   const HalfEdge ab = first(f);
   const Vertex a = origin(ab);
   const Vertex b = target(ab);
@@ -149,6 +172,9 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
   const Face f = add_face();
   const Face g = add_face();
   const HalfEdge t = twin(h);
+  touch(face(h), Touch::rebuilt);
+  touch(face(t), Touch::rebuilt);
+  log(ChangeKind::split_edge, number(h));
   const Vertex a = origin(h);
   const Vertex b = origin(t);
   const Vertex c = apex(h);
@@ -181,6 +207,9 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
 TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   assert(!is_fixed(h));
   const HalfEdge t = twin(h);
+  touch(face(h), Touch::rebuilt);
+  touch(face(t), Touch::rebuilt);
+  log(ChangeKind::flip, number(h));
   const Vertex a = origin(h);
   const Vertex b = origin(t);
   const Vertex c = apex(h);

@@ -22,9 +22,16 @@ using Label = std::uint32_t;
 /// Freed slots are reused, the last freed first. Indices stay valid until their vertex or face is freed; which
 /// half-edge stands for an edge changes when a flip next to it rebuilds its face.
 ///
+/// Changes are logged as they are made: since begin(), they can all be taken back, and which faces and vertices they
+/// touched can be asked for.
+///
 /// Source: Chen 2009, section 3.1 (half-edges, vertex and face loops: algorithms 1 and 2).
 class TriangleMesh {
  public:
+  /// What the changes since begin() did to a face or vertex. One that was touched more than once is told more than
+  /// once, in order.
+  enum class Touch : std::uint8_t { made, rebuilt, freed };
+
   // Walking about. Each is O(1).
   [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin & ~kFixed}; }
   [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
@@ -97,6 +104,23 @@ class TriangleMesh {
   };
   Flipped flip(HalfEdge h);
 
+  /// Starts the log anew.
+  void begin();
+  /// Takes back everything since begin(), the last change first. Allocates nothing. Afterwards the log is empty.
+  void roll_back();
+  /// Calls visit(face, touch), or visit(vertex, touch), for each change since begin().
+  template <class Visit>
+  void for_each_touched_face(Visit&& visit) const {
+    for (const TouchedFace& touched : touched_faces_) visit(touched.face, touched.touch);
+  }
+  template <class Visit>
+  void for_each_touched_vertex(Visit&& visit) const {
+    for (const Undo& change : log_) {
+      if (change.kind == ChangeKind::add_vertex) visit(Vertex{change.index}, Touch::made);
+      if (change.kind == ChangeKind::free_vertex) visit(Vertex{change.index}, Touch::freed);
+    }
+  }
+
   /// The first broken link, label, loop or free list found, or nothing. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
@@ -110,6 +134,44 @@ class TriangleMesh {
     Vertex origin;       ///< kNoVertex in a free face
   };
 
+  enum class ChangeKind : std::uint8_t {
+    add_vertex,
+    free_vertex,
+    add_face,
+    free_face,
+    split_face,
+    split_edge,
+    flip,
+    set_label,
+  };
+  /// How a change is taken back: `index` is its vertex, face or half-edge.
+  struct Undo {
+    ChangeKind kind;
+    std::uint32_t index;
+    std::uint32_t saved;  ///< of set_label, the label before; of free_face, the position in `saved_faces_`
+  };
+  struct SavedFace {
+    std::array<Corner, 3> corners;
+    std::array<Label, 3> labels;
+  };
+  struct TouchedFace {
+    Face face;
+    Touch touch;
+  };
+
+  void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { log_.push_back({kind, index, saved}); }
+  void touch(Face f, Touch touch) { touched_faces_.push_back({f, touch}); }
+  void undo(const Undo& change);
+  void undo_split_face(Face f);
+  void undo_split_edge(HalfEdge h);
+  void undo_flip(HalfEdge h);
+  void restore_freed_face(const SavedFace& saved);
+  void push_free_face(Face f);
+  [[nodiscard]] Face pop_free_face();
+  void push_free_vertex(Vertex v);
+  [[nodiscard]] Vertex pop_free_vertex();
+  void write_label(HalfEdge h, Label label);
+
   /// Gives `to` the twin and label that `from` has; both name the same edge, before and after its face is rebuilt.
   void take_over(HalfEdge to, HalfEdge from);
   void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
@@ -121,6 +183,10 @@ class TriangleMesh {
   std::uint32_t first_free_vertex_ = kEndOfList;
   std::size_t free_face_count_ = 0;
   std::size_t free_vertex_count_ = 0;
+
+  std::vector<Undo> log_;
+  std::vector<SavedFace> saved_faces_;
+  std::vector<TouchedFace> touched_faces_;
 };
 
 }  // namespace waywright::mesh

@@ -143,11 +143,39 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 0.5", "path", "not-supported"},
         Refusal{"path 1 1 2 1 0 optimal", "path", "not-supported"},
-        Refusal{"path 1 1 2 1 0 tra", "path", "not-supported"}, Refusal{"remove 1", "remove", "not-supported"},
-        Refusal{"hash", "hash", "not-supported"}, Refusal{"ray 1 1 2 2", "ray", "not-supported"},
-        Refusal{"disc 1 1 2", "disc", "not-supported"}, Refusal{"disc 1 1 -2", "disc", "bad-radius"},
-        Refusal{"nearest 1 1 0", "nearest", "not-supported"}, Refusal{"nearest 1 1 nan", "nearest", "bad-radius"},
-        Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+        Refusal{"path 1 1 2 1 0 tra", "path", "not-supported"}, Refusal{"remove 9", "remove", "unknown-id"},
+        Refusal{"ray 1 1 2 2", "ray", "not-supported"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
+        Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
+        Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+
+TEST(RunCommand, RemovesItemsAndFreesTheirIds) {
+  const auto result = run_script(kHead +
+                                 "segment 7 5 0 5 10\npath 1 1 9 1 0\nremove 7\npath 1 1 9 1 0\nremove 7\n"
+                                 "segment 7 1 1 2 2\ncheck\n");
+  EXPECT_EQ(result.status, 0);
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0].at("found"), false);
+  EXPECT_EQ(lines[1].at("found"), true);
+  EXPECT_EQ(lines[2], json::parse(R"({"line":7,"op":"remove","error":"unknown-id","message":"no item has id 7"})"));
+  EXPECT_EQ(lines[3].at("ok"), true);
+}
+
+TEST(RunCommand, HashesDependOnWhatIsAliveAlone) {
+  const auto result = run_script(kHead +
+                                 "hash\nsegment 1 1 1 9 9\nsegment 2 1 9 9 1\nhash\nremove 1\nremove 2\nhash\n"
+                                 "segment 2 1 9 9 1\nsegment 1 1 1 9 9\nhash\n");
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 4U);
+  for (const char* const key : {"items", "mesh"}) {
+    EXPECT_EQ(lines[0].at(key), lines[2].at(key));
+    EXPECT_EQ(lines[1].at(key), lines[3].at(key));
+    EXPECT_NE(lines[0].at(key), lines[1].at(key));
+  }
+  EXPECT_EQ(lines[0].at("items").get<std::string>().size(), 32U);
+  // By sha256sum: the dump of an empty domain from (0, 0) to (10, 10).
+  EXPECT_EQ(lines[0].at("mesh"), "328b360e93502b993a3e5ef13145f53b099dca3a5613bf958a38dee452aeb19e");
+}
 
 TEST(RunCommand, RunsAFileAsItRunsStandardInput) {
   const TemporaryFolder folder;

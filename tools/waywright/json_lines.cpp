@@ -63,6 +63,10 @@ std::string json_line(const Request& request, const Validation& validation) {
   return opening(request) + fmt::format(R"(,"ok":false,"fault":{}}})", json_string(validation.fault));
 }
 
+std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh) {
+  return opening(request) + fmt::format(R"(,"items":"{}","mesh":"{}"}})", to_string(items), to_string(mesh));
+}
+
 std::string json_line(const Request& request, const Error& error) {
   return opening(request) +
          fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message));

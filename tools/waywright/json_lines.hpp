@@ -21,6 +21,7 @@ struct Request {
 [[nodiscard]] std::string json_line(const Request& request, const Location& location);
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
+[[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);
 
 }  // namespace waywright::command

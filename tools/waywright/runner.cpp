@@ -29,10 +29,13 @@ Outcome Runner::carry_out(const Operation& operation) {
     case OperationKind::check:
       return check(operation);
     case OperationKind::remove:
+      return remove(operation);
+    case OperationKind::hash:
+      output_.write_line(json_line(request_of(operation), world_.items_hash(), world_.mesh_hash()));
+      return Outcome::done;
     case OperationKind::ray:
     case OperationKind::disc:
     case OperationKind::nearest:
-    case OperationKind::hash:
       break;
   }
   return refuse_unsupported(operation);
@@ -47,6 +50,13 @@ bool Runner::validate_after(const Operation& operation) {
 Outcome Runner::insert(const Operation& operation) {
   const Result<ItemId> inserted = world_.insert(operation.item.shape, operation.item.id);
   if (!inserted.ok()) return refuse(operation, inserted.error());
+  paths_.clear();
+  return Outcome::done;
+}
+
+Outcome Runner::remove(const Operation& operation) {
+  const Result<void> removed = world_.remove(operation.item.id);
+  if (!removed.ok()) return refuse(operation, removed.error());
   paths_.clear();
   return Outcome::done;
 }

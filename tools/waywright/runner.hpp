@@ -28,6 +28,7 @@ class Runner {
 
  private:
   Outcome insert(const Operation& operation);
+  Outcome remove(const Operation& operation);
   Outcome locate(const Operation& operation);
   Outcome find_path(const Operation& operation);
   Outcome check(const Operation& operation);

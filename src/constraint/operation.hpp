@@ -1,0 +1,39 @@
+#pragma once
+
+#include "constraint/constrained_triangulation.hpp"
+
+namespace waywright::constraint {
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::begin() {
+  triangulation_.begin();
+  items_.begin();
+  uses_.begin();
+  corner_uses_log_.clear();
+}
+
+// Each part keeps its own log and takes back its own changes; none looks at another while doing so.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::roll_back() {
+  triangulation_.roll_back();
+  items_.roll_back();
+  uses_.roll_back();
+  for (; !corner_uses_log_.empty(); corner_uses_log_.pop_back()) {
+    const auto& [v, uses] = corner_uses_log_.back();
+    corner_uses_[number(v)] = uses;
+  }
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses uses) {
+  corner_uses_log_.emplace_back(v, corner_uses_[number(v)]);
+  corner_uses_[number(v)] = uses;
+}
+
+/// Gives every vertex a list, those just made an empty one.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::grow_corner_uses() {
+  if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
+}
+
+}  // namespace waywright::constraint

@@ -1,0 +1,137 @@
+#include "mesh/triangle_mesh.hpp"
+
+// Taking changes back. Each is undone in the mesh that it left, so every index in it means what it meant then; nothing
+// here allocates.
+
+namespace waywright::mesh {
+
+void TriangleMesh::begin() {
+  log_.clear();
+  saved_faces_.clear();
+  touched_faces_.clear();
+}
+
+void TriangleMesh::roll_back() {
+  while (!log_.empty()) {
+    const Undo change = log_.back();
+    log_.pop_back();
+    undo(change);
+  }
+  begin();
+}
+
+void TriangleMesh::undo(const Undo& change) {
+  switch (change.kind) {
+    case ChangeKind::add_vertex:
+      push_free_vertex(Vertex{change.index});
+      break;
+    case ChangeKind::free_vertex:
+      (void)pop_free_vertex();
+      break;
+    case ChangeKind::add_face:
+      push_free_face(Face{change.index});
+      break;
+    case ChangeKind::free_face:
+      restore_freed_face(saved_faces_[change.saved]);
+      break;
+    case ChangeKind::split_face:
+      undo_split_face(Face{change.index});
+      break;
+    case ChangeKind::split_edge:
+      undo_split_edge(HalfEdge{change.index});
+      break;
+    case ChangeKind::flip:
+      undo_flip(HalfEdge{change.index});
+      break;
+    case ChangeKind::set_label:
+      write_label(HalfEdge{change.index}, change.saved);
+      break;
+  }
+}
+
+// f is (a, b, v) again to become (a, b, c): see split_face. The two other faces are taken back by themselves.
+void TriangleMesh::undo_split_face(Face f) {
+  const HalfEdge ab = first(f);
+  const HalfEdge bc = first(face(twin(next(ab))));
+  const HalfEdge ca = first(face(twin(previous(ab))));
+  const Vertex c = target(bc);
+  set_origin(previous(ab), c);
+  take_over(next(ab), bc);
+  take_over(previous(ab), ca);
+  set_outgoing(origin(ab), ab);
+  set_outgoing(target(ab), next(ab));
+  set_outgoing(c, previous(ab));
+}
+
+// h is a -> v again to become a -> b: see split_edge.
+void TriangleMesh::undo_split_edge(HalfEdge h) {
+  const HalfEdge va = twin(h);
+  const HalfEdge vb = next(twin(next(h)));
+  const HalfEdge t = twin(vb);
+  const Label edge_label = label(h);
+  set_origin(next(h), origin(t));
+  set_origin(next(t), origin(h));
+  take_over(next(h), next(vb));
+  take_over(next(t), next(va));
+  link(h, t, edge_label);
+  for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
+}
+
+// h is a -> d, with d -> c after it, again to become a -> b: see flip.
+void TriangleMesh::undo_flip(HalfEdge h) {
+  const HalfEdge t = previous(twin(next(h)));
+  take_over(next(h), t);
+  take_over(next(t), h);
+  set_origin(next(h), origin(t));
+  set_origin(next(t), origin(h));
+  link(h, t, 0);
+  for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
+}
+
+// The neighbours that live learn of their old twins again; those that are still to be restored will do so themselves,
+// and must not be written to: a free face's slots hold the list of free faces.
+void TriangleMesh::restore_freed_face(const SavedFace& saved) {
+  HalfEdge h = first(pop_free_face());
+  for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
+    corners_[number(h)] = saved.corners[i];
+    labels_[number(h)] = saved.labels[i];
+    set_outgoing(origin(h), h);
+  }
+  for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
+    const std::uint32_t twin_and_flag = corners_[number(h)].twin;
+    const HalfEdge t = twin(h);
+    if (!is_alive(face(t))) continue;
+    corners_[number(t)].twin = number(h) | (twin_and_flag & kFixed);
+    labels_[number(t)] = labels_[number(h)];
+  }
+}
+
+void TriangleMesh::push_free_face(Face f) {
+  for (std::uint32_t i = 0; i < 3; ++i) corners_[number(first(f)) + i] = {number(kNoHalfEdge), kNoVertex};
+  corners_[number(first(f))].twin = first_free_face_;
+  first_free_face_ = number(f);
+  ++free_face_count_;
+}
+
+Face TriangleMesh::pop_free_face() {
+  const Face f{first_free_face_};
+  first_free_face_ = corners_[number(first(f))].twin;
+  --free_face_count_;
+  return f;
+}
+
+void TriangleMesh::push_free_vertex(Vertex v) {
+  outgoing_[number(v)] = kFree | first_free_vertex_;
+  first_free_vertex_ = number(v);
+  ++free_vertex_count_;
+}
+
+Vertex TriangleMesh::pop_free_vertex() {
+  const Vertex v{first_free_vertex_};
+  first_free_vertex_ = outgoing_[number(v)] & ~kFree;
+  outgoing_[number(v)] = number(kNoHalfEdge);
+  --free_vertex_count_;
+  return v;
+}
+
+}  // namespace waywright::mesh

@@ -1,0 +1,138 @@
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/random.hpp"
+#include "support/random_scenes.hpp"
+
+// Every allocation of this program goes through here, so that any one of them can be made to fail.
+
+namespace {
+
+std::size_t allocations = 0;
+std::size_t failing_allocation = 0;  ///< counted from 1; 0 for none
+
+void* allocate(std::size_t size) {
+  if (++allocations == failing_allocation) throw std::bad_alloc();
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace waywright::test {
+namespace {
+
+/// A hard script: a random scene's items come, some of them move or go in between, several at once, until few are left.
+struct Script {
+  Box domain;
+  std::vector<std::vector<Change>> operations;
+};
+
+Script random_script(Flavour flavour, std::uint64_t seed) {
+  const Scene scene = random_scene(flavour, seed, 14);
+  Random random(seed);
+  Script script{scene.domain, {}};
+  std::vector<Item> live;
+  for (const Item& item : scene.items) {
+    std::vector<Change> changes = {{Change::Kind::insert, item.id, item.shape}};
+    live.push_back(item);
+    if (live.size() > 3 && random.chance(50)) {
+      const std::size_t i = random.below(live.size());
+      const std::size_t j = random.below(live.size());
+      if (random.chance(50)) {
+        changes.push_back({Change::Kind::replace, live[i].id, live[j].shape});
+        live[i].shape = live[j].shape;
+      } else {
+        changes.push_back({Change::Kind::remove, live[i].id, {}});
+        live.erase(live.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+    script.operations.push_back(changes);
+  }
+  while (live.size() > 2) {
+    const std::size_t i = random.below(live.size());
+    script.operations.push_back({{Change::Kind::remove, live[i].id, {}}});
+    live.erase(live.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return script;
+}
+
+struct Reference {
+  std::vector<std::string> dumps;  ///< before the first operation and after each
+  std::size_t allocations = 0;
+};
+
+Reference undisturbed(const Script& script) {
+  Reference reference;
+  World world = World::create(script.domain).value();
+  reference.dumps.push_back(world.dump());
+  for (const std::vector<Change>& changes : script.operations) {
+    const std::size_t before = allocations;
+    EXPECT_TRUE(world.apply(changes).ok());
+    reference.allocations += allocations - before;
+    reference.dumps.push_back(world.dump());
+  }
+  return reference;
+}
+
+/// Whether the operation got through. The n-th allocation from here on fails; what is left of n is returned in it.
+bool apply_with_failure(World& world, const std::vector<Change>& changes, std::size_t& n) {
+  const std::size_t before = allocations;
+  failing_allocation = n == 0 ? 0 : allocations + n;
+  bool is_through = true;
+  try {
+    is_through = world.apply(changes).ok();
+  } catch (const std::bad_alloc&) {
+    is_through = false;
+  }
+  failing_allocation = 0;
+  const std::size_t used = allocations - before;
+  n = n > used ? n - used : 0;
+  return is_through;
+}
+
+class MemoryFailure : public testing::TestWithParam<Flavour> {};
+
+INSTANTIATE_TEST_SUITE_P(Flavours, MemoryFailure, testing::ValuesIn(kFlavours),
+                         [](const auto& flavour) { return std::string(to_string(flavour.param)); });
+
+// Run again for every n, the n-th allocation failing: that operation has then changed nothing, and the same operation
+// asked for once more, and all later ones, do what they do undisturbed.
+TEST_P(MemoryFailure, AnywhereInAnOperationChangesNothing) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Script script = random_script(GetParam(), seed);
+    const Reference reference = undisturbed(script);
+    ASSERT_GT(reference.allocations, 100U);
+    std::size_t failures = 0;
+    for (std::size_t n = 1; n <= reference.allocations; ++n) {
+      World world = World::create(script.domain).value();
+      std::size_t left = n;
+      for (std::size_t i = 0; i < script.operations.size(); ++i) {
+        if (apply_with_failure(world, script.operations[i], left)) continue;
+        ++failures;
+        ASSERT_EQ(world.dump(), reference.dumps[i]) << "seed " << seed << ", allocation " << n << ", operation " << i;
+        const Validation validation = world.validate();
+        ASSERT_TRUE(validation.ok) << validation.fault << " at seed " << seed << ", allocation " << n;
+        ASSERT_TRUE(world.apply(script.operations[i]).ok());
+        ASSERT_EQ(world.dump(), reference.dumps[i + 1]) << "the second time, after allocation " << n << " failed";
+      }
+      ASSERT_EQ(world.dump(), reference.dumps.back());
+    }
+    EXPECT_EQ(failures, reference.allocations);
+  }
+}
+
+}  // namespace
+}  // namespace waywright::test
