@@ -8,6 +8,7 @@
 
 #include "constraint/canonical.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "constraint/item_queries.hpp"
 #include "io/dump.hpp"
 #include "io/sha256.hpp"
 #include "path/scratch.hpp"
@@ -292,6 +293,31 @@ Result<Location> World::locate(Point point) const {
   Location location;
   if (auto done = locate(point, context, location); !done) return done.error();
   return location;
+}
+
+Result<std::vector<ItemId>> World::items_at(Point point) const {
+  if (auto error = find_point_error(domain(), point, 0)) return *std::move(error);
+  return constraint::items_at(impl_->triangulation, point);
+}
+
+Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) const {
+  if (auto error = find_point_error(domain(), from, 0)) return *std::move(error);
+  if (auto error = find_point_error(domain(), to, 1)) return *std::move(error);
+  std::vector<CrossedItem> result;
+  for (const auto& [id, at] : constraint::items_crossed(impl_->triangulation, from, to)) result.push_back({id, at});
+  return result;
+}
+
+Result<std::vector<ItemId>> World::items_in(const Box& box) const {
+  if (!exact::in_range(box.min)) return range_error(box.min, 0);
+  if (!exact::in_range(box.max)) return range_error(box.max, 1);
+  if (box.min.x > box.max.x || box.min.y > box.max.y) {
+    return Error{ErrorCode::bad_domain, "a box needs min.x <= max.x and min.y <= max.y", {}, 0};
+  }
+  const bool is_outside = box.min.x > domain().max.x || box.max.x < domain().min.x || box.min.y > domain().max.y ||
+                          box.max.y < domain().min.y;
+  if (is_outside) return std::vector<ItemId>{};
+  return constraint::items_in(impl_->triangulation, box);
 }
 
 Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {

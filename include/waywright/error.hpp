@@ -68,7 +68,8 @@ class [[nodiscard]] Result {
     if (!ok()) detail::raise(error());
     return *std::get_if<0>(&state_);
   }
-  [[nodiscard]] T&& value() && {
+  /// Of a temporary, the value itself, so that `for (auto& x : f().value())` is safe.
+  [[nodiscard]] T value() && {
     if (!ok()) detail::raise(error());
     return std::move(*std::get_if<0>(&state_));
   }
@@ -76,7 +77,7 @@ class [[nodiscard]] Result {
   /// Requires ok().
   [[nodiscard]] const T& operator*() const& { return *std::get_if<0>(&state_); }
   [[nodiscard]] T& operator*() & { return *std::get_if<0>(&state_); }
-  [[nodiscard]] T&& operator*() && { return std::move(*std::get_if<0>(&state_)); }
+  [[nodiscard]] T operator*() && { return std::move(*std::get_if<0>(&state_)); }
   [[nodiscard]] const T* operator->() const { return std::get_if<0>(&state_); }
   [[nodiscard]] T* operator->() { return std::get_if<0>(&state_); }
 

@@ -29,6 +29,15 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
+/// A copy of the shape, moved. Coordinates are sums of doubles, rounded to nearest.
+[[nodiscard]] Shape translated(const Shape& shape, double dx, double dy);
+
+/// The middle of a shape, in plain doubles: of a polygon the centre of its area, rings within an odd number of others
+/// counted as holes; of one without area, and of anything else, the mean of its points. Of rings that cross, or of a
+/// ring that crosses itself, it is an approximation. Requires: there is a point. Source: Bourke, *Calculating the area
+/// and centroid of a polygon*, 1988.
+[[nodiscard]] Point centroid(const Shape& shape);
+
 /// A shape under its id.
 struct Item {
   ItemId id;

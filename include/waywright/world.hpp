@@ -62,6 +62,14 @@ struct Location {
   std::vector<ItemId> inside;
 };
 
+/// Where a segment meets an item's side.
+struct CrossedItem {
+  ItemId id;
+  Point at;  ///< nearest doubles
+
+  friend bool operator==(const CrossedItem&, const CrossedItem&) = default;
+};
+
 /// What World::validate found.
 struct Validation {
   bool ok = true;
@@ -134,6 +142,16 @@ class World {
   /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
   [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
   [[nodiscard]] Result<Location> locate(Point point) const;
+
+  /// The items that cover the point, or have a side or corner there; ascending. Errors: coordinate_range,
+  /// out_of_domain.
+  [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
+  /// The items whose sides the segment meets, in order, and where. One that it runs along is told of where that begins;
+  /// items met in one place come by ascending id. Errors: coordinate_range, out_of_domain.
+  [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
+  /// The items that have a point in common with the closed box, which may reach beyond the domain; ascending.
+  /// Errors: coordinate_range, bad_domain (where min is beyond max).
+  [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
 
   /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both.
   /// Errors: coordinate_range, out_of_domain, bad_radius, not_supported.

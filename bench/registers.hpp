@@ -1,0 +1,16 @@
+#pragma once
+
+namespace waywright::bench {
+
+// Each adds its benchmarks; main() calls them before it runs any.
+
+void register_insertions();
+void register_updates();
+void register_paths();
+void register_maps();
+
+void register_cgal_points();
+void register_cgal_rounded();
+void register_cgal_exact();
+
+}  // namespace waywright::bench

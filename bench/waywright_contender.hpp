@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "waywright/world.hpp"
+
+#include "workloads.hpp"
+
+namespace waywright::bench {
+
+/// This library: an update is a removal and an insertion.
+class Waywright {
+ public:
+  explicit Waywright(const Box& domain) : world_(World::create(domain).value()) {}
+
+  void insert(const Item& item) { static_cast<void>(world_.insert(item.shape, item.id).value()); }
+
+  void update(const Update& update) {
+    if (!update.removed.is_null()) world_.remove(update.removed).value();
+    if (!update.inserted.id.is_null()) insert(update.inserted);
+  }
+
+  [[nodiscard]] std::size_t vertex_count() const { return world_.vertex_count(); }
+  [[nodiscard]] std::string fault() const { return world_.validate().fault; }
+
+ protected:
+  World& world() { return world_; }
+
+ private:
+  World world_;
+};
+
+/// This library: an update puts a shape in another's place. For workloads that keep their ids.
+class WaywrightReplace : public Waywright {
+ public:
+  using Waywright::Waywright;
+
+  void update(const Update& update) { world().replace(update.removed, update.inserted.shape).value(); }
+};
+
+}  // namespace waywright::bench

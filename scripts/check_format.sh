@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# usage: check_format.sh [--fix]
+# Refuses C++ files that clang-format would change, or changes them. Looks at what git tracks or would track; outside a
+# work tree, at all.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+case ${1:-} in
+  --fix) mode=(-i) ;;
+  *) mode=(--dry-run -Werror) ;;
+esac
+
+list_files() {
+  git ls-files -z --cached --others --exclude-standard -- '*.cpp' '*.hpp' 2>/dev/null ||
+    find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print0
+}
+
+list_files | while IFS= read -r -d '' file; do
+  # A file that git tracks may be gone from the work tree.
+  if [[ -f $file ]]; then printf '%s\0' "$file"; fi
+done | xargs -0 --no-run-if-empty clang-format-14 "${mode[@]}"

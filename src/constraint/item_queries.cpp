@@ -1,0 +1,224 @@
+#include "constraint/item_queries.hpp"
+
+#include <algorithm>
+#include <array>
+#include <unordered_set>
+
+#include "constraint/segment_walk.hpp"
+
+namespace waywright::constraint {
+
+namespace {
+
+using Slots = std::vector<std::uint32_t>;
+
+void sort_and_merge(Slots& slots) {
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+}
+
+std::vector<ItemId> ids_of(const ExactTriangulation& triangulation, Slots slots) {
+  sort_and_merge(slots);
+  std::vector<ItemId> ids;
+  for (const std::uint32_t slot : slots) {
+    if (slot != ItemTable::kDomain) ids.push_back(triangulation.items().item(slot).id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+void append_items_of_edge(const ExactTriangulation& triangulation, mesh::HalfEdge h, Slots& slots) {
+  triangulation.for_each_side(h, [&](const Side& side) { slots.push_back(side.item); });
+}
+
+void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v, Slots& slots) {
+  triangulation.topology().for_each_outgoing(v,
+                                             [&](mesh::HalfEdge h) { append_items_of_edge(triangulation, h, slots); });
+}
+
+/// Turns what a segment walk meets into items and places.
+class CrossedItems {
+ public:
+  CrossedItems(const ExactTriangulation& triangulation, const Point& from, const Point& to)
+      : triangulation_(triangulation), from_(from), to_(to) {}
+
+  bool at_vertex(mesh::Vertex v) {
+    Slots along;
+    if (const mesh::HalfEdge run = edge_run_along(v); run != mesh::kNoHalfEdge) {
+      append_items_of_edge(triangulation_, run, along);
+    }
+    Slots met;
+    append_items_around(triangulation_, v, met);
+    std::erase_if(met, [&](std::uint32_t slot) { return std::find(along.begin(), along.end(), slot) != along.end(); });
+    tell(met, triangulation_.triangulation().geometry().nearest(number(v)));
+    last_vertex_ = v;
+    last_edge_ = mesh::kNoHalfEdge;
+    return true;
+  }
+
+  bool at_edge(mesh::HalfEdge h) {
+    last_vertex_ = mesh::kNoVertex;
+    last_edge_ = h;
+    if (!triangulation_.topology().is_fixed(h)) return true;
+    Slots met;
+    append_items_of_edge(triangulation_, h, met);
+    const Side& side = triangulation_.items().side(triangulation_.uses().any(triangulation_.topology().label(h)));
+    tell(met, crossing_with(side));
+    return true;
+  }
+
+  [[nodiscard]] std::vector<std::pair<ItemId, Point>>& found() { return found_; }
+
+ private:
+  void tell(const Slots& met, const Point& at) {
+    for (const ItemId id : ids_of(triangulation_, met)) found_.emplace_back(id, at);
+  }
+
+  /// The edge by which the segment has come to `v`, if it came along one.
+  [[nodiscard]] mesh::HalfEdge edge_run_along(mesh::Vertex v) const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    if (last_vertex_ != mesh::kNoVertex) return mesh.find(last_vertex_, v);
+    const bool is_end =
+        last_edge_ != mesh::kNoHalfEdge && (mesh.origin(last_edge_) == v || mesh.target(last_edge_) == v);
+    return is_end ? last_edge_ : mesh::kNoHalfEdge;
+  }
+
+  /// A segment that starts on the edge, or ends on it, meets it there; it may run along it.
+  [[nodiscard]] Point crossing_with(const Side& side) const {
+    const auto& geometry = triangulation_.triangulation().geometry();
+    const Point& c = geometry.nearest(number(side.from));
+    const Point& d = geometry.nearest(number(side.to));
+    for (const Point& end : {from_, to_}) {
+      const auto on =
+          exact::orientation(exact::explicit_point(c), exact::explicit_point(d), exact::explicit_point(end));
+      if (on == exact::Sign::zero) return end;
+    }
+    return exact::round_to_nearest({from_, to_, c, d}).nearest;
+  }
+
+  const ExactTriangulation& triangulation_;
+  Point from_;
+  Point to_;
+  mesh::Vertex last_vertex_ = mesh::kNoVertex;    ///< where the segment was last, if that was at a vertex
+  mesh::HalfEdge last_edge_ = mesh::kNoHalfEdge;  ///< where it was last, if that was on an edge
+  std::vector<std::pair<ItemId, Point>> found_;
+};
+
+/// A closed box against points and segments; a segment misses it when their extents do, or when all four corners lie
+/// strictly on one side of its line.
+class BoxTest {
+ public:
+  explicit BoxTest(const Box& box)
+      : box_(box),
+        corners_{exact::explicit_point(box.min), exact::ExactPoint{box.max.x, box.min.y},
+                 exact::explicit_point(box.max), exact::ExactPoint{box.min.x, box.max.y}} {}
+
+  [[nodiscard]] bool holds(const Point& p) const {
+    return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
+  }
+
+  /// Rounding to nearest is monotone, so where rounded extents miss the box, so do the true ones. Of constructed ends
+  /// that are rounded onto the box's border it may say yes though they miss it.
+  [[nodiscard]] bool meets(const exact::ExactPoint& p, const exact::ExactPoint& q) const {
+    if (std::max(p.x, q.x) < box_.min.x || std::min(p.x, q.x) > box_.max.x) return false;
+    if (std::max(p.y, q.y) < box_.min.y || std::min(p.y, q.y) > box_.max.y) return false;
+    int left = 0;
+    int right = 0;
+    for (const exact::ExactPoint& corner : corners_) {
+      const exact::Sign side = exact::orientation(p, q, corner);
+      left += side == exact::Sign::positive ? 1 : 0;
+      right += side == exact::Sign::negative ? 1 : 0;
+    }
+    return left < 4 && right < 4;
+  }
+
+ private:
+  Box box_;
+  std::array<exact::ExactPoint, 4> corners_;
+};
+
+/// Floods the faces that meet a box, and collects the items whose sides and corners do.
+class BoxFlood {
+ public:
+  BoxFlood(const ExactTriangulation& triangulation, const Box& box) : triangulation_(triangulation), test_(box) {}
+
+  Slots run(mesh::HalfEdge start) {
+    reach(start);
+    while (!faces_.empty()) {
+      const mesh::HalfEdge face = faces_.back();
+      faces_.pop_back();
+      for (const mesh::HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) visit(h);
+    }
+    return found_;
+  }
+
+ private:
+  void reach(mesh::HalfEdge h) {
+    if (triangulation_.triangulation().is_ghost_face(h)) return;
+    if (reached_.insert(number(mesh::face(h))).second) faces_.push_back(h);
+  }
+
+  // Sides and corners are explicit, so about them the test is exact; that it may go too far over an edge does no harm.
+  void visit(mesh::HalfEdge h) {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    const auto& delaunay = triangulation_.triangulation();
+    const mesh::Vertex v = mesh.origin(h);
+    if (delaunay.view(v).is_explicit() && test_.holds(delaunay.geometry().nearest(number(v)))) {
+      triangulation_.uses().for_each(triangulation_.corner_uses(v),
+                                     [&](std::uint32_t item) { found_.push_back(item); });
+    }
+    if (!test_.meets(delaunay.view(v), delaunay.view(mesh.target(h)))) return;
+    triangulation_.for_each_side(h, [&](const Side& side) {
+      if (test_.meets(delaunay.view(side.from), delaunay.view(side.to))) found_.push_back(side.item);
+    });
+    reach(mesh.twin(h));
+  }
+
+  const ExactTriangulation& triangulation_;
+  BoxTest test_;
+  std::unordered_set<std::uint32_t> reached_;
+  std::vector<mesh::HalfEdge> faces_;
+  Slots found_;
+};
+
+}  // namespace
+
+std::vector<ItemId> items_at(const ExactTriangulation& triangulation, const Point& point) {
+  const auto& delaunay = triangulation.triangulation();
+  const locate::Located place = delaunay.locate(point, delaunay.recent());
+  Cover cover;
+  Slots slots = cover.of_place(triangulation, place);
+  if (place.spot == locate::Spot::edge) append_items_of_edge(triangulation, place.h, slots);
+  if (place.spot == locate::Spot::vertex) {
+    const mesh::Vertex v = triangulation.topology().origin(place.h);
+    append_items_around(triangulation, v, slots);
+    triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) { slots.push_back(item); });
+  }
+  return ids_of(triangulation, std::move(slots));
+}
+
+std::vector<std::pair<ItemId, Point>> items_crossed(const ExactTriangulation& triangulation, const Point& from,
+                                                    const Point& to) {
+  const auto& delaunay = triangulation.triangulation();
+  CrossedItems crossed(triangulation, from, to);
+  SegmentWalk(triangulation, from, to, delaunay.locate(from, delaunay.recent())).run(crossed);
+  return std::move(crossed.found());
+}
+
+// What covers the whole box without a side or corner in it covers its first corner.
+std::vector<ItemId> items_in(const ExactTriangulation& triangulation, const Box& box) {
+  const Box& domain = triangulation.domain();
+  const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
+                    {std::min(box.max.x, domain.max.x), std::min(box.max.y, domain.max.y)}};
+  const auto& delaunay = triangulation.triangulation();
+  const locate::Located place = delaunay.locate(clipped.min, delaunay.recent());
+  Cover cover;
+  Slots slots = cover.of_place(triangulation, place);
+  std::vector<mesh::HalfEdge> faces;
+  faces_at(triangulation, place, faces);
+  const Slots met = BoxFlood(triangulation, clipped).run(faces.front());
+  slots.insert(slots.end(), met.begin(), met.end());
+  return ids_of(triangulation, std::move(slots));
+}
+
+}  // namespace waywright::constraint

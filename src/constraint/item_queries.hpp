@@ -1,0 +1,25 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/point.hpp"
+
+#include "constraint/cover.hpp"
+#include "constraint/exact_triangulation.hpp"
+
+namespace waywright::constraint {
+
+/// The items that cover a point, or have a side or corner there; ascending.
+[[nodiscard]] std::vector<ItemId> items_at(const ExactTriangulation& triangulation, const Point& point);
+
+/// The items whose sides the segment meets, in the order in which it does, and where, as nearest doubles. One that it
+/// runs along is told of where that begins. Items met in one place come by ascending id.
+[[nodiscard]] std::vector<std::pair<ItemId, Point>> items_crossed(const ExactTriangulation& triangulation,
+                                                                  const Point& from, const Point& to);
+
+/// The items that have a point in common with the closed box; ascending. Requires: the box meets the domain.
+[[nodiscard]] std::vector<ItemId> items_in(const ExactTriangulation& triangulation, const Box& box);
+
+}  // namespace waywright::constraint

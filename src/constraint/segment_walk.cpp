@@ -1,0 +1,61 @@
+#include "constraint/segment_walk.hpp"
+
+namespace waywright::constraint {
+
+/// The exit edge has the segment's end beyond it, or on it; otherwise the segment ends in the face.
+SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
+  const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to_);
+  return {mesh::kNoVertex, exit, end_side == Sign::positive};
+}
+
+// Around the vertex: along an edge whose far end lies ahead on the line, or into the face whose first corner lies on
+// the line's right and whose second lies on its left.
+SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
+  mesh::HalfEdge h = mesh_.outgoing(u);
+  Sign p_side = side(mesh_.target(h));
+  for (;;) {
+    const mesh::Vertex p = mesh_.target(h);
+    if (p_side == Sign::zero && p != delaunay_.ghost() && is_ahead(u, p)) return stand_at(p);
+    const Sign q_side = side(mesh_.apex(h));
+    if (p_side == Sign::negative && q_side == Sign::positive) return stand_before(mesh::next(h));
+    h = mesh_.next_around(h);
+    p_side = q_side;
+  }
+}
+
+SegmentWalk::Stand SegmentWalk::leave_start_edge() const {
+  const mesh::HalfEdge h = start_.h;
+  const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to_);
+  if (end_side == Sign::positive) return leave_face(h);
+  if (end_side == Sign::negative) return leave_face(mesh_.twin(h));
+  return stand_at(is_ahead(mesh_.origin(h), mesh_.target(h)) ? mesh_.target(h) : mesh_.origin(h));
+}
+
+/// From a place inside the face, or inside one of its edges.
+SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
+  const std::array<mesh::HalfEdge, 3> sides = {any, mesh::next(any), mesh::previous(any)};
+  std::array<Sign, 3> corner{};
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = side(mesh_.origin(sides[i]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const mesh::Vertex v = mesh_.origin(sides[i]);
+    // A corner on the line lies ahead when the corner after it is on the left and the one before it on the right.
+    if (corner[i] == Sign::zero && corner[next] == Sign::positive && corner[(i + 2) % 3] == Sign::negative) {
+      return stand_at(v);
+    }
+    if (corner[i] == Sign::negative && corner[next] == Sign::positive) {
+      return stand_before(sides[i]);
+    }
+  }
+  return {mesh::kNoVertex, mesh::kNoHalfEdge, true};
+}
+
+/// Across an edge with its origin on the line's left and its target on the right, as seen from the face it comes into.
+SegmentWalk::Stand SegmentWalk::enter_face(mesh::HalfEdge entry) const {
+  const mesh::Vertex apex = mesh_.apex(entry);
+  const Sign apex_side = side(apex);
+  if (apex_side == Sign::zero) return stand_at(apex);
+  return stand_before(apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry));
+}
+
+}  // namespace waywright::constraint

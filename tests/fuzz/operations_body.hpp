@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "waywright/item.hpp"
+#include "waywright/world.hpp"
+
+#include "support/live_items.hpp"
+#include "support/random_changes.hpp"
+
+/// What must hold of any life of a world, for the fuzz target and for the test that replays its corpus.
+namespace waywright::test {
+
+/// Reads any bytes as a script. The first says where points lie: on a lattice of 8 x 8, on one of 16 x 16 that fills
+/// its domain, or at odd doubles; each later point is a byte, x and y a half of it. Past the end all bytes are 0.
+class BytesReader {
+ public:
+  explicit BytesReader(std::string_view bytes) : bytes_(bytes) {
+    constexpr std::array<Box, 3> kDomains{
+        {{{-1, -2}, {10, 9}}, {{0, 0}, {15, 15}}, {{-0x1p100, -0x1p100}, {0x1p100, 0x1p100}}}};
+    manner_ = next() % kDomains.size();
+    script_.domain = kDomains[manner_];
+  }
+
+  ChangeScript read() {
+    constexpr std::size_t kMostSteps = 100;
+    LiveItems live(script_.domain);
+    while (at_ < bytes_.size() && script_.steps.size() < kMostSteps) {
+      script_.steps.push_back(step(live));
+      static_cast<void>(live.apply(script_.steps.back()));
+    }
+    return std::move(script_);
+  }
+
+ private:
+  static constexpr std::size_t kMostItems = 16;
+
+  std::size_t next() { return at_ < bytes_.size() ? static_cast<unsigned char>(bytes_[at_++]) : 0; }
+
+  double coordinate(std::size_t half) const {
+    constexpr std::array<double, 16> kOdd{
+        0.0,  0.1,      0.2,     0.3,     1.0,      0x1.0000000000001p0, 1.0 / 3, 2.0 / 3, 0.7, -0.1,
+        -1.0, 0x1p-100, 0x1p-52, 0x1p100, -0x1p100, 0x1.fffffffffffffp99};
+    if (manner_ == 2) return kOdd[half];
+    return static_cast<double>(manner_ == 0 ? half % 8 : half);
+  }
+
+  Point point() {
+    const std::size_t byte = next();
+    return {coordinate(byte / 16), coordinate(byte % 16)};
+  }
+
+  Shape shape() {
+    const std::size_t byte = next();
+    const auto kind = static_cast<ItemKind>(byte % 4);
+    const bool is_one_or_two = kind == ItemKind::point || kind == ItemKind::segment;
+    const std::size_t count = kind == ItemKind::point ? 1 : kind == ItemKind::segment ? 2 : 1 + byte / 4 % 8;
+    const std::size_t ring_count = kind == ItemKind::polygon ? 1 + byte / 32 % 3 : 1;
+    Shape result{kind, {}};
+    for (std::size_t i = 0; i < ring_count; ++i) {
+      std::vector<Point>& ring = result.rings.emplace_back();
+      while (ring.size() < count) ring.push_back(point());
+    }
+    // One in eight leaves the domain with its last point.
+    if (!is_one_or_two && byte / 32 == 7) result.rings.back().back().x = script_.domain.max.x * 2;
+    return result;
+  }
+
+  Change change(const LiveItems& live, std::size_t byte) {
+    const ItemId id{byte / 16};
+    const std::size_t count = live.items().size();
+    const auto living = [&] {
+      return count == 0 ? id : std::next(live.items().begin(), static_cast<std::ptrdiff_t>(id.value % count))->first;
+    };
+    const std::size_t choice = byte % 16;
+    if (choice < 6 && count < kMostItems) {
+      ItemId unused{1};
+      while (live.items().contains(unused)) ++unused.value;
+      return {Change::Kind::insert, unused, shape()};
+    }
+    if (choice < 11) return {Change::Kind::remove, living(), {}};
+    if (choice < 14 || count >= kMostItems) return {Change::Kind::replace, living(), shape()};
+    // Whatever the id: it may be in use, unknown or null.
+    if (choice == 14) return {Change::Kind::insert, id, shape()};
+    return {Change::Kind::remove, id, {}};
+  }
+
+  Step step(const LiveItems& live) {
+    const std::size_t byte = next();
+    if (byte % 16 != 15 || byte / 16 >= 8) return {{change(live, byte)}, false};
+    Step batch{{}, true};
+    LiveItems after = live;
+    for (std::size_t count = byte / 16; count > 0; --count) {
+      batch.changes.push_back(change(after, next()));
+      static_cast<void>(after.apply({{batch.changes.back()}, false}));
+    }
+    return batch;
+  }
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  std::size_t manner_ = 0;
+  ChangeScript script_;
+};
+
+/// What is wrong with a world after a step, if not with the step's answer.
+inline std::string fault_of_step(World& world, LiveItems& live, const Step& step) {
+  const Result<std::vector<ItemId>> expected = live.apply(step);
+  const std::string before = expected ? std::string() : world.dump();
+  const ItemsHash hash = world.items_hash();
+  const Result<std::vector<ItemId>> done = perform(world, step);
+  if (done.ok() != expected.ok()) return done ? "not refused" : "refused: " + done.error().message;
+  if (!done && done.error().code != expected.error().code) return "refused as " + done.error().message;
+  if (!done && (world.dump() != before || world.items_hash() != hash)) return "a refused step changed the world";
+  if (done && *done != *expected) return "wrong ids returned";
+  const Validation validation = world.validate();
+  return validation.ok ? "" : "validate: " + validation.fault;
+}
+
+/// Every step does what it should and leaves a sound mesh; in the end it is that of a fresh world.
+inline std::string fault_of_operations(std::string_view bytes) {
+  const ChangeScript script = BytesReader(bytes).read();
+  Result<World> world = World::create(script.domain);
+  if (!world) return world.error().message;
+  LiveItems live(script.domain);
+  for (std::size_t i = 0; i < script.steps.size(); ++i) {
+    const std::string fault = fault_of_step(*world, live, script.steps[i]);
+    if (!fault.empty()) return "step " + std::to_string(i + 1) + ": " + fault;
+  }
+  Result<World> fresh = World::create(script.domain);
+  for (auto item = live.items().rbegin(); item != live.items().rend(); ++item) {
+    if (!fresh->insert(item->second, item->first)) return "a fresh world refuses an item";
+  }
+  if (fresh->dump() != world->dump()) return "a fresh world has another dump";
+  return fresh->items_hash() == world->items_hash() ? "" : "a fresh world has another items hash";
+}
+
+}  // namespace waywright::test

@@ -1,0 +1,185 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/random.hpp"
+#include "support/random_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+constexpr Box kTen = {{0, 0}, {10, 10}};
+
+Shape rectangle(double x0, double y0, double x1, double y1) {
+  return {ItemKind::polygon, {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
+}
+
+World furnished_world() {
+  World world = World::create(kTen).value();
+  EXPECT_TRUE(world.insert(rectangle(2, 2, 4, 4), {1}).ok());
+  EXPECT_TRUE(world.insert(rectangle(3, 3, 6, 6), {2}).ok());
+  EXPECT_TRUE(world.insert_segment({0, 5}, {10, 5}, {3}).ok());
+  EXPECT_TRUE(world.insert_point({8, 8}, {4}).ok());
+  EXPECT_TRUE(world.insert_polyline(std::vector<Point>{{8, 1}, {9, 2}, {8, 3}}, {5}).ok());
+  return world;
+}
+
+std::vector<ItemId> ids(std::initializer_list<std::uint64_t> values) {
+  std::vector<ItemId> result;
+  for (const std::uint64_t value : values) result.push_back({value});
+  return result;
+}
+
+TEST(ItemsAt, CoverSidesCornersAndPoints) {
+  const World world = furnished_world();
+  EXPECT_EQ(world.items_at({3.5, 3.5}).value(), ids({1, 2}));
+  EXPECT_EQ(world.items_at({3, 3}).value(), ids({1, 2}));
+  EXPECT_EQ(world.items_at({5, 5}).value(), ids({2, 3}));
+  EXPECT_EQ(world.items_at({1, 5}).value(), ids({3}));
+  EXPECT_EQ(world.items_at({8, 8}).value(), ids({4}));
+  EXPECT_EQ(world.items_at({8.5, 1.5}).value(), ids({5}));
+  EXPECT_EQ(world.items_at({0, 0}).value(), ids({}));
+  EXPECT_EQ(world.items_at({11, 0}).error().code, ErrorCode::out_of_domain);
+}
+
+TEST(ItemsCrossed, ComeInOrderWithTheirPlaces) {
+  const World world = furnished_world();
+  using Crossed = std::vector<CrossedItem>;
+  EXPECT_EQ(world.items_crossed({2.5, 0}, {2.5, 10}).value(),
+            (Crossed{{{1}, {2.5, 2}}, {{1}, {2.5, 4}}, {{3}, {2.5, 5}}}));
+  EXPECT_EQ(world.items_crossed({2.5, 10}, {2.5, 0}).value(),
+            (Crossed{{{3}, {2.5, 5}}, {{1}, {2.5, 4}}, {{1}, {2.5, 2}}}));
+  // Along a side, from before it to beyond it; item 2 crosses there.
+  EXPECT_EQ(world.items_crossed({1, 4}, {9, 4}).value(), (Crossed{{{1}, {2, 4}}, {{2}, {3, 4}}, {{2}, {6, 4}}}));
+  // Through corners, and from a place on a side to another on a side.
+  EXPECT_EQ(world.items_crossed({1, 1}, {3, 3}).value(), (Crossed{{{1}, {2, 2}}, {{2}, {3, 3}}}));
+  EXPECT_EQ(world.items_crossed({2, 3}, {1, 3}).value(), (Crossed{{{1}, {2, 3}}}));
+  EXPECT_EQ(world.items_crossed({5, 5}, {7, 5}).value(), (Crossed{{{3}, {5, 5}}, {{2}, {6, 5}}}));
+  EXPECT_EQ(world.items_crossed({7, 7}, {9, 9}).value(), Crossed{}) << "a point has no side";
+  EXPECT_EQ(world.items_crossed({2, 3}, {2, 3}).value(), (Crossed{{{1}, {2, 3}}}));
+  EXPECT_EQ(world.items_crossed({1, 1}, {1, 1}).value(), Crossed{});
+}
+
+TEST(ItemsIn, BoxesAreClosedAndMayBeCovered) {
+  const World world = furnished_world();
+  EXPECT_EQ(world.items_in({{0, 0}, {10, 10}}).value(), ids({1, 2, 3, 4, 5}));
+  EXPECT_EQ(world.items_in({{-50, -50}, {50, 50}}).value(), ids({1, 2, 3, 4, 5}));
+  EXPECT_EQ(world.items_in({{2.25, 2.25}, {2.5, 2.5}}).value(), ids({1}));
+  EXPECT_EQ(world.items_in({{4, 0}, {5, 2}}).value(), ids({1})) << "touches a corner";
+  EXPECT_EQ(world.items_in({{4.5, 0}, {5, 2.5}}).value(), ids({}));
+  EXPECT_EQ(world.items_in({{8.25, 1.5}, {8.5, 1.75}}).value(), ids({5})) << "its side runs through a corner";
+  EXPECT_EQ(world.items_in({{8, 8}, {8, 8}}).value(), ids({4}));
+  EXPECT_EQ(world.items_in({{20, 20}, {30, 30}}).value(), ids({}));
+  EXPECT_EQ(world.items_in({{3, 3}, {2, 4}}).error().code, ErrorCode::bad_domain);
+}
+
+double turn(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool lies_on(const Point& a, const Point& b, const Point& p) {
+  return turn(a, b, p) == 0 && p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+         p.y <= std::max(a.y, b.y);
+}
+
+/// Exact for coordinates that are small multiples of a power of two.
+bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (lies_on(a, b, c) || lies_on(a, b, d) || lies_on(c, d, a) || lies_on(c, d, b)) return true;
+  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
+
+bool meets_side(const Shape& shape, const Point& from, const Point& to) {
+  for (const std::vector<Point>& ring : shape.rings) {
+    const std::size_t sides = shape.kind == ItemKind::polygon ? ring.size() : ring.size() - 1;
+    for (std::size_t i = 0; i < sides; ++i) {
+      const Point& next = ring[(i + 1) % ring.size()];
+      if (next != ring[i] && meet(ring[i], next, from, to)) return true;
+    }
+  }
+  return false;
+}
+
+TEST(ItemsCrossed, AgreeWithBruteForceOnRandomScenes) {
+  for (const Flavour flavour : {Flavour::lattice, Flavour::small}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      const Scene scene = random_scene(flavour, seed, 20);
+      World world = World::create(scene.domain).value();
+      for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
+      Random random(seed);
+      for (int i = 0; i < 20; ++i) {
+        const Point from = random_point(flavour, scene.domain, random);
+        const Point to = random_point(flavour, scene.domain, random);
+        std::vector<ItemId> expected;
+        for (const Item& item : scene.items) {
+          if (meets_side(item.shape, from, to)) expected.push_back(item.id);
+        }
+        std::sort(expected.begin(), expected.end());
+        std::vector<ItemId> met;
+        double last = -1.0;
+        for (const auto& [id, at] : world.items_crossed(from, to).value()) {
+          met.push_back(id);
+          const double along = (at.x - from.x) * (to.x - from.x) + (at.y - from.y) * (to.y - from.y);
+          EXPECT_GE(along, last - 1e-6) << "out of order";
+          last = along;
+        }
+        std::sort(met.begin(), met.end());
+        met.erase(std::unique(met.begin(), met.end()), met.end());
+        ASSERT_EQ(met, expected) << "seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(ItemsIn, AgreeWithBruteForceOnRandomScenes) {
+  for (const Flavour flavour : {Flavour::lattice, Flavour::small}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      const Scene scene = random_scene(flavour, seed, 20);
+      World world = World::create(scene.domain).value();
+      for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
+      Random random(seed);
+      for (int i = 0; i < 20; ++i) {
+        const Point p = random_point(flavour, scene.domain, random);
+        const Point q = random_point(flavour, scene.domain, random);
+        const Box box{{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
+        const auto holds = [&](const Point& r) {
+          return r.x >= box.min.x && r.x <= box.max.x && r.y >= box.min.y && r.y <= box.max.y;
+        };
+        const std::vector<ItemId> covering = world.locate(box.min).value().inside;
+        std::vector<ItemId> expected;
+        for (const Item& item : scene.items) {
+          bool meets = std::find(covering.begin(), covering.end(), item.id) != covering.end();
+          for (const auto& ring : item.shape.rings) meets = meets || std::any_of(ring.begin(), ring.end(), holds);
+          const Point c{box.max.x, box.min.y}, d{box.min.x, box.max.y};
+          for (const auto& [from, to] : {std::pair{box.min, c}, {c, box.max}, {box.max, d}, {d, box.min}}) {
+            meets = meets || meets_side(item.shape, from, to);
+          }
+          if (meets) expected.push_back(item.id);
+        }
+        std::sort(expected.begin(), expected.end());
+        ASSERT_EQ(world.items_in(box).value(), expected) << "seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(Shapes, CentroidIsTheCentreOfArea) {
+  EXPECT_EQ(centroid(rectangle(2, 2, 4, 6)), (Point{3, 4}));
+  EXPECT_EQ(centroid({ItemKind::polygon, {{{0, 0}, {0, 3}, {3, 0}}}}), (Point{1, 1}));
+  EXPECT_EQ(centroid({ItemKind::segment, {{{0, 0}, {4, 2}}}}), (Point{2, 1}));
+  EXPECT_EQ(centroid({ItemKind::polygon, {{{1, 1}, {3, 1}}}}), (Point{2, 1})) << "no area: the mean of its points";
+  // A square of side 4 less its right half: what remains is the left half.
+  const Shape holed{ItemKind::polygon,
+                    {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {2, 3.5}}}};
+  const Point centre = centroid(holed);
+  EXPECT_DOUBLE_EQ(centre.x, (16 * 2.0 - 4.5 * 2.75) / 11.5);
+  EXPECT_DOUBLE_EQ(centre.y, 2.0);
+}
+
+TEST(Shapes, TranslatedMovesEveryPoint) {
+  EXPECT_EQ(translated(rectangle(0, 0, 1, 1), 2, -3), rectangle(2, -3, 3, -2));
+}
+
+}  // namespace
+}  // namespace waywright::test

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "oracle/arrangement.hpp"
+#include "oracle/cover.hpp"
+#include "oracle/oracle.hpp"
+
+namespace waywright::oracle {
+
+struct Oracle::Impl {
+  explicit Impl(OracleScene given) : scene(std::move(given)), arrangement(scene) {
+    solids = solids_of(scene, arrangement.grid);
+    const auto box = corners_of(scene.domain);
+    domain.rings.emplace_back();
+    for (const OraclePoint& p : box) domain.rings.front().push_back(arrangement.grid.point(p));
+  }
+
+  OracleScene scene;
+  Arrangement arrangement;
+  std::vector<Solid> solids;
+  Solid domain;  ///< the domain's box as if it were a polygon of id 0
+};
+
+}  // namespace waywright::oracle

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oracle/oracle_impl.hpp"
+
+namespace waywright::oracle {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+/// On which sides of a bare line an agent may be, as seen along its way. Off the walls both sides are one.
+struct Sides {
+  bool left = true;
+  bool right = true;
+
+  [[nodiscard]] bool none() const { return !left && !right; }
+};
+
+/// An agent at a place: where it came from in a straight line, null at the start, and on which sides of that line.
+struct State {
+  const ExactPoint* from = nullptr;
+  const ExactPoint* at = nullptr;
+  Sides sides;
+};
+
+std::string name_of(const OraclePoint& p) {
+  std::array<char, 64> buffer{};
+  char* end = std::to_chars(buffer.data(), buffer.data() + 30, p.x).ptr;
+  *end++ = ' ';
+  end = std::to_chars(end, end + 30, p.y).ptr;
+  return "(" + std::string(buffer.data(), end) + ")";
+}
+
+/// Whether two rays from `at` through u and v go the same way. Requires: at, u and v are collinear, at is not u or v.
+bool same_way(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v) {
+  return compare_xy(at, u) == compare_xy(at, v);
+}
+
+/// Whether the ray through t lies strictly inside the sector from the ray through u counter-clockwise to that through
+/// v, all from `at`. Requires: u and v do not go the same way.
+bool in_sector(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v) {
+  const int turn = orientation(at, u, v);
+  const int from_u = orientation(at, u, t);
+  const int to_v = orientation(at, t, v);
+  if (turn > 0) return from_u > 0 && to_v > 0;
+  if (turn == 0) return from_u > 0;
+  return !(to_v <= 0 && from_u <= 0);  // not in the closed sector from v to u, which is less than half a turn
+}
+
+class PathCheck {
+ public:
+  PathCheck(const Arrangement& arrangement, const std::vector<Solid>& solids, const Solid& domain)
+      : arrangement_(arrangement), solids_(solids), domain_(domain) {}
+
+  /// The state at the end of a straight piece, on no side where the agent cannot go it; then `fault` says why.
+  State advance(State state, const ExactPoint& to, std::string& fault) const {
+    if (compare_xy(*state.at, to) == 0) return state;
+    for (const Wall& wall : arrangement_.walls) {
+      if (cross_properly(wall.exact_a, wall.exact_b, *state.at, to)) {
+        fault = "passes through a wall of item " + std::to_string(wall.ids.front());
+        return {state.from, state.at, {false, false}};
+      }
+    }
+    for (const ExactPoint* next : stops_on(*state.at, to)) {
+      const auto walls = walls_at(*state.at);
+      if (state.from != nullptr) state.sides = turn(state, *next, walls);
+      if (state.sides.none()) {
+        fault = "passes a point where walls meet, " + name_of(arrangement_.grid.nearest(*state.at));
+        return state;
+      }
+      state.sides = along(state, *next, walls);
+      if (state.sides.none()) {
+        fault = "runs through the inside of a solid after " + name_of(arrangement_.grid.nearest(*state.at));
+        return state;
+      }
+      state = {state.at, next, state.sides};
+    }
+    return state;
+  }
+
+ private:
+  /// The vertices strictly inside a piece, in its order, and its end.
+  [[nodiscard]] std::vector<const ExactPoint*> stops_on(const ExactPoint& from, const ExactPoint& to) const {
+    std::vector<const ExactPoint*> stops;
+    const auto [first, last] =
+        arrangement_.vertices_between(std::min(from.near_x.lo, to.near_x.lo), std::max(from.near_x.hi, to.near_x.hi));
+    for (std::size_t i = first; i < last; ++i) {
+      const ExactPoint& v = arrangement_.vertices[i];
+      if (on_segment(from, to, v) && compare_xy(v, from) != 0 && compare_xy(v, to) != 0) stops.push_back(&v);
+    }
+    if (compare_xy(from, to) > 0) std::reverse(stops.begin(), stops.end());
+    stops.push_back(&to);
+    return stops;
+  }
+
+  [[nodiscard]] std::vector<const Wall*> walls_at(const ExactPoint& place) const {
+    std::vector<const Wall*> walls;
+    for (const Wall& wall : arrangement_.walls) {
+      if (on_segment(wall.exact_a, wall.exact_b, place)) walls.push_back(&wall);
+    }
+    return walls;
+  }
+
+  /// What is left of the sides where the agent turns at a place towards another: seen from the place, what lies left
+  /// of its way is the sector from the way out counter-clockwise to the way in, and no wall may stand in it.
+  static Sides turn(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) {
+    const ExactPoint& at = *state.at;
+    const ExactPoint& in = *state.from;
+    const bool back = orientation(at, in, next) == 0 && same_way(at, in, next);
+    bool left_open = true;
+    bool right_open = true;
+    for (const Wall* wall : walls) {
+      for (const ExactPoint* end : {&wall->exact_a, &wall->exact_b}) {
+        if (compare_xy(*end, at) == 0) continue;
+        if (back) {
+          const bool elsewhere = orientation(at, in, *end) != 0 || !same_way(at, in, *end);
+          left_open = right_open = left_open && !elsewhere;
+        } else {
+          left_open = left_open && !in_sector(at, next, *end, in);
+          right_open = right_open && !in_sector(at, in, *end, next);
+        }
+      }
+    }
+    const Sides before = state.sides;
+    const Sides kept{before.left && left_open, before.right && right_open};
+    // Back the same way, left and right change their names; going round the end, the agent changes sides.
+    return back ? Sides{before.right || kept.left, before.left || kept.right} : kept;
+  }
+
+  /// The sides of a piece between two stops on which the agent can be.
+  [[nodiscard]] Sides along(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) const {
+    const bool walled = std::any_of(walls.begin(), walls.end(),
+                                    [&](const Wall* wall) { return on_segment(wall->exact_a, wall->exact_b, next); });
+    const bool vertical = compare_x(*state.at, next) == 0;
+    const ExactPoint middle = Grid::midpoint(*state.at, next);
+    // After is up or, where the piece is vertical, right.
+    bool free_after = cover_of(domain_, middle, vertical).inside_after;
+    bool free_before = cover_of(domain_, middle, vertical).inside_before;
+    for (const Solid& solid : solids_) {
+      const Cover cover = cover_of(solid, middle, vertical);
+      free_after = free_after && !cover.inside_after;
+      free_before = free_before && !cover.inside_before;
+    }
+    const bool after_is_left = vertical ? compare_y(*state.at, next) > 0 : compare_x(*state.at, next) < 0;
+    const Sides free{after_is_left ? free_after : free_before, after_is_left ? free_before : free_after};
+    if (walled) return {state.sides.left && free.left, state.sides.right && free.right};
+    return {free.left, free.right};
+  }
+
+  const Arrangement& arrangement_;
+  const std::vector<Solid>& solids_;
+  const Solid& domain_;
+};
+
+/// The exact places that a path's point may stand for: itself, or crossing points that have no doubles of their own.
+std::vector<const ExactPoint*> meanings(const Arrangement& arrangement, const OraclePoint& p, const ExactPoint& exact,
+                                        bool is_end) {
+  std::vector<const ExactPoint*> result{&exact};
+  if (is_end) return result;
+  const auto [first, last] = arrangement.vertices_between(p.x, p.x);
+  for (std::size_t i = first; i < last; ++i) {
+    const ExactPoint& v = arrangement.vertices[i];
+    if (arrangement.near_vertices[i] == p && !v.is_double()) result.push_back(&v);
+  }
+  return result;
+}
+
+}  // namespace
+
+Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
+  if (points.empty()) return "the path has no points";
+  const OracleBox& box = impl_->scene.domain;
+  std::vector<ExactPoint> exact;
+  for (const OraclePoint& p : points) {
+    if (!(p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y)) {
+      return "the path leaves the domain at " + name_of(p);
+    }
+    exact.push_back(impl_->arrangement.grid.point(p));
+  }
+  if (strictly_inside(points.front())) return "the path starts inside a solid";
+  const PathCheck check(impl_->arrangement, impl_->solids, impl_->domain);
+  std::vector<State> states{{nullptr, &exact.front(), {}}};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    std::vector<State> next_states;
+    std::string fault;
+    for (const ExactPoint* place : meanings(impl_->arrangement, points[i], exact[i], i + 1 == points.size())) {
+      for (const State& state : states) {
+        std::string reason;
+        const State next = check.advance(state, *place, reason);
+        if (!next.sides.none()) next_states.push_back(next);
+        // The last meaning is the likeliest, so is its reason.
+        if (next.sides.none()) fault = reason;
+      }
+    }
+    if (next_states.empty()) return "piece " + std::to_string(i) + " of the path " + fault;
+    states = std::move(next_states);
+  }
+  return std::nullopt;
+}
+
+}  // namespace waywright::oracle

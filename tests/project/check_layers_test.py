@@ -1,0 +1,120 @@
+"""Made-up source trees, good and bad, before scripts/check_layers.py."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "check_layers.py"
+sys.path.insert(0, str(SCRIPT.parent))
+sys.dont_write_bytecode = True
+from check_layers import Checker  # noqa: E402 (found by the line above)
+
+GOOD = {
+    "include/waywright/point.hpp": "#pragma once\n",
+    "include/waywright/id.hpp": "#include <cstdint>\n",
+    "include/waywright/world.hpp": '#include <vector>\n#include "waywright/point.hpp"\n',
+    "src/exact/sign.hpp": '#include <boost/multiprecision/cpp_int.hpp>\n#include "waywright/point.hpp"\n',
+    "src/mesh/mesh.hpp": '#include <array>\n#include "waywright/id.hpp"\n',
+    "src/locate/walk.hpp": '#include "exact/sign.hpp"\n#include "mesh/mesh.hpp"\n',
+    "src/delaunay/flip.hpp": '#include "locate/walk.hpp"\n',
+    "src/constraint/cut.hpp": '#include "delaunay/flip.hpp"\n#include "mesh/mesh.hpp"\n',
+    "src/path/funnel.hpp": '#include "constraint/cut.hpp"\n',
+    "src/io/dump.cpp": '#include "io/dump.hpp"\n#include "constraint/cut.hpp"\n#include "waywright/world.hpp"\n',
+    "src/io/dump.hpp": "#pragma once\n",
+    "src/world.cpp": '#include "world_impl.hpp"\n#include "io/dump.hpp"\n#include "path/funnel.hpp"\n',
+    "src/world_impl.hpp": '#include "constraint/cut.hpp"\n',
+    "tools/waywright/main.cpp": '#include <fmt/format.h>\n#include "run.hpp"\n#include "waywright/world.hpp"\n',
+    "tools/waywright/run.hpp": "#pragma once\n",
+    "bench/walk.cpp": '#include <benchmark/benchmark.h>\n#include "locate/walk.hpp"\n',
+    "tests/exact/sign_test.cpp": '#include <gtest/gtest.h>\n#include "exact/sign.hpp"\n#include "support/scenes.hpp"\n',
+    "tests/support/scenes.hpp": '#include "waywright/world.hpp"\n',
+    "tests/oracle/oracle.hpp": "#include <boost/multiprecision/cpp_int.hpp>\n",
+    "tests/oracle/oracle.cpp": '#include "oracle/oracle.hpp"\n',
+    "tests/oracle/adapter.hpp": '#include "oracle/oracle.hpp"\n#include "waywright/world.hpp"\n',
+}
+
+# A file, an include that must be refused there.
+BAD = [
+    ("src/exact/sign.hpp", '"mesh/mesh.hpp"'),
+    ("src/exact/sign.hpp", '"locate/walk.hpp"'),
+    ("src/exact/sign.hpp", '"waywright/world.hpp"'),
+    ("src/mesh/mesh.hpp", '"exact/sign.hpp"'),
+    ("src/mesh/mesh.hpp", '"waywright/point.hpp"'),
+    ("src/locate/walk.hpp", '"delaunay/flip.hpp"'),
+    ("src/delaunay/flip.hpp", '"constraint/cut.hpp"'),
+    ("src/constraint/cut.hpp", '"path/funnel.hpp"'),
+    ("src/constraint/cut.hpp", '"io/dump.hpp"'),
+    ("src/path/funnel.hpp", '"io/dump.hpp"'),
+    ("src/path/funnel.hpp", '"world_impl.hpp"'),
+    ("src/io/dump.cpp", '"path/funnel.hpp"'),
+    ("src/io/dump.cpp", "<fmt/format.h>"),
+    ("src/locate/walk.hpp", '"../constraint/cut.hpp"'),
+    ("src/locate/walk.hpp", "<constraint/cut.hpp>"),
+    ("src/locate/walk.hpp", '"support/scenes.hpp"'),
+    ("include/waywright/world.hpp", '"exact/sign.hpp"'),
+    ("include/waywright/world.hpp", '"world_impl.hpp"'),
+    ("include/waywright/world.hpp", "<boost/version.hpp>"),
+    ("tools/waywright/main.cpp", '"mesh/mesh.hpp"'),
+    ("tools/waywright/main.cpp", '"world_impl.hpp"'),
+    ("tools/waywright/main.cpp", "<boost/version.hpp>"),
+    ("bench/walk.cpp", '"path/funnel.hpp"'),
+    ("bench/walk.cpp", '"io/dump.hpp"'),
+    ("tests/oracle/oracle.cpp", '"waywright/point.hpp"'),
+    ("tests/oracle/oracle.cpp", '"exact/sign.hpp"'),
+    ("tests/oracle/oracle.cpp", '"support/scenes.hpp"'),
+    ("src/exact/sign.hpp", "WAYWRIGHT_HEADER"),
+    ("src/graph/new.hpp", "<vector>"),
+]
+
+
+class CheckLayers(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        for name, text in GOOD.items():
+            self.write(name, text)
+
+    def write(self, name, text):
+        file = self.root / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def run_check(self):
+        return subprocess.run(
+            [sys.executable, SCRIPT, self.root], check=False, capture_output=True, text=True, encoding="utf-8"
+        )
+
+    def test_a_good_tree_passes(self):
+        result = self.run_check()
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_each_bad_include_is_refused_where_it_stands(self):
+        for name, include in BAD:
+            with self.subTest(file=name, include=include):
+                self.write(name, f"// first line\n#  include {include}\n")
+                faults = Checker(self.root).check()
+                line = 1 if name.startswith("src/graph") else 2
+                self.assertEqual(len(faults), 1, faults)
+                self.assertTrue(faults[0].startswith(f"{name}:{line}: "), faults[0])
+                if name in GOOD:
+                    self.write(name, GOOD[name])
+                else:
+                    (self.root / name).unlink()
+
+    def test_faults_are_printed_and_fail(self):
+        self.write("src/mesh/mesh.hpp", '#include "exact/sign.hpp"\n')
+        result = self.run_check()
+        self.assertEqual(
+            (result.returncode, result.stdout), (1, "src/mesh/mesh.hpp:1: mesh may not include exact\n")
+        )
+
+    def test_a_wrong_root_is_an_error(self):
+        self.root = self.root / "absent"
+        self.assertEqual(self.run_check().returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
