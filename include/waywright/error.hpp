@@ -64,12 +64,12 @@ class [[nodiscard]] Result {
   explicit operator bool() const { return ok(); }
 
   /// The value. Throws BadResult on an error (ends the process where exceptions are off).
-  [[nodiscard]] const T& value() const& {
+  const T& value() const& {
     if (!ok()) detail::raise(error());
     return *std::get_if<0>(&state_);
   }
   /// Of a temporary, the value itself, so that `for (auto& x : f().value())` is safe.
-  [[nodiscard]] T value() && {
+  T value() && {
     if (!ok()) detail::raise(error());
     return std::move(*std::get_if<0>(&state_));
   }

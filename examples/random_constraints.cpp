@@ -1,0 +1,29 @@
+// Random walls under ids of our own, then all of them taken away again: the second test program of Chen's thesis
+// (appendix), and what it couldn't do.
+
+#include <cstdint>
+#include <cstdio>
+#include <random>
+
+#include "waywright/waywright.hpp"
+
+int main() {
+  constexpr std::uint64_t kWalls = 100;
+  waywright::World world = waywright::World::create({{-8000, -8000}, {8000, 8000}}).value();
+  std::mt19937 random(2009);
+  const auto coordinate = [&] { return static_cast<double>(random() % 16001) - 8000; };
+  const std::string empty = world.dump();
+
+  for (std::uint64_t id = 1; id <= kWalls; ++id) {
+    const waywright::Point from{coordinate(), coordinate()};
+    const waywright::Point to{coordinate(), coordinate()};
+    world.insert_segment(from, to, {id}).value();
+  }
+  std::printf("%zu walls make %zu vertices, their crossings among them\n", world.item_count(), world.vertex_count());
+  const bool is_valid = world.validate().ok;
+
+  for (std::uint64_t id = 1; id <= kWalls; ++id) world.remove({id}).value();
+  const bool is_restored = world.dump() == empty;
+  std::printf("without them the world is %s\n", is_restored ? "what it was, bit for bit" : "not what it was");
+  return is_valid && is_restored ? 0 : 1;
+}

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Turns the JSON output of a benchmark run into a table of ours beside the rivals'.
+
+usage: bench_ratios.py FILE...
+
+Each FILE is what `./dev bench --benchmark_out=FILE --benchmark_out_format=json` wrote, best with
+`--benchmark_repetitions=5 --benchmark_enable_random_interleaving`, so that all contenders share the machine's good and bad
+minutes. Several files count as one longer run. Prints a Markdown table: for each workload and contender the median time
+of an operation in microseconds, how far the repetitions spread (the middle half of them, against the median), the
+vertices, and for rivals the ratio ours / rival (below 1: we are faster).
+"""
+
+import json
+import statistics
+import sys
+from collections import defaultdict
+
+OURS = "waywright"
+
+
+def is_ours(contender):
+    return contender == OURS or contender.startswith(OURS + "_")
+
+
+def read_runs(file_names):
+    """Returns {workload: {contender: [(microseconds, vertices), ...]}} in the order of their registration."""
+    runs = defaultdict(lambda: defaultdict(list))
+    for file_name in file_names:
+        with open(file_name, encoding="utf-8") as file:
+            report = json.load(file)
+        # Interleaving shuffles the runs.
+        for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
+            if run.get("run_type") == "aggregate" or run.get("error_occurred"):
+                continue
+            parts = [part for part in run["run_name"].split("/") if ":" not in part]
+            workload, contender = "/".join(parts[:-1]), parts[-1]
+            runs[workload][contender].append((run["per_op"] * 1e6, round(run["vertices"])))
+    return runs
+
+
+def spread(times):
+    """The middle half's width against the median, in per cent; None for fewer than three times."""
+    if len(times) < 3:
+        return None
+    low, _, high = statistics.quantiles(times, n=4, method="inclusive")
+    return 100 * (high - low) / statistics.median(times)
+
+
+def number(value):
+    if value >= 100:
+        return f"{value:,.0f}"
+    return f"{value:.3g}" if value >= 1 else f"{value:.2f}"
+
+
+def rows_of(workload, contenders):
+    medians = {name: statistics.median(time for time, _ in runs) for name, runs in contenders.items()}
+    ours = [name for name in contenders if is_ours(name)]
+    rivals = [name for name in contenders if not is_ours(name)]
+    for name in ours + rivals:
+        times = [time for time, _ in contenders[name]]
+        width = spread(times)
+        ratio = ""
+        if OURS in medians and not is_ours(name):
+            ratio = f"{medians[OURS] / medians[name]:.2f}"
+        vertices = {count for _, count in contenders[name]}
+        yield [
+            workload,
+            name,
+            number(medians[name]),
+            "" if width is None else f"{width:.0f} %",
+            " or ".join(f"{count:,}" for count in sorted(vertices)),
+            ratio,
+        ]
+
+
+def main(arguments):
+    if not arguments or arguments[0].startswith("-"):
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    print("| workload | contender | µs per operation | spread | vertices | ours / rival |")
+    print("| --- | --- | ---: | ---: | ---: | ---: |")
+    for workload, contenders in read_runs(arguments).items():
+        for row in rows_of(workload, contenders):
+            print("| " + " | ".join(row) + " |")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
