@@ -83,6 +83,8 @@ void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
 }
 
 void TriangleMesh::set_label(HalfEdge h, Label new_label) {
+  touch(face(h), Touch::rebuilt);
+  touch(face(twin(h)), Touch::rebuilt);
   log(ChangeKind::set_label, number(h), label(h));
   write_label(h, new_label);
 }

@@ -30,7 +30,7 @@ class BytesReader {
   }
 
   ChangeScript read() {
-    constexpr std::size_t kMostSteps = 100;
+    constexpr std::size_t kMostSteps = 60;
     LiveItems live(script_.domain);
     while (at_ < bytes_.size() && script_.steps.size() < kMostSteps) {
       script_.steps.push_back(step(live));
@@ -40,7 +40,7 @@ class BytesReader {
   }
 
  private:
-  static constexpr std::size_t kMostItems = 16;
+  static constexpr std::size_t kMostItems = 10;
 
   std::size_t next() { return at_ < bytes_.size() ? static_cast<unsigned char>(bytes_[at_++]) : 0; }
 

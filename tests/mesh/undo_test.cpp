@@ -1,0 +1,173 @@
+#include <map>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mesh/triangle_mesh.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+using mesh::Face;
+using mesh::HalfEdge;
+using mesh::kNoHalfEdge;
+using mesh::TriangleMesh;
+using mesh::Vertex;
+
+struct EdgeState {
+  Vertex origin;
+  HalfEdge twin;
+  mesh::Label label;
+
+  bool operator==(const EdgeState&) const = default;
+};
+
+/// All that can be seen of a mesh but which half-edge a vertex has at hand.
+struct State {
+  std::map<HalfEdge, EdgeState> edges;
+  std::set<Vertex> vertices;
+
+  bool operator==(const State&) const = default;
+};
+
+State state_of(const TriangleMesh& mesh) {
+  State state;
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_alive(Face{f})) continue;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h{3 * f + i};
+      state.edges[h] = {mesh.origin(h), mesh.twin(h), mesh.label(h)};
+    }
+  }
+  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+    if (mesh.is_alive(Vertex{v})) state.vertices.insert(Vertex{v});
+  }
+  return state;
+}
+
+/// Frees the faces around a vertex that has `h` opposite to it and builds others over the hole: a fan from one corner.
+void remove_vertex(TriangleMesh& mesh, Vertex v) {
+  std::vector<HalfEdge> outer;
+  std::vector<mesh::Label> labels;
+  std::vector<Face> faces;
+  mesh.for_each_outgoing(v, [&](HalfEdge h) {
+    outer.push_back(mesh.twin(mesh::next(h)));
+    labels.push_back(mesh.label(mesh::next(h)));
+    faces.push_back(mesh::face(h));
+  });
+  const std::size_t count = outer.size();
+  std::vector<Vertex> link;
+  for (const HalfEdge h : outer) link.push_back(mesh.target(h));
+  for (const Face f : faces) mesh.free_face(f);
+  HalfEdge last = outer[0];
+  mesh::Label last_label = labels[0];
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const Face f = mesh.add_face();
+    mesh.set_corners(f, link[0], link[i], link[i + 1]);
+    mesh.link(mesh::first(f), last, last_label);
+    mesh.link(mesh::next(mesh::first(f)), outer[i], labels[i]);
+    last = mesh::previous(mesh::first(f));
+    last_label = 0;
+  }
+  mesh.link(last, outer[count - 1], labels[count - 1]);
+  mesh.free_vertex(v);
+}
+
+/// One change of a random kind, where it is possible.
+void change(TriangleMesh& mesh, Random& random) {
+  HalfEdge h{};
+  do {
+    h = HalfEdge{static_cast<std::uint32_t>(random.below(mesh.face_slots() * std::size_t{3}))};
+  } while (!mesh.is_alive(mesh::face(h)));
+  switch (random.below(6)) {
+    case 0:
+      mesh.split_face(mesh::face(h), mesh.add_vertex());
+      break;
+    case 1:
+      mesh.split_edge(h, mesh.add_vertex());
+      break;
+    case 2:
+    case 3:
+      if (!mesh.is_fixed(h) && mesh.find(mesh.apex(h), mesh.apex(mesh.twin(h))) == kNoHalfEdge) mesh.flip(h);
+      break;
+    case 4:
+      mesh.set_label(h, static_cast<mesh::Label>(random.below(4)));
+      break;
+    default: {
+      // Only where the fan makes no edge that is there already.
+      const Vertex v = mesh.origin(h);
+      std::vector<Vertex> link;
+      mesh.for_each_outgoing(v, [&](HalfEdge g) { link.push_back(mesh.target(mesh.twin(mesh::next(g)))); });
+      bool is_possible = link.size() > 3 && mesh.vertex_count() > 8;
+      for (std::size_t i = 2; i + 1 < link.size(); ++i) {
+        is_possible = is_possible && mesh.find(link[0], link[i]) == kNoHalfEdge;
+      }
+      if (is_possible) remove_vertex(mesh, v);
+    }
+  }
+}
+
+TEST(Undo, RollingBackRestoresEveryHalfEdgeLabelAndVertex) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    TriangleMesh mesh;
+    mesh.make_square();
+    Random random(seed);
+    for (int i = 0; i < 60; ++i) change(mesh, random);
+    ASSERT_EQ(mesh.find_fault(), std::nullopt);
+    for (int round = 0; round < 10; ++round) {
+      const State before = state_of(mesh);
+      mesh.begin();
+      const std::size_t changes = random.below(25);
+      for (std::size_t i = 0; i < changes; ++i) change(mesh, random);
+      ASSERT_EQ(mesh.find_fault(), std::nullopt);
+      mesh.roll_back();
+      ASSERT_EQ(mesh.find_fault(), std::nullopt) << "seed " << seed << ", round " << round;
+      ASSERT_EQ(state_of(mesh), before) << "seed " << seed << ", round " << round;
+      // What was taken back leaves room: the same number of changes again, for good.
+      mesh.begin();
+      for (std::size_t i = 0; i < changes / 4; ++i) change(mesh, random);
+    }
+  }
+}
+
+TEST(Undo, TouchedFacesAndVerticesAreThoseThatChanged) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    TriangleMesh mesh;
+    mesh.make_square();
+    Random random(seed);
+    for (int i = 0; i < 60; ++i) change(mesh, random);
+    const State before = state_of(mesh);
+    mesh.begin();
+    for (int i = 0; i < 6; ++i) change(mesh, random);
+    const State after = state_of(mesh);
+
+    std::map<Face, TriangleMesh::Touch> last_touch;
+    mesh.for_each_touched_face([&](Face f, TriangleMesh::Touch touch) { last_touch[f] = touch; });
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+      const Face f{i};
+      const HalfEdge h = mesh::first(f);
+      const bool was_alive = before.edges.contains(h);
+      const bool is_alive = after.edges.contains(h);
+      bool has_changed = was_alive != is_alive;
+      for (const HalfEdge side : {h, mesh::next(h), mesh::previous(h)}) {
+        if (!was_alive || !is_alive) continue;
+        const EdgeState& old_state = before.edges.at(side);
+        const EdgeState& new_state = after.edges.at(side);
+        has_changed = has_changed || old_state.origin != new_state.origin || old_state.label != new_state.label;
+      }
+      ASSERT_TRUE(!has_changed || last_touch.contains(f)) << "face " << i << " changed untold, seed " << seed;
+      ASSERT_TRUE(!last_touch.contains(f) || (last_touch[f] != TriangleMesh::Touch::freed) == is_alive);
+    }
+    std::set<Vertex> alive = before.vertices;
+    mesh.for_each_touched_vertex([&](Vertex v, TriangleMesh::Touch touch) {
+      if (touch == TriangleMesh::Touch::made) alive.insert(v);
+      if (touch == TriangleMesh::Touch::freed) alive.erase(v);
+    });
+    ASSERT_EQ(alive, after.vertices);
+  }
+}
+
+}  // namespace
+}  // namespace waywright::test
