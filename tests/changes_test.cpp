@@ -51,7 +51,7 @@ TEST_P(HardScript, IsRightAfterEveryStep) {
 INSTANTIATE_TEST_SUITE_P(Scripts, HardScript, ::testing::ValuesIn(script_names()),
                          [](const auto& name) { return name.param; });
 
-TEST(HardScripts, AreAllThere) { EXPECT_GE(script_names().size(), 31U); }
+TEST(HardScripts, AreAllThere) { EXPECT_GE(script_names().size(), 33U); }
 
 constexpr Box kEight{{0, 0}, {8, 8}};
 

@@ -1,88 +1,44 @@
+#include "exact/filter.hpp"
+
 #include <algorithm>
-#include <cmath>
+#include <array>
 
-#include "exact/predicates.hpp"
-
-// Stage 1 of the predicates: doubles with a proven error bound. Write u = 2^-53, fl() for a rounded result, and hats
-// for what is computed.
-//
-// Explicit points. With exact inputs a difference is computed as d^ = d (1 + e), |e| <= u, and Shewchuk's analysis
-// (*Adaptive precision floating-point arithmetic*, 1997, section 4) bounds the error of the determinants by
-//   orientation: (3 + 16 u) u (|l^| + |r^|), where the determinant is l - r;
-//   in-circle:   (10 + 96 u) u permanent^, the determinant's own expression with every term taken absolute.
-// In range (exact_point.hpp) nothing overflows, and no non-zero product of up to four differences is below 2^-608.
-//
-// Constructed points. Their coordinates are rounded to nearest, so a true coordinate differs from the one at hand by at
-// most u m, where m is the largest magnitude among the coordinates at hand. A true difference is then d^ (1 + e) + n
-// with |n| <= 2 u m. Let L be the largest |d^|. A determinant of k monomials of degree g in the differences moves, on
-// account of the n alone, by at most k ((L(1+u) + 2um)^g - (L(1+u))^g) <= k g (2 u m) (L(1+u) + 2um)^(g-1):
-//   orientation: k = 2, g = 2:    8 u m (L(1+u) + 2um)
-//   in-circle:   k = 12, g = 4:  96 u m (L(1+u) + 2um)^3
-// to be added to the bound above. The constants in the code are a few per cent larger, which covers the rounding of the
-// bounds themselves. A crossing can lie much nearer to 0 than any explicit coordinate, so that products may underflow;
-// each such loss is below 2^-1022, and a sign is only trusted when the determinant exceeds 2^-1000.
+// The part of the bounds that only constructed points need; filter.hpp derives it.
 
 namespace waywright::exact::filter {
 
 namespace {
 
-constexpr double kHalfUlp = 0x1p-53;
-constexpr double kOrientationBound = (3.0 + 16.0 * kHalfUlp) * kHalfUlp;
-constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
-constexpr double kUnderflow = 0x1p-1000;
+/// The largest magnitude of the points' coordinates, and of their differences from the last point's.
+struct Extent {
+  double coordinate = 0.0;
+  double difference = 0.0;
+};
 
-double largest_magnitude(const ExactPoint& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
-
-std::optional<Sign> sign_beyond(double determinant, double error) {
-  if (determinant > error) return Sign::positive;
-  if (-determinant > error) return Sign::negative;
-  return std::nullopt;
+template <std::size_t kCount>
+Extent extent_of(const std::array<const ExactPoint*, kCount>& points) {
+  const ExactPoint& last = *points.back();
+  Extent extent;
+  for (const ExactPoint* const p : points) {
+    extent.coordinate = std::max({extent.coordinate, std::abs(p->x), std::abs(p->y)});
+    extent.difference = std::max({extent.difference, std::abs(p->x - last.x), std::abs(p->y - last.y)});
+  }
+  return extent;
 }
 
 }  // namespace
 
-std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  const double acx = a.x - c.x;
-  const double acy = a.y - c.y;
-  const double bcx = b.x - c.x;
-  const double bcy = b.y - c.y;
-  const double left = acx * bcy;
-  const double right = acy * bcx;
-  double error = kOrientationBound * (std::abs(left) + std::abs(right));
-  if (!a.is_explicit() || !b.is_explicit() || !c.is_explicit()) {
-    const double m = std::max({largest_magnitude(a), largest_magnitude(b), largest_magnitude(c)});
-    const double longest = std::max({std::abs(acx), std::abs(acy), std::abs(bcx), std::abs(bcy)});
-    error += 9.0 * kHalfUlp * m * (longest + 3.0 * kHalfUlp * m) + kUnderflow;
-  } else if (left == 0.0 && right == 0.0) {
-    return Sign::zero;  // differences of doubles vanish only where they are 0, and nothing underflows
-  }
-  return sign_beyond(left - right, error);
+double orientation_rounding(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  const Extent extent = extent_of<3>({&a, &b, &c});
+  const double m = extent.coordinate;
+  return 9.0 * kHalfUlp * m * (extent.difference + 3.0 * kHalfUlp * m) + kUnderflow;
 }
 
-std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
-  const double adx = a.x - d.x;
-  const double ady = a.y - d.y;
-  const double bdx = b.x - d.x;
-  const double bdy = b.y - d.y;
-  const double cdx = c.x - d.x;
-  const double cdy = c.y - d.y;
-  const double a_lift = adx * adx + ady * ady;
-  const double b_lift = bdx * bdx + bdy * bdy;
-  const double c_lift = cdx * cdx + cdy * cdy;
-  const double determinant =
-      a_lift * (bdx * cdy - cdx * bdy) + b_lift * (cdx * ady - adx * cdy) + c_lift * (adx * bdy - bdx * ady);
-  const double permanent = a_lift * (std::abs(bdx * cdy) + std::abs(cdx * bdy)) +
-                           b_lift * (std::abs(cdx * ady) + std::abs(adx * cdy)) +
-                           c_lift * (std::abs(adx * bdy) + std::abs(bdx * ady));
-  double error = kInCircleBound * permanent;
-  if (!a.is_explicit() || !b.is_explicit() || !c.is_explicit() || !d.is_explicit()) {
-    const double m = std::max({largest_magnitude(a), largest_magnitude(b), largest_magnitude(c), largest_magnitude(d)});
-    const double longest =
-        std::max({std::abs(adx), std::abs(ady), std::abs(bdx), std::abs(bdy), std::abs(cdx), std::abs(cdy)});
-    const double reach = longest + 3.0 * kHalfUlp * m;
-    error += 100.0 * kHalfUlp * m * reach * reach * reach + kUnderflow;
-  }
-  return sign_beyond(determinant, error);
+double in_circle_rounding(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  const Extent extent = extent_of<4>({&a, &b, &c, &d});
+  const double m = extent.coordinate;
+  const double reach = extent.difference + 3.0 * kHalfUlp * m;
+  return 100.0 * kHalfUlp * m * reach * reach * reach + kUnderflow;
 }
 
 }  // namespace waywright::exact::filter

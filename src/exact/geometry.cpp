@@ -5,25 +5,23 @@ namespace waywright::exact {
 void Geometry::place(std::uint32_t vertex, const Point& point) {
   grow_to(vertex);
   log(vertex);
-  points_[vertex] = point;
-  crossing_of_[vertex] = kExplicit;
+  places_[vertex] = {point, kExplicit};
 }
 
 void Geometry::place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                               std::uint32_t d) {
   grow_to(vertex);
-  const Crossing crossing{points_[a], points_[b], points_[c], points_[d]};
+  const Crossing crossing{nearest(a), nearest(b), nearest(c), nearest(d)};
   const RoundedCrossing rounded = round_to_nearest(crossing);
   log(vertex);
-  crossing_of_[vertex] = rounded.is_exact ? kExplicit : add_crossing(crossing);
-  points_[vertex] = rounded.nearest;
+  places_[vertex] = {rounded.nearest, rounded.is_exact ? kExplicit : add_crossing(crossing)};
 }
 
 void Geometry::clear(std::uint32_t vertex) {
-  if (crossing_of_[vertex] == kExplicit) return;
-  left_crossings_.push_back(crossing_of_[vertex]);
+  if (places_[vertex].crossing == kExplicit) return;
+  left_crossings_.push_back(places_[vertex].crossing);
   log(vertex);
-  crossing_of_[vertex] = kExplicit;
+  places_[vertex].crossing = kExplicit;
 }
 
 void Geometry::begin() {
@@ -35,20 +33,18 @@ void Geometry::begin() {
 void Geometry::roll_back() {
   for (; !log_.empty(); log_.pop_back()) {
     const Undo& change = log_.back();
-    if (crossing_of_[change.vertex] != kExplicit) free_crossings_.push_back(crossing_of_[change.vertex]);
-    points_[change.vertex] = change.point;
-    crossing_of_[change.vertex] = change.crossing;
+    Place& place = places_[change.vertex];
+    if (place.crossing != kExplicit) free_crossings_.push_back(place.crossing);
+    place = change.place;
   }
   left_crossings_.clear();
 }
 
 void Geometry::grow_to(std::uint32_t vertex) {
-  if (vertex < points_.size()) return;
-  crossing_of_.resize(vertex + std::size_t{1}, kExplicit);
-  points_.resize(vertex + std::size_t{1});
+  if (vertex >= places_.size()) places_.resize(vertex + std::size_t{1});
 }
 
-void Geometry::log(std::uint32_t vertex) { log_.push_back({vertex, crossing_of_[vertex], points_[vertex]}); }
+void Geometry::log(std::uint32_t vertex) { log_.push_back({vertex, places_[vertex]}); }
 
 std::uint32_t Geometry::add_crossing(const Crossing& crossing) {
   if (free_crossings_.empty()) {

@@ -34,14 +34,13 @@ class Geometry {
   void roll_back();
 
   [[nodiscard]] View view(std::uint32_t vertex) const {
-    const Point& point = points_[vertex];
-    const std::uint32_t crossing = crossing_of_[vertex];
-    return {point.x, point.y, crossing == kExplicit ? nullptr : &crossings_[crossing]};
+    const Place& place = places_[vertex];
+    return {place.nearest.x, place.nearest.y, place.crossing == kExplicit ? nullptr : &crossings_[place.crossing]};
   }
   [[nodiscard]] static View view(const Point& point) { return explicit_point(point); }
 
   /// The vertex's coordinates, each as the nearest double.
-  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return points_[vertex]; }
+  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex].nearest; }
 
   [[nodiscard]] static Sign orientation(const View& a, const View& b, const View& c) {
     return exact::orientation(a, b, c);
@@ -54,18 +53,21 @@ class Geometry {
  private:
   static constexpr std::uint32_t kExplicit = 0xffffffff;
 
+  /// Both together, since no question asks for one alone.
+  struct Place {
+    Point nearest;
+    std::uint32_t crossing = kExplicit;
+  };
   struct Undo {
     std::uint32_t vertex;
-    std::uint32_t crossing;  ///< the one before
-    Point point;             ///< the one before
+    Place place;  ///< the one before
   };
 
   void grow_to(std::uint32_t vertex);
   void log(std::uint32_t vertex);
   [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
-  std::vector<Point> points_;
-  std::vector<std::uint32_t> crossing_of_;
+  std::vector<Place> places_;
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_crossings_;  ///< has room for all
   std::vector<std::uint32_t> left_crossings_;  ///< free from the next begin() on; until then they may be taken back

@@ -68,25 +68,4 @@ std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
 
 }  // namespace integers
 
-Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  if (const auto sign = filter::orientation(a, b, c)) return *sign;
-  return integers::orientation(a, b, c);
-}
-
-Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
-  if (const auto sign = filter::in_circle(a, b, c, d)) return *sign;
-  return integers::in_circle(a, b, c, d);
-}
-
-// Rounding to nearest is monotone: where two rounded coordinates differ, the true ones differ the same way. So integers
-// are only needed where rounded coordinates agree and one of them may have been rounded.
-std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
-  if (p.x < q.x) return std::strong_ordering::less;
-  if (p.x > q.x) return std::strong_ordering::greater;
-  if (!p.is_explicit() || !q.is_explicit()) return integers::compare(p, q);
-  if (p.y < q.y) return std::strong_ordering::less;
-  if (p.y > q.y) return std::strong_ordering::greater;
-  return std::strong_ordering::equal;
-}
-
 }  // namespace waywright::exact

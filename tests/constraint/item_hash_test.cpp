@@ -131,7 +131,7 @@ TEST(ItemHash, TellsItemsApart) {
   const Shape two_rings{ItemKind::polygon, {{{0, 0}}, {{1, 1}}}};
   std::vector<Lanes> hashes;
   for (const Shape& shape : {segment, backwards, polyline, one_ring, two_rings}) {
-    for (const std::uint64_t id : {1, 2}) {
+    for (const std::uint64_t id : {1U, 2U}) {
       World world = World::create(kFour).value();
       ASSERT_TRUE(world.insert(shape, {id}).ok());
       hashes.push_back(world.items_hash().words);

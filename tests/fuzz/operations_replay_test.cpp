@@ -37,9 +37,9 @@ TEST(FuzzReplay, Operations) {
   Random random(1);
   for (const std::string& input : inputs) {
     EXPECT_EQ(fault_of_operations(input), "") << script_of(input);
-    const ChangesReport report = check_changes(BytesReader(input).read(), 1, {.with_rebuild = 200, .with_oracle = 20});
+    const ChangesReport report = check_changes(BytesReader(input).read(), 1, {.with_rebuild = 200, .with_oracle = 0});
     EXPECT_FALSE(report.fault) << *report.fault << script_of(input);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 5; ++i) {
       std::string mutated = input;
       for (std::size_t changes = 1 + random.below(4); changes > 0 && !mutated.empty(); --changes) {
         mutated[random.below(mutated.size())] = static_cast<char>(random.below(256));
