@@ -268,7 +268,7 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   const constraint::ExactTriangulation& triangulation = impl_->triangulation;
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
-  const locate::Located place = delaunay.locate(point, delaunay.recent());
+  const locate::Located place = delaunay.locate(point);
   constexpr std::array<Place, 3> kPlaces = {Place::vertex, Place::edge, Place::face};
   const auto spot = static_cast<std::size_t>(place.spot);
   location.at = kPlaces[spot];

@@ -70,7 +70,7 @@ template <class Geometry>
 mesh::Vertex ConstrainedTriangulation<Geometry>::insert_corner(const Point& point, std::uint32_t item) {
   // Adding 0 turns -0 into 0, so that equal places have equal bits.
   const Point place{point.x + 0.0, point.y + 0.0};
-  const auto inserted = triangulation_.insert(place, triangulation_.recent());
+  const auto inserted = triangulation_.insert(place);
   if (inserted.split != mesh::kNoHalfEdge) split_uses(inserted.split);
   grow_corner_uses();
   set_corner_uses(inserted.vertex, uses_.add(corner_uses_[number(inserted.vertex)], item));

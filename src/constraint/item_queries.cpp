@@ -185,7 +185,7 @@ class BoxFlood {
 
 std::vector<ItemId> items_at(const ExactTriangulation& triangulation, const Point& point) {
   const auto& delaunay = triangulation.triangulation();
-  const locate::Located place = delaunay.locate(point, delaunay.recent());
+  const locate::Located place = delaunay.locate(point);
   Cover cover;
   Slots slots = cover.of_place(triangulation, place);
   if (place.spot == locate::Spot::edge) append_items_of_edge(triangulation, place.h, slots);
@@ -201,7 +201,7 @@ std::vector<std::pair<ItemId, Point>> items_crossed(const ExactTriangulation& tr
                                                     const Point& to) {
   const auto& delaunay = triangulation.triangulation();
   CrossedItems crossed(triangulation, from, to);
-  SegmentWalk(triangulation, from, to, delaunay.locate(from, delaunay.recent())).run(crossed);
+  SegmentWalk(triangulation, from, to, delaunay.locate(from)).run(crossed);
   return std::move(crossed.found());
 }
 
@@ -211,7 +211,7 @@ std::vector<ItemId> items_in(const ExactTriangulation& triangulation, const Box&
   const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
                     {std::min(box.max.x, domain.max.x), std::min(box.max.y, domain.max.y)}};
   const auto& delaunay = triangulation.triangulation();
-  const locate::Located place = delaunay.locate(clipped.min, delaunay.recent());
+  const locate::Located place = delaunay.locate(clipped.min);
   Cover cover;
   Slots slots = cover.of_place(triangulation, place);
   std::vector<mesh::HalfEdge> faces;

@@ -6,6 +6,7 @@
 
 #include "waywright/point.hpp"
 
+#include "locate/sectors.hpp"
 #include "locate/walk.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -44,11 +45,9 @@ class Triangulation {
     return geometry_.order(view(p), view(q)) < 0;
   }
 
-  /// Where `point`, which lies in the box, is; the walk starts from the face of `hint`.
-  [[nodiscard]] locate::Located locate(const Point& point, mesh::HalfEdge hint) const;
-
-  /// A living half-edge of a face in the box, near the last change.
-  [[nodiscard]] mesh::HalfEdge recent() const { return recent_; }
+  /// Where `point`, which lies in the box, is. The second walks from the face of `start`, which is in the box.
+  [[nodiscard]] locate::Located locate(const Point& point) const;
+  [[nodiscard]] locate::Located locate(const Point& point, mesh::HalfEdge start) const;
 
   /// Starts an operation: what follows can be taken back to here.
   void begin();
@@ -62,7 +61,7 @@ class Triangulation {
     bool is_new;
     mesh::HalfEdge split;  ///< where a fixed edge was parted: one of its halves, from the vertex; else kNoHalfEdge
   };
-  Inserted insert(const Point& point, mesh::HalfEdge hint);
+  Inserted insert(const Point& point);
 
   /// Parts the fixed edge of `h` at its crossing with the line through `a` and `b`, explicit vertices; the edge lies on
   /// the line through `c` and `d`, explicit too. Returns the new vertex.
@@ -115,6 +114,8 @@ class Triangulation {
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
   void legalise_around_apex();
   void remember(mesh::HalfEdge h);
+  [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
+  [[nodiscard]] mesh::HalfEdge inner_side(mesh::HalfEdge h) const;
 
   mesh::HalfEdge remove_free_vertex(mesh::Vertex v);
   mesh::HalfEdge remove_vertex_on_line(mesh::Vertex v, mesh::HalfEdge to_p, mesh::HalfEdge to_q);
@@ -134,9 +135,10 @@ class Triangulation {
 
   mesh::TriangleMesh mesh_;
   Geometry geometry_;
+  locate::Sectors sectors_;
   mesh::Vertex ghost_{};
   std::array<mesh::Vertex, 4> box_corners_{};
-  mesh::HalfEdge recent_{};
+  mesh::HalfEdge recent_{};  ///< a living half-edge of a face in the box, near the last change
   mesh::HalfEdge recent_before_{};
 
   // Scratch, kept for its memory.

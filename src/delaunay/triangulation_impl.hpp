@@ -10,7 +10,7 @@ using mesh::number;
 using mesh::previous;
 
 template <class Geometry>
-Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels) {
+Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels) : sectors_(box) {
   const auto [ghost, a, b, c, d] = mesh_.make_square();
   ghost_ = ghost;
   box_corners_ = {a, b, c, d};
@@ -42,13 +42,36 @@ void Triangulation<Geometry>::roll_back() {
 }
 
 template <class Geometry>
-locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEdge hint) const {
-  return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(hint), ghost_);
+locate::Located Triangulation<Geometry>::locate(const Point& point) const {
+  return locate(point, hint(point));
 }
 
 template <class Geometry>
-typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point, mesh::HalfEdge hint) {
-  const locate::Located place = locate(point, hint);
+locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEdge start) const {
+  return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(start), ghost_);
+}
+
+/// A half-edge of a face in the box, as near to the point as is known at no cost.
+template <class Geometry>
+mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
+  const mesh::Vertex v = sectors_.near(point);
+  if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return recent_;
+  const mesh::HalfEdge h = mesh_.outgoing(v);
+  return is_ghost_face(h) ? inner_side(h) : h;
+}
+
+/// Of a half-edge in a ghost face, one in the face on the other side of the border there.
+template <class Geometry>
+mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
+  for (const mesh::HalfEdge side : {h, next(h), previous(h)}) {
+    if (mesh_.apex(side) == ghost_) return mesh_.twin(side);
+  }
+  return h;
+}
+
+template <class Geometry>
+typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point) {
+  const locate::Located place = locate(point);
   if (place.spot == locate::Spot::vertex) {
     remember(place.h);
     return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
@@ -84,6 +107,7 @@ template <class Geometry>
 mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
   const mesh::Vertex v = mesh_.add_vertex();
   geometry_.place(number(v), point);
+  sectors_.remember(point, v, mesh_.vertex_count());
   return v;
 }
 
@@ -123,7 +147,7 @@ bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
 
 template <class Geometry>
 void Triangulation<Geometry>::remember(mesh::HalfEdge h) {
-  recent_ = is_ghost_face(h) ? mesh_.twin(h) : h;
+  recent_ = is_ghost_face(h) ? inner_side(h) : h;
 }
 
 }  // namespace waywright::delaunay

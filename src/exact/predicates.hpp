@@ -5,11 +5,13 @@
 
 #include "exact/exact_point.hpp"
 #include "exact/sign.hpp"
+#include "exact/small_integers.hpp"
 
 namespace waywright::exact {
 
-// The three questions about existing points. Each is answered by a filter in doubles with a proven error bound and,
-// where the filter can't tell, by integers; both stages are named here so that tests can hold one against the other.
+// The three questions about existing points. Each is answered in stages, the cheapest first: a filter in doubles with a
+// proven error bound; integers of 128 bits, where they do; integers of any size. The stages are named so that tests can
+// hold one against the other.
 //
 // Identities, for all points: orientation changes sign when two arguments are swapped; so does in_circle, and it keeps
 // its sign when (a, b, c) turn round; compare(p, q) is the reverse of compare(q, p).
@@ -39,6 +41,7 @@ namespace integers {
 [[nodiscard]] inline Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                     const ExactPoint& d) {
   if (const auto sign = filter::in_circle(a, b, c, d)) return *sign;
+  if (const auto sign = small_integers::in_circle(a, b, c, d)) return *sign;
   return integers::in_circle(a, b, c, d);
 }
 

@@ -67,8 +67,8 @@ void TaStar::find(const PathQuery& query, Path& path) {
 /// Whether there is anything to search: both ends free, and open faces around them.
 bool TaStar::prepare(const PathQuery& query, Path& path) {
   const auto& delaunay = triangulation_.triangulation();
-  const locate::Located start = delaunay.locate(query.start, delaunay.recent());
-  const locate::Located goal = delaunay.locate(query.goal, start.h);
+  const locate::Located start = delaunay.locate(query.start);
+  const locate::Located goal = delaunay.locate(query.goal);
   goal_ = query.goal;
   is_found_ = false;
   scratch_.nodes.clear();

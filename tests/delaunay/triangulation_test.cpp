@@ -58,7 +58,7 @@ TEST(Triangulation, EmptyBoxIsCutFromItsFirstCorner) {
 TEST(Triangulation, InsertsInFacesOnEdgesOnTheBorderAndOnVertices) {
   Triangulation triangulation = lattice(4);
   const auto insert = [&](double x, double y) {
-    const auto inserted = triangulation.insert({x, y}, triangulation.recent());
+    const auto inserted = triangulation.insert({x, y});
     EXPECT_EQ(triangulation.topology().find_fault(), std::nullopt);
     EXPECT_TRUE(is_delaunay(triangulation));
     return inserted;
@@ -82,7 +82,7 @@ TEST(Triangulation, RandomLatticePointsAreDelaunayTiesIncluded) {
     Random random(seed);
     for (int i = 0; i < 25; ++i) {
       const Point p{static_cast<double>(random.below(7)), static_cast<double>(random.below(7))};
-      const auto inserted = triangulation.insert(p, triangulation.recent());
+      const auto inserted = triangulation.insert(p);
       ASSERT_EQ(triangulation.geometry().nearest(number(inserted.vertex)), p);
     }
     ASSERT_EQ(triangulation.topology().find_fault(), std::nullopt) << "seed " << seed;
@@ -117,7 +117,7 @@ TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Triangulation triangulation({{-10, -200}, {1010, 200}}, kSides);
     Random random(seed);
-    const auto insert = [&](double x, double y) { return triangulation.insert({x, y}, triangulation.recent()).vertex; };
+    const auto insert = [&](double x, double y) { return triangulation.insert({x, y}).vertex; };
     const Vertex u = insert(0, 0);
     const Vertex w = insert(1000, 0);
     for (int i = 0; i < 40; ++i) {
@@ -143,7 +143,7 @@ TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
 // A vertex near the way with an edge behind it that both neighbours of the cavity share: its edge dangles.
 TEST(Triangulation, ForcedEdgePassesDanglingEdges) {
   Triangulation triangulation({{-10, -60}, {30, 60}}, kSides);
-  const auto insert = [&](double x, double y) { return triangulation.insert({x, y}, triangulation.recent()).vertex; };
+  const auto insert = [&](double x, double y) { return triangulation.insert({x, y}).vertex; };
   const Vertex u = insert(0, 0);
   const Vertex w = insert(20, 0);
   const Vertex near = insert(10, 0.25);

@@ -18,8 +18,7 @@ Triangulation lattice_world(std::uint64_t seed) {
   Triangulation triangulation({{0, 0}, {8, 8}}, {1, 2, 3, 4});
   Random random(seed);
   for (int i = 0; i < 12; ++i) {
-    triangulation.insert({static_cast<double>(random.below(9)), static_cast<double>(random.below(9))},
-                         triangulation.recent());
+    triangulation.insert({static_cast<double>(random.below(9)), static_cast<double>(random.below(9))});
   }
   return triangulation;
 }
@@ -80,7 +79,7 @@ TEST(Walk, AgreesWithSearchingAllFaces) {
   Random random(5);
   for (int i = 0; i < 500; ++i) {
     const Point point{static_cast<double>(random.below(33)) / 4, static_cast<double>(random.below(33)) / 4};
-    const Located walked = triangulation.locate(point, triangulation.recent());
+    const Located walked = triangulation.locate(point);
     const Located found = locate::search_all(triangulation.topology(), triangulation.geometry(),
                                              exact::Geometry::view(point), triangulation.ghost());
     ASSERT_EQ(walked.spot, found.spot);
