@@ -1,0 +1,54 @@
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/random.hpp"
+#include "support/random_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+struct Answers {
+  std::vector<std::vector<Point>> paths;
+  std::vector<std::vector<ItemId>> inside;
+
+  bool operator==(const Answers&) const = default;
+};
+
+Answers ask(const World& world, const std::vector<Point>& places) {
+  Answers answers;
+  QueryContext context;
+  Path path;
+  Location location;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    world.locate(places[i], context, location).value();
+    answers.inside.push_back(location.inside);
+    world.find_path({places[i - 1], places[i]}, context, path).value();
+    answers.paths.push_back(path.points);
+    answers.inside.push_back(world.items_in({places[i], places[i]}).value());
+  }
+  return answers;
+}
+
+// To be run under the thread sanitizer: queries write to nothing that they share.
+TEST(Threads, AnyNumberMayQueryOneWorldAtOnce) {
+  const Scene scene = random_scene(Flavour::small, 7, 60);
+  World world = World::create(scene.domain).value();
+  for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
+  Random random(7);
+  std::vector<Point> places;
+  for (int i = 0; i < 60; ++i) places.push_back(random_point(Flavour::small, scene.domain, random));
+
+  const Answers alone = ask(world, places);
+  std::vector<Answers> answers(4);
+  std::vector<std::thread> threads;
+  for (Answers& mine : answers) threads.emplace_back([&] { mine = ask(world, places); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Answers& mine : answers) EXPECT_EQ(mine, alone);
+}
+
+}  // namespace
+}  // namespace waywright::test
