@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <new>
 #include <vector>
 
@@ -6,30 +5,9 @@
 
 #include "waywright/world.hpp"
 
+#include "memory/allocations.hpp"
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
-
-// Every allocation of this program goes through here, so that any one of them can be made to fail.
-
-namespace {
-
-std::size_t allocations = 0;
-std::size_t failing_allocation = 0;  ///< counted from 1; 0 for none
-
-void* allocate(std::size_t size) {
-  if (++allocations == failing_allocation) throw std::bad_alloc();
-  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace waywright::test {
 namespace {
@@ -79,9 +57,9 @@ Reference undisturbed(const Script& script) {
   World world = World::create(script.domain).value();
   reference.dumps.push_back(world.dump());
   for (const std::vector<Change>& changes : script.operations) {
-    const std::size_t before = allocations;
+    const std::size_t before = allocation_count();
     EXPECT_TRUE(world.apply(changes).ok());
-    reference.allocations += allocations - before;
+    reference.allocations += allocation_count() - before;
     reference.dumps.push_back(world.dump());
   }
   return reference;
@@ -89,16 +67,16 @@ Reference undisturbed(const Script& script) {
 
 /// Whether the operation got through. The n-th allocation from here on fails; what is left of n is returned in it.
 bool apply_with_failure(World& world, const std::vector<Change>& changes, std::size_t& n) {
-  const std::size_t before = allocations;
-  failing_allocation = n == 0 ? 0 : allocations + n;
+  const std::size_t before = allocation_count();
+  fail_allocation(n == 0 ? 0 : before + n);
   bool is_through = true;
   try {
     is_through = world.apply(changes).ok();
   } catch (const std::bad_alloc&) {
     is_through = false;
   }
-  failing_allocation = 0;
-  const std::size_t used = allocations - before;
+  fail_allocation(0);
+  const std::size_t used = allocation_count() - before;
   n = n > used ? n - used : 0;
   return is_through;
 }
