@@ -61,6 +61,7 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   odd_.clear();
+  if (!triangulation.items().has_polygons()) return odd_;
   while (!delaunay.is_ghost_face(h)) {
     const mesh::Vertex v = mesh.origin(h);
     const bool is_last = v == delaunay.box_corners()[0];

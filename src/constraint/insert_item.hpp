@@ -28,8 +28,7 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   const std::uint32_t slot = items_.add_item(id, shape.kind);
   for (const std::vector<Point>& ring : shape.rings) insert_ring(ring, slot);
-  const std::vector<std::uint32_t> sides = items_.item(slot).sides;
-  for (const std::uint32_t side : sides) insert_side(side);
+  for (const std::uint32_t side : items_.item(slot).sides) insert_side(side);
   count_hash(slot);
 }
 

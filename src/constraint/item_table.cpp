@@ -28,6 +28,7 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
   items_[slot].id = id;
   items_[slot].kind = kind;
   slots_.emplace(id, slot);
+  polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
   return slot;
 }
@@ -50,6 +51,7 @@ void ItemTable::remove_item(std::uint32_t slot) {
   log_.push_back({slot, {}});
   log_.back().removed = slots_.extract(items_[slot].id);
   ItemHash::subtract_from(hash_, items_[slot].hash);
+  polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
 }
 
 void ItemTable::begin() {
@@ -59,6 +61,7 @@ void ItemTable::begin() {
   log_.clear();
   largest_id_before_ = largest_id_seen_;
   hash_before_ = hash_;
+  polygon_count_before_ = polygon_count_;
 }
 
 // An entry that goes back into the table finds room there: the table has held as many before.
@@ -74,6 +77,7 @@ void ItemTable::roll_back() {
   }
   largest_id_seen_ = largest_id_before_;
   hash_ = hash_before_;
+  polygon_count_ = polygon_count_before_;
 }
 
 void ItemTable::recycle(std::uint32_t slot) {

@@ -48,6 +48,7 @@ class ItemTable {
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }
   /// Live items, the domain left out.
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
+  [[nodiscard]] bool has_polygons() const { return polygon_count_ != 0; }
   [[nodiscard]] std::size_t side_slots() const { return sides_.size(); }
 
   std::uint32_t add_item(ItemId id, ItemKind kind);
@@ -83,9 +84,11 @@ class ItemTable {
   Slots slots_;
   ItemId largest_id_seen_;
   ItemHash::Words hash_{};
+  std::size_t polygon_count_ = 0;
 
   std::vector<Undo> log_;
   ItemId largest_id_before_;
+  std::size_t polygon_count_before_ = 0;
   ItemHash::Words hash_before_{};
 };
 

@@ -117,6 +117,7 @@ mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex e
 template <class Geometry>
 std::uint32_t Triangulation<Geometry>::delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base,
                                                      bool is_star) const {
+  if (base.to == base.from + 2) return base.from + 1;
   const mesh::Vertex from = chain[base.from].from;
   const mesh::Vertex to = base.to == chain.size() ? end : chain[base.to].from;
   std::uint32_t apex = base.to;

@@ -10,8 +10,8 @@
 namespace waywright::exact {
 
 // The three questions about existing points. Each is answered in stages, the cheapest first: a filter in doubles with a
-// proven error bound; integers of 128 bits, where they do; integers of any size. The stages are named so that tests can
-// hold one against the other.
+// proven error bound; integers of 64 and 128 bits, where they do; integers of any size. The stages are named so that
+// tests can hold one against the other.
 //
 // Identities, for all points: orientation changes sign when two arguments are swapped; so does in_circle, and it keeps
 // its sign when (a, b, c) turn round; compare(p, q) is the reverse of compare(q, p).
@@ -33,6 +33,7 @@ namespace integers {
 /// Which side of the line from `a` to `b` the point `c` lies on: positive on the left (a, b, c counter-clockwise).
 [[nodiscard]] inline Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
   if (const auto sign = filter::orientation(a, b, c)) return *sign;
+  if (const auto sign = small_integers::orientation(a, b, c)) return *sign;
   return integers::orientation(a, b, c);
 }
 
