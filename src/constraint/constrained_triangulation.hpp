@@ -102,8 +102,8 @@ class ConstrainedTriangulation {
   void strip_corner(mesh::Vertex v, std::uint32_t item);
   /// Takes `v` out if neither a corner nor a crossing needs it.
   void drop_if_unneeded(mesh::Vertex v);
-  /// The edge over which `side` leaves `u`, going on from `previous`. Requires: it does.
-  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side, mesh::Vertex previous) const;
+  /// The edge over which `side` leaves `u`. Requires: it does, and has been stripped from the edge by which it came.
+  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;
 
   [[nodiscard]] std::optional<std::string> find_shape_fault() const;
   [[nodiscard]] std::optional<std::string> find_delaunay_fault() const;

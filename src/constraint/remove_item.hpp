@@ -24,10 +24,8 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::strip_side(std::uint32_t slot) {
   const Side& side = items_.side(slot);
-  mesh::Vertex previous = mesh::kNoVertex;
   for (mesh::Vertex u = side.from; u != side.to;) {
-    const mesh::HalfEdge h = edge_of_side(u, slot, previous);
-    previous = u;
+    const mesh::HalfEdge h = edge_of_side(u, slot);
     u = topology().target(h);
     touched_.push_back(u);
     const Uses rest = uses_.remove(topology().label(h), slot);
@@ -61,13 +59,10 @@ void ConstrainedTriangulation<Geometry>::drop_if_unneeded(mesh::Vertex v) {
 }
 
 template <class Geometry>
-mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, std::uint32_t side,
-                                                                mesh::Vertex previous) const {
+mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, std::uint32_t side) const {
   const mesh::TriangleMesh& mesh = topology();
   mesh::HalfEdge h = mesh.outgoing(u);
-  while (!mesh.is_fixed(h) || mesh.target(h) == previous || !uses_.contains(mesh.label(h), side)) {
-    h = mesh.next_around(h);
-  }
+  while (!mesh.is_fixed(h) || !uses_.contains(mesh.label(h), side)) h = mesh.next_around(h);
   return h;
 }
 
