@@ -63,10 +63,8 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
 /// Of a half-edge in a ghost face, one in the face on the other side of the border there.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
-  for (const mesh::HalfEdge side : {h, next(h), previous(h)}) {
-    if (mesh_.apex(side) == ghost_) return mesh_.twin(side);
-  }
-  return h;
+  while (mesh_.apex(h) != ghost_) h = next(h);
+  return mesh_.twin(h);
 }
 
 template <class Geometry>
