@@ -87,10 +87,10 @@ class ConstrainedTriangulation {
   void set_corner_uses(mesh::Vertex v, Uses uses);
   void grow_corner_uses();
 
-  void count_hash(std::uint32_t item);
-  void insert_ring(const std::vector<Point>& ring, std::uint32_t item);
+  void count_hash(std::uint32_t slot);
+  void insert_ring(const std::vector<Point>& ring, std::uint32_t slot);
   mesh::Vertex insert_corner(const Point& point, std::uint32_t item);
-  void insert_side(std::uint32_t side);
+  void insert_side(std::uint32_t slot);
   [[nodiscard]] Step next_step(mesh::Vertex u, const Side& side);
   [[nodiscard]] Step step_across(mesh::HalfEdge exit, const Side& side);
   /// Parts a fixed edge where the side crosses it.
@@ -98,7 +98,7 @@ class ConstrainedTriangulation {
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses.
   void take(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);
-  void strip_side(std::uint32_t side);
+  void strip_side(std::uint32_t slot);
   void strip_corner(mesh::Vertex v, std::uint32_t item);
   /// Takes `v` out if neither a corner nor a crossing needs it.
   void drop_if_unneeded(mesh::Vertex v);
@@ -110,7 +110,7 @@ class ConstrainedTriangulation {
   [[nodiscard]] std::optional<std::string> find_use_fault() const;
   [[nodiscard]] std::optional<std::string> find_vertex_fault() const;
   /// The edges that the side runs over, 0 where they don't lead to its end.
-  [[nodiscard]] std::size_t count_edges(std::uint32_t side) const;
+  [[nodiscard]] std::size_t count_edges(std::uint32_t slot) const;
 
   Box domain_;
   ItemTable items_;

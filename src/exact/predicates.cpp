@@ -2,9 +2,7 @@
 
 #include "exact/homogeneous.hpp"
 
-namespace waywright::exact {
-
-namespace integers {
+namespace waywright::exact::integers {
 
 namespace {
 
@@ -66,6 +64,4 @@ std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
   return order_of(by_x != Sign::zero ? by_x : sign_of(Integer(a.y * b.w - b.y * a.w)));
 }
 
-}  // namespace integers
-
-}  // namespace waywright::exact
+}  // namespace waywright::exact::integers

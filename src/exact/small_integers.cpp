@@ -45,7 +45,7 @@ std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const 
 
 namespace {
 
-__extension__ typedef __int128 Wide;
+using Wide = __int128;
 
 std::int64_t lift(const Offset& p) { return p.x * p.x + p.y * p.y; }
 
