@@ -49,7 +49,6 @@ class ItemTable {
   /// Live items, the domain left out.
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
   [[nodiscard]] bool has_polygons() const { return polygon_count_ != 0; }
-  [[nodiscard]] std::size_t side_slots() const { return sides_.size(); }
 
   std::uint32_t add_item(ItemId id, ItemKind kind);
   /// Appends a side to its item.

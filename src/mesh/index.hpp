@@ -9,10 +9,9 @@ enum class Vertex : std::uint32_t {};
 enum class HalfEdge : std::uint32_t {};
 enum class Face : std::uint32_t {};
 
-/// No half-edge, no vertex, no face.
+/// No half-edge, no vertex.
 inline constexpr HalfEdge kNoHalfEdge{0x7fffffff};
 inline constexpr Vertex kNoVertex{0xffffffff};
-inline constexpr Face kNoFace{0xffffffff};
 
 template <class Index>
 [[nodiscard]] constexpr std::uint32_t number(Index index) {
