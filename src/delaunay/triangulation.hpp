@@ -6,6 +6,7 @@
 
 #include "waywright/point.hpp"
 
+#include "exact/any_geometry.hpp"
 #include "locate/sectors.hpp"
 #include "locate/walk.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -17,9 +18,11 @@ namespace waywright::delaunay {
 /// order; this is the limit of lowering every point lifted to the paraboloid by an infinitesimal, the first point by
 /// far the most, so that vertices and fixed edges leave exactly one triangulation.
 ///
-/// All numbers are Geometry's business: see exact::Geometry, the one that the library uses.
+/// All numbers are Geometry's business: an exact::AnyGeometry; the library uses exact::Geometry.
 template <class Geometry>
 class Triangulation {
+  static_assert(exact::AnyGeometry<Geometry>);
+
  public:
   using View = typename Geometry::View;
 

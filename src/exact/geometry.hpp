@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/any_geometry.hpp"
 #include "exact/crossing.hpp"
 #include "exact/exact_point.hpp"
 #include "exact/predicates.hpp"
@@ -11,7 +12,7 @@
 namespace waywright::exact {
 
 /// The places of a mesh's vertices, and the four questions that the combinatorial code asks about them: orientation,
-/// in-circle, order, and where two segments cross. Other arithmetic can take its place: whatever has these members.
+/// in-circle, order, and where two segments cross. Other arithmetic can take its place: see AnyGeometry.
 ///
 /// Places are logged as they change and can be taken back to the last begin().
 ///
@@ -73,5 +74,7 @@ class Geometry {
   std::vector<std::uint32_t> left_crossings_;  ///< free from the next begin() on; until then they may be taken back
   std::vector<Undo> log_;
 };
+
+static_assert(AnyGeometry<Geometry>);
 
 }  // namespace waywright::exact
