@@ -25,6 +25,8 @@ std::string_view to_string(ErrorCode code) {
       return "empty-shape";
     case ErrorCode::too_large:
       return "too-large";
+    case ErrorCode::world_changed:
+      return "world-changed";
     case ErrorCode::not_supported:
       return "not-supported";
     case ErrorCode::unreadable:

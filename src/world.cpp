@@ -1,7 +1,6 @@
 #include "waywright/world.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -11,30 +10,16 @@
 #include "constraint/item_queries.hpp"
 #include "io/dump.hpp"
 #include "io/sha256.hpp"
-#include "path/scratch.hpp"
-#include "path/ta_star.hpp"
+#include "point_error.hpp"
+#include "query_scratch.hpp"
+#include "world_impl.hpp"
 
 namespace waywright {
-
-namespace detail {
-
-struct QueryScratch {
-  constraint::Cover cover;
-  path::Scratch path;
-};
-
-}  // namespace detail
 
 QueryContext::QueryContext() : scratch_(std::make_unique<detail::QueryScratch>()) {}
 QueryContext::~QueryContext() = default;
 QueryContext::QueryContext(QueryContext&&) noexcept = default;
 QueryContext& QueryContext::operator=(QueryContext&&) noexcept = default;
-
-struct World::Impl {
-  explicit Impl(const Box& domain) : triangulation(domain) {}
-
-  constraint::ExactTriangulation triangulation;
-};
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
@@ -48,28 +33,6 @@ using Operation = constraint::ExactTriangulation::Operation;
 /// A mesh may not outgrow its 31-bit half-edge indices: 2^31 / 6 vertices. This keeps half of that for crossings, which
 /// nobody can count before they are made.
 constexpr std::size_t kLargestPointCount = std::size_t{1} << 27;
-
-Error range_error(const Point& point, std::size_t index) {
-  const bool is_x = !exact::in_range(point.x);
-  const double value = is_x ? point.x : point.y;
-  std::string message = std::string(is_x ? "x" : "y") + " of point " + std::to_string(index);
-  if (!std::isfinite(value)) {
-    message += " is not finite";
-  } else if (std::abs(value) > exact::kLargestCoordinate) {
-    message += " lies beyond +-2^100";
-  } else {
-    message += " is nearer to 0 than 2^-100 without being 0";
-  }
-  return {ErrorCode::coordinate_range, std::move(message), {}, index};
-}
-
-std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index) {
-  if (!exact::in_range(point)) return range_error(point, index);
-  if (point.x < domain.min.x || point.x > domain.max.x || point.y < domain.min.y || point.y > domain.max.y) {
-    return Error{ErrorCode::out_of_domain, "point " + std::to_string(index) + " lies outside the domain", {}, index};
-  }
-  return std::nullopt;
-}
 
 std::optional<Error> find_arity_error(const Shape& shape) {
   const auto refuse = [](std::string message) { return Error{ErrorCode::empty_shape, std::move(message), {}, 0}; };
@@ -149,6 +112,7 @@ Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   Operation operation(impl_->triangulation);
   impl_->triangulation.insert(shape, id);
   operation.commit();
+  ++impl_->version;
   return id;
 }
 
@@ -178,6 +142,7 @@ Result<void> World::remove(ItemId id) {
   Operation operation(impl_->triangulation);
   impl_->triangulation.remove(id);
   operation.commit();
+  ++impl_->version;
   return {};
 }
 
@@ -188,6 +153,7 @@ Result<void> World::replace(ItemId id, const Shape& shape) {
   impl_->triangulation.remove(id);
   impl_->triangulation.insert(shape, id);
   operation.commit();
+  ++impl_->version;
   return {};
 }
 
@@ -229,6 +195,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     if (changes[i].kind != Change::Kind::remove) impl_->triangulation.insert(changes[i].shape, ids[i]);
   }
   operation.commit();
+  ++impl_->version;
   return ids;
 }
 
@@ -318,32 +285,6 @@ Result<std::vector<ItemId>> World::items_in(const Box& box) const {
                           box.max.y < domain().min.y;
   if (is_outside) return std::vector<ItemId>{};
   return constraint::items_in(impl_->triangulation, box);
-}
-
-Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
-  std::size_t index = 0;
-  for (const Point& end : {query.start, query.goal}) {
-    if (auto error = find_point_error(domain(), end, index)) return *std::move(error);
-    ++index;
-  }
-  if (!(query.radius >= 0.0) || !std::isfinite(query.radius)) {
-    return Error{ErrorCode::bad_radius, "a radius is 0 or more, and finite", {}, 0};
-  }
-  if (query.radius > 0.0) {
-    return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
-  }
-  if (query.algorithm != PathAlgorithm::ta) {
-    return Error{ErrorCode::not_supported, "of the path algorithms only ta is supported yet", {}, 0};
-  }
-  path::TaStar(impl_->triangulation, context.scratch_->path).find(query, path);
-  return {};
-}
-
-Result<Path> World::find_path(const PathQuery& query) const {
-  QueryContext context;
-  Path path;
-  if (auto done = find_path(query, context, path); !done) return done.error();
-  return path;
 }
 
 Validation World::validate() const {

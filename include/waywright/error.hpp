@@ -23,6 +23,7 @@ enum class ErrorCode : std::uint8_t {
   bad_domain,        ///< a domain that is not min.x < max.x and min.y < max.y
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
   too_large,         ///< more vertices, triangles or items than 32-bit indices can name
+  world_changed,     ///< the world is no longer the one that a search began with
   not_supported,     ///< a request this version does not carry out
   unreadable,        ///< a file that cannot be opened or read
   malformed,         ///< text that does not follow its format

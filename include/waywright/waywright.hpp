@@ -5,6 +5,7 @@
 #include "waywright/item.hpp"
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
+#include "waywright/path_search.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/scene.hpp"

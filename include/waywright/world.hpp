@@ -160,6 +160,23 @@ class World {
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
+  /// A path for each query, in their order and each as find_path gives it, found by as many threads as there are
+  /// contexts. Requires: at least one context. Errors: those of find_path; the error's index is the query's position.
+  [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
+                                        std::vector<Path>& paths) const;
+  /// Requires: `threads` is 1 or more.
+  [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads) const;
+
+  /// The shortest path to each goal, in their order, by one search from the start outwards. Its expansions stand in
+  /// every answer. Errors: those of find_path; the error's index is 0 for the start and else the goal's position + 1.
+  /// Cost: that of the farthest goal, and a little for each.
+  [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
+                                             std::vector<Path>& paths) const;
+  [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
+
+  /// Goes up with every operation that is carried out, and with no other. Cost: none.
+  [[nodiscard]] std::uint64_t version() const;
+
   /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the
   /// empty circle and its ties on every free edge. Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
@@ -175,6 +192,7 @@ class World {
   [[nodiscard]] std::string dump() const;
 
  private:
+  friend class PathSearch;
   struct Impl;
   explicit World(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;

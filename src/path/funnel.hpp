@@ -46,6 +46,7 @@ class TautTree {
   [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
 
   [[nodiscard]] const Point& point(std::uint32_t node) const { return nodes_[node].point; }
+  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
   /// The length of the string from the start.
   [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
   [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }

@@ -1,8 +1,7 @@
 #include "path/ta_star.hpp"
 
 #include <algorithm>
-
-#include "locate/walk.hpp"
+#include <limits>
 
 namespace waywright::path {
 
@@ -31,87 +30,62 @@ double distance_by_way_of(const Point& p, const Point& a, const Point& b, const 
 
 }  // namespace
 
-void TaStar::find(const PathQuery& query, Path& path) {
-  path.length = 0.0;
-  path.points.clear();
-  path.expansions = 0;
-  if (!prepare(query, path)) return;
-  mark_goal_faces();
-  for (const mesh::HalfEdge h : scratch_.start_faces) {
-    if (scratch_.is_goal[number(mesh::face(h))] == scratch_.query) {
-      is_found_ = true;
-      best_corner_ = TautTree::kRoot;
-      best_length_ = distance(query.start, query.goal);
-    }
-  }
-  if (!is_found_) {
-    for (const mesh::HalfEdge h : scratch_.start_faces) leave_start_face(h);
-  }
-  while (!scratch_.open.empty()) {
-    const SearchNode node = scratch_.nodes[pop()];
-    if (is_found_ && node.bound >= best_length_) break;
-    std::uint32_t& entered = scratch_.entered[number(node.entry)];
-    if (entered == scratch_.query) continue;
-    entered = scratch_.query;
-    ++path.expansions;
-    if (scratch_.is_goal[number(mesh::face(node.entry))] == scratch_.query) {
-      arrive(node);
-    } else {
-      leave(node);
-    }
-  }
-  path.status = is_found_ ? PathStatus::found : PathStatus::no_path;
-  if (is_found_) write_path(path);
-}
-
-/// Whether there is anything to search: both ends free, and open faces around them.
-bool TaStar::prepare(const PathQuery& query, Path& path) {
-  const auto& delaunay = triangulation_.triangulation();
-  const locate::Located start = delaunay.locate(query.start);
-  const locate::Located goal = delaunay.locate(query.goal);
-  goal_ = query.goal;
+void TaStar::begin(const Triangulation& triangulation, const Ends& ends) {
+  ends_ = &ends;
+  mesh_ = &triangulation.topology();
+  tree_.reset(triangulation.triangulation().geometry(), ends.start());
+  nodes_.clear();
+  open_.clear();
   is_found_ = false;
-  scratch_.nodes.clear();
-  scratch_.open.clear();
-  if (scratch_.cover.is_strictly_inside(triangulation_, start)) {
-    path.status = PathStatus::start_blocked;
-    return false;
-  }
-  if (scratch_.cover.is_strictly_inside(triangulation_, goal)) {
-    path.status = PathStatus::goal_blocked;
-    return false;
-  }
-  scratch_.start_faces = scratch_.cover.open_faces(triangulation_, start);
-  scratch_.goal_faces = scratch_.cover.open_faces(triangulation_, goal);
-  scratch_.tree.reset(delaunay.geometry(), query.start);
-  if (query.start == query.goal) {
-    path.status = PathStatus::found;
-    path.points = {query.start, query.goal};
-    return false;
-  }
-  return true;
+  given_up_bound_ = std::numeric_limits<double>::infinity();
+  forget_entries();
+  for (const mesh::HalfEdge h : ends.start_faces()) leave_start_face(h);
 }
 
-void TaStar::mark_goal_faces() {
-  if (++scratch_.query == 0) {  // the count went once around: forget all marks
-    std::fill(scratch_.entered.begin(), scratch_.entered.end(), 0);
-    std::fill(scratch_.is_goal.begin(), scratch_.is_goal.end(), 0);
-    scratch_.query = 1;
+void TaStar::forget_entries() {
+  if (++query_ == 0) {  // the count went once around
+    std::fill(entered_.begin(), entered_.end(), 0);
+    query_ = 1;
   }
-  if (scratch_.is_goal.size() < mesh_.face_slots()) {
-    scratch_.is_goal.resize(mesh_.face_slots(), 0);
-    scratch_.entered.resize(std::size_t{3} * mesh_.face_slots(), 0);
+  const std::size_t half_edges = std::size_t{3} * mesh_->face_slots();
+  if (entered_.size() < half_edges) entered_.resize(half_edges, 0);
+}
+
+bool TaStar::step(std::size_t limit, Path& path) {
+  while (!open_.empty() && path.expansions < limit) {
+    if (is_found_ && nodes_[open_.front()].bound >= best_length_) break;
+    const std::uint32_t position = pop();
+    const Node& node = nodes_[position];
+    std::uint32_t& entered = entered_[number(node.entry)];
+    if (entered == query_) {
+      given_up_bound_ = std::min(given_up_bound_, node.bound);
+      continue;
+    }
+    entered = query_;
+    ++path.expansions;
+    if (!ends_->is_goal(mesh::face(node.entry))) {
+      leave(position);
+    } else if (arrive(position)) {
+      write_path(path);
+      return false;
+    }
   }
-  for (const mesh::HalfEdge h : scratch_.goal_faces) scratch_.is_goal[number(mesh::face(h))] = scratch_.query;
+  if (is_found_) path.lower_bound = lower_bound();
+  return open_.empty() || (is_found_ && nodes_[open_.front()].bound >= best_length_);
+}
+
+double TaStar::lower_bound() const {
+  const double open_bound = open_.empty() ? best_length_ : nodes_[open_.front()].bound;
+  return std::min({open_bound, given_up_bound_, best_length_});
 }
 
 // Seen from inside the face, an edge's left end is its target.
 void TaStar::leave_start_face(mesh::HalfEdge h) {
   for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-    if (mesh_.is_fixed(exit)) continue;
-    const std::uint32_t left = scratch_.tree.add_seen(mesh_.target(exit));
-    const std::uint32_t right = scratch_.tree.add_seen(mesh_.origin(exit));
-    open(exit, {TautTree::kRoot, left, right});
+    if (mesh_->is_fixed(exit)) continue;
+    const std::uint32_t left = tree_.add_seen(mesh_->target(exit));
+    const std::uint32_t right = tree_.add_seen(mesh_->origin(exit));
+    open(exit, kNone, {TautTree::kRoot, left, right});
   }
 }
 
@@ -121,62 +95,71 @@ void TaStar::leave_start_face(mesh::HalfEdge h) {
 //        end.
 //      /       \.
 //  origin --> target
-void TaStar::leave(const SearchNode& node) {
-  const mesh::Vertex apex = mesh_.apex(node.entry);
+void TaStar::leave(std::uint32_t position) {
+  const Node node = nodes_[position];
+  const mesh::Vertex apex = mesh_->apex(node.entry);
   const mesh::HalfEdge beyond_target = mesh::next(node.entry);
   const mesh::HalfEdge beyond_origin = mesh::previous(node.entry);
-  if (!mesh_.is_fixed(beyond_target)) open(beyond_target, scratch_.tree.move_left(node.funnel, apex));
-  if (!mesh_.is_fixed(beyond_origin)) open(beyond_origin, scratch_.tree.move_right(node.funnel, apex));
+  if (!mesh_->is_fixed(beyond_target)) open(beyond_target, position, tree_.move_left(node.funnel, apex));
+  if (!mesh_->is_fixed(beyond_origin)) open(beyond_origin, position, tree_.move_right(node.funnel, apex));
 }
 
-void TaStar::open(mesh::HalfEdge exit, const Funnel& funnel) {
-  const mesh::HalfEdge entry = mesh_.twin(exit);
-  if (scratch_.entered[number(entry)] == scratch_.query) return;
-  scratch_.nodes.push_back({entry, funnel, bound(funnel)});
-  scratch_.open.push_back(static_cast<std::uint32_t>(scratch_.nodes.size() - 1));
-  std::push_heap(scratch_.open.begin(), scratch_.open.end(),
-                 [&](std::uint32_t i, std::uint32_t j) { return comes_later(i, j); });
+void TaStar::open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel) {
+  nodes_.push_back({mesh_->twin(exit), before, funnel, bound(funnel)});
+  open_.push_back(static_cast<std::uint32_t>(nodes_.size() - 1));
+  std::push_heap(open_.begin(), open_.end(), [&](std::uint32_t i, std::uint32_t j) { return comes_later(i, j); });
 }
 
 std::uint32_t TaStar::pop() {
-  std::pop_heap(scratch_.open.begin(), scratch_.open.end(),
-                [&](std::uint32_t i, std::uint32_t j) { return comes_later(i, j); });
-  const std::uint32_t top = scratch_.open.back();
-  scratch_.open.pop_back();
+  std::pop_heap(open_.begin(), open_.end(), [&](std::uint32_t i, std::uint32_t j) { return comes_later(i, j); });
+  const std::uint32_t top = open_.back();
+  open_.pop_back();
   return top;
 }
 
 /// Nodes of equal bound come in the order in which they were opened, which the mesh's geometry alone decides.
 bool TaStar::comes_later(std::uint32_t i, std::uint32_t j) const {
-  const double a = scratch_.nodes[i].bound;
-  const double b = scratch_.nodes[j].bound;
+  const double a = nodes_[i].bound;
+  const double b = nodes_[j].bound;
   return a > b || (a == b && i > j);
 }
 
-void TaStar::arrive(const SearchNode& node) {
-  const std::uint32_t corner = scratch_.tree.last_corner(node.funnel, goal_);
-  const double length = scratch_.tree.length(corner) + distance(scratch_.tree.point(corner), goal_);
-  if (is_found_ && length >= best_length_) return;
+bool TaStar::arrive(std::uint32_t position) {
+  const std::uint32_t corner = tree_.last_corner(nodes_[position].funnel, ends_->goal());
+  const double length = tree_.length(corner) + distance(tree_.point(corner), ends_->goal());
+  if (is_found_ && length >= best_length_) return false;
   is_found_ = true;
   best_length_ = length;
   best_corner_ = corner;
+  best_node_ = position;
+  return true;
 }
 
 double TaStar::bound(const Funnel& funnel) const {
-  const TautTree& tree = scratch_.tree;
-  return tree.length(funnel.apex) +
-         distance_by_way_of(tree.point(funnel.apex), tree.point(funnel.left), tree.point(funnel.right), goal_);
+  return tree_.length(funnel.apex) + distance_by_way_of(tree_.point(funnel.apex), tree_.point(funnel.left),
+                                                        tree_.point(funnel.right), ends_->goal());
 }
 
 void TaStar::write_path(Path& path) const {
-  const TautTree& tree = scratch_.tree;
+  path.status = PathStatus::found;
   path.length = best_length_;
-  path.points.push_back(goal_);
-  for (std::uint32_t node = best_corner_;; node = tree.parent(node)) {
-    if (tree.point(node) != path.points.back()) path.points.push_back(tree.point(node));
+  path.lower_bound = lower_bound();
+  path.points.clear();
+  path.points.push_back(ends_->goal());
+  for (std::uint32_t node = best_corner_;; node = tree_.parent(node)) {
+    if (tree_.point(node) != path.points.back()) path.points.push_back(tree_.point(node));
     if (node == TautTree::kRoot) break;
   }
   std::reverse(path.points.begin(), path.points.end());
+}
+
+void TaStar::write_channel(Path& path) const {
+  path.channel.clear();
+  for (std::uint32_t node = best_node_; node != kNone; node = nodes_[node].before) {
+    const mesh::HalfEdge entry = nodes_[node].entry;
+    path.channel.push_back({tree_.place(mesh_->origin(entry)), tree_.place(mesh_->target(entry))});
+  }
+  std::reverse(path.channel.begin(), path.channel.end());
 }
 
 }  // namespace waywright::path

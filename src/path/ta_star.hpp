@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "waywright/path.hpp"
 
-#include "path/scratch.hpp"
+#include "path/ends.hpp"
+#include "path/funnel.hpp"
 
 namespace waywright::path {
 
@@ -11,37 +16,57 @@ namespace waywright::path {
 /// lower bound for its channel; the search goes on until no open bound is below the best length found.
 ///
 /// Channels cross free edges and never vertices, so no path passes a wall or a point where walls meet.
-/// Requires: start and goal lie in the domain.
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: their bound g is a
 /// maximum of estimates from the portals' ends; ours keeps each channel's funnel as it grows, which is tighter and as
 /// cheap.
 class TaStar {
  public:
-  TaStar(const constraint::ExactTriangulation& triangulation, Scratch& scratch)
-      : triangulation_(triangulation), mesh_(triangulation.topology()), scratch_(scratch) {}
+  using Triangulation = constraint::ExactTriangulation;
 
-  void find(const PathQuery& query, Path& path);
+  /// Starts a search between ends that are not at one face. They and the triangulation must stay as they are.
+  void begin(const Triangulation& triangulation, const Ends& ends);
+  /// Searches on until `path.expansions` comes to `limit`, a path better than the one in `path` is found, or neither
+  /// is to come; returns whether the latter.
+  bool step(std::size_t limit, Path& path);
+  /// Writes the edges that the best path crosses.
+  void write_channel(Path& path) const;
 
  private:
-  [[nodiscard]] bool prepare(const PathQuery& query, Path& path);
-  void mark_goal_faces();
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  /// A channel that the search has followed to the edge of a face.
+  struct Node {
+    mesh::HalfEdge entry;  ///< the edge by which the channel comes into the face, as a half-edge of that face
+    std::uint32_t before;  ///< the node whose face it comes from, or kNone
+    Funnel funnel;
+    double bound;  ///< no path from start to goal along this channel is shorter
+  };
+
+  void forget_entries();
   /// Puts the faces around a start face, or beyond a node's face, on the open list.
   void leave_start_face(mesh::HalfEdge h);
-  void leave(const SearchNode& node);
-  void open(mesh::HalfEdge exit, const Funnel& funnel);
-  void arrive(const SearchNode& node);
+  void leave(std::uint32_t position);
+  void open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel);
+  /// Follows the node's string to the goal. Returns whether that betters the best path.
+  bool arrive(std::uint32_t position);
   void write_path(Path& path) const;
   [[nodiscard]] std::uint32_t pop();
   [[nodiscard]] bool comes_later(std::uint32_t i, std::uint32_t j) const;
   [[nodiscard]] double bound(const Funnel& funnel) const;
+  [[nodiscard]] double lower_bound() const;
 
-  const constraint::ExactTriangulation& triangulation_;
-  const mesh::TriangleMesh& mesh_;
-  Scratch& scratch_;
-  Point goal_;
+  const Ends* ends_ = nullptr;
+  const mesh::TriangleMesh* mesh_ = nullptr;
+  TautTree tree_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> open_;     ///< a heap of positions in `nodes_`
+  std::vector<std::uint32_t> entered_;  ///< by half-edge: the query that entered a face by it last
+  std::uint32_t query_ = 0;
+  bool is_found_ = false;
   double best_length_ = 0.0;
   std::uint32_t best_corner_ = 0;
-  bool is_found_ = false;
+  std::uint32_t best_node_ = 0;
+  double given_up_bound_ = 0.0;  ///< no channel that was given up because its edge had been entered goes below
 };
 
 }  // namespace waywright::path

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "waywright/error.hpp"
+#include "waywright/path.hpp"
+
+namespace waywright {
+
+class World;
+
+/// A search for a path that is made in slices, so that none takes longer than a frame can spare. However it is sliced,
+/// its answer is that of World::find_path. It has its own memory, which one search leaves to the next.
+///
+/// Between the slices anything may be asked of the world and other searches may be on their way. A world that changes
+/// meanwhile ends the search with an error.
+///
+/// Threads: a search belongs to one thread at a time; step() reads the world.
+class PathSearch {
+ public:
+  PathSearch();
+  ~PathSearch();
+  PathSearch(PathSearch&&) noexcept;
+  PathSearch& operator=(PathSearch&&) noexcept;
+
+  /// Starts a search, and gives up the one before. The world must outlive its steps; it may be moved.
+  /// Errors: those of World::find_path; there is no search then.
+  Result<void> begin(const World& world, const PathQuery& query);
+
+  /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. Of `tra` the
+  /// first step is the last. Errors: world_changed, when the world is no longer what it was at begin(); the search is
+  /// given up. Requires: a search has begun and not been given up.
+  Result<bool> step(std::size_t expansions);
+
+  /// The answer, once the search is done. Before that the best path so far, with what is proven of it; its status is
+  /// `no_path` as long as there is none.
+  [[nodiscard]] const Path& path() const;
+
+  /// Gives the search up.
+  void cancel();
+  /// Whether a search has begun and is neither done nor given up.
+  [[nodiscard]] bool is_running() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace waywright

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "waywright/path_search.hpp"
+#include "waywright/world.hpp"
+
+#include "point_error.hpp"
+#include "query_scratch.hpp"
+#include "world_impl.hpp"
+
+namespace waywright {
+
+namespace {
+
+constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+
+std::optional<Error> find_radius_error(double radius) {
+  if (!(radius >= 0.0) || !std::isfinite(radius)) {
+    return Error{ErrorCode::bad_radius, "a radius is 0 or more, and finite", {}, 0};
+  }
+  if (radius > 0.0) {
+    return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> find_query_error(const Box& domain, const PathQuery& query) {
+  if (auto error = find_point_error(domain, query.start, 0)) return error;
+  if (auto error = find_point_error(domain, query.goal, 1)) return error;
+  if (auto error = find_radius_error(query.radius)) return error;
+  if (query.algorithm != PathAlgorithm::ta) {
+    return Error{ErrorCode::not_supported, "of the path algorithms only ta is supported yet", {}, 0};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
+  if (auto error = find_query_error(domain(), query)) return *std::move(error);
+  path::Finder& finder = context.scratch_->finder;
+  finder.begin(impl_->triangulation, query, path);
+  finder.step(kToTheEnd, path);
+  return {};
+}
+
+Result<Path> World::find_path(const PathQuery& query) const {
+  QueryContext context;
+  Path path;
+  if (auto done = find_path(query, context, path); !done) return done.error();
+  return path;
+}
+
+// Every query is checked before the first is searched, so that an error leaves nothing half done.
+Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
+                               std::vector<Path>& paths) const {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (auto error = find_query_error(domain(), queries[i])) {
+      error->index = i;
+      error->message = "query " + std::to_string(i) + ": " + error->message;
+      return *std::move(error);
+    }
+  }
+  paths.resize(queries.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&](QueryContext& context) {
+    path::Finder& finder = context.scratch_->finder;
+    for (std::size_t i = next++; i < queries.size(); i = next++) {
+      finder.begin(impl_->triangulation, queries[i], paths[i]);
+      finder.step(kToTheEnd, paths[i]);
+    }
+  };
+  // Futures hand on what a thread throws when memory runs out. They wait for their threads when they go.
+  std::vector<std::future<void>> helpers;
+  helpers.reserve(contexts.size() - 1);
+  for (QueryContext& context : contexts.subspan(1)) {
+    if (helpers.size() + 1 >= queries.size()) break;
+    helpers.push_back(std::async(std::launch::async, [&] { work(context); }));
+  }
+  work(contexts.front());
+  for (std::future<void>& helper : helpers) helper.get();
+  return {};
+}
+
+Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, std::size_t threads) const {
+  std::vector<QueryContext> contexts(threads);
+  std::vector<Path> paths;
+  if (auto done = find_paths(queries, contexts, paths); !done) return done.error();
+  return paths;
+}
+
+Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext&, std::vector<Path>&) const {
+  if (auto error = find_radius_error(query.radius)) return *std::move(error);
+  return Error{ErrorCode::not_supported, "paths to many goals are not supported yet", {}, 0};
+}
+
+Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) const {
+  QueryContext context;
+  std::vector<Path> paths;
+  if (auto done = find_paths_from(query, context, paths); !done) return done.error();
+  return paths;
+}
+
+std::uint64_t World::version() const { return impl_->version; }
+
+struct PathSearch::Impl {
+  const World::Impl* world = nullptr;  ///< null while no search is running
+  std::uint64_t version = 0;
+  path::Finder finder;
+  Path path;
+};
+
+PathSearch::PathSearch() : impl_(std::make_unique<Impl>()) {}
+PathSearch::~PathSearch() = default;
+PathSearch::PathSearch(PathSearch&&) noexcept = default;
+PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
+
+Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
+  cancel();
+  if (auto error = find_query_error(world.domain(), query)) return *std::move(error);
+  impl_->finder.begin(world.impl_->triangulation, query, impl_->path);
+  impl_->world = world.impl_.get();
+  impl_->version = world.version();
+  return {};
+}
+
+Result<bool> PathSearch::step(std::size_t expansions) {
+  if (impl_->world != nullptr && impl_->world->version != impl_->version) {
+    cancel();
+    return Error{ErrorCode::world_changed, "the world has changed since the search began", {}, 0};
+  }
+  const bool is_done = impl_->finder.step(expansions, impl_->path);
+  if (is_done) impl_->world = nullptr;
+  return is_done;
+}
+
+const Path& PathSearch::path() const { return impl_->path; }
+
+void PathSearch::cancel() { impl_->world = nullptr; }
+
+bool PathSearch::is_running() const { return impl_->world != nullptr; }
+
+}  // namespace waywright
