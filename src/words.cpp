@@ -32,6 +32,25 @@ std::string_view to_string(PathStatus status) {
   return "unknown";
 }
 
+std::string_view to_string(PathAlgorithm algorithm) {
+  switch (algorithm) {
+    case PathAlgorithm::ta:
+      return "ta";
+    case PathAlgorithm::tra:
+      return "tra";
+    case PathAlgorithm::optimal:
+      return "optimal";
+  }
+  return "unknown";
+}
+
+std::optional<PathAlgorithm> path_algorithm(std::string_view name) {
+  for (const PathAlgorithm algorithm : {PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal}) {
+    if (to_string(algorithm) == name) return algorithm;
+  }
+  return std::nullopt;
+}
+
 std::string_view to_string(Place place) {
   switch (place) {
     case Place::vertex:

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,11 @@ enum class PathAlgorithm : std::uint8_t {
   tra,  ///< triangulation reduction A*; not supported yet
   optimal,  ///< the shortest path there is; not supported yet
 };
+
+/// The algorithm as the world script names it: `ta`, `tra`, `optimal`.
+[[nodiscard]] std::string_view to_string(PathAlgorithm algorithm);
+/// The algorithm of that name; nothing where none has it.
+[[nodiscard]] std::optional<PathAlgorithm> path_algorithm(std::string_view name);
 
 /// How far `ta` goes on after its first path: until no path can be shorter or the first of these is spent. The other
 /// algorithms do not ask.

@@ -243,15 +243,8 @@ bool ScriptParser::read_ring(std::vector<Point>& ring) {
 bool ScriptParser::read_algorithm(Operation& operation) {
   std::string_view word;
   if (!words_.next(word)) return true;
-  if (word == "optimal") {
-    operation.algorithm = PathAlgorithm::optimal;
-  } else if (word == "ta") {
-    operation.algorithm = PathAlgorithm::ta;
-  } else if (word == "tra") {
-    operation.algorithm = PathAlgorithm::tra;
-  } else {
-    return fail("'optimal', 'ta' or 'tra'", word);
-  }
+  operation.algorithm = path_algorithm(word);
+  if (!operation.algorithm) return fail("'optimal', 'ta' or 'tra'", word);
   return true;
 }
 

@@ -185,6 +185,19 @@ bool on_segment(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
   return compare_xy(a, p) * compare_xy(p, b) >= 0;
 }
 
+bool same_way(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v) {
+  return compare_xy(at, u) == compare_xy(at, v);
+}
+
+bool in_sector(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v) {
+  const int turn = orientation(at, u, v);
+  const int from_u = orientation(at, u, t);
+  const int to_v = orientation(at, t, v);
+  if (turn > 0) return from_u > 0 && to_v > 0;
+  if (turn == 0) return from_u > 0;
+  return !(to_v <= 0 && from_u <= 0);  // not in the closed sector from v to u, which is less than half a turn
+}
+
 bool cross_properly(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
   const auto apart = [](Interval p, Interval q, Interval r, Interval s) {
     return std::max(p.hi, q.hi) < std::min(r.lo, s.lo) || std::max(r.hi, s.hi) < std::min(p.lo, q.lo);

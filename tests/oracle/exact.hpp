@@ -68,6 +68,13 @@ class Grid {
 /// Whether p lies on the closed segment from a to b, which may be a point.
 [[nodiscard]] bool on_segment(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p);
 
+/// Whether two rays from `at` through u and v go the same way. Requires: at, u and v are collinear, at is not u or v.
+[[nodiscard]] bool same_way(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v);
+
+/// Whether the ray through t lies strictly inside the sector from the ray through u counter-clockwise to that through
+/// v, all from `at`. Requires: u and v do not go the same way.
+[[nodiscard]] bool in_sector(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v);
+
 /// Whether two segments cross in a point inside both. Their ends' order does not matter.
 [[nodiscard]] bool cross_properly(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
 

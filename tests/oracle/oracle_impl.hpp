@@ -9,8 +9,9 @@
 
 namespace waywright::oracle {
 
-struct Oracle::Impl {
-  explicit Impl(OracleScene given) : scene(std::move(given)), arrangement(scene) {
+/// A scene, and what the answers are computed from.
+struct OracleParts {
+  explicit OracleParts(OracleScene given) : scene(std::move(given)), arrangement(scene) {
     solids = solids_of(scene, arrangement.grid);
     const auto box = corners_of(scene.domain);
     domain.rings.emplace_back();
@@ -21,6 +22,10 @@ struct Oracle::Impl {
   Arrangement arrangement;
   std::vector<Solid> solids;
   Solid domain;  ///< the domain's box as if it were a polygon of id 0
+};
+
+struct Oracle::Impl : OracleParts {
+  using OracleParts::OracleParts;
 };
 
 }  // namespace waywright::oracle

@@ -36,22 +36,6 @@ std::string name_of(const OraclePoint& p) {
   return "(" + std::string(buffer.data(), end) + ")";
 }
 
-/// Whether two rays from `at` through u and v go the same way. Requires: at, u and v are collinear, at is not u or v.
-bool same_way(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v) {
-  return compare_xy(at, u) == compare_xy(at, v);
-}
-
-/// Whether the ray through t lies strictly inside the sector from the ray through u counter-clockwise to that through
-/// v, all from `at`. Requires: u and v do not go the same way.
-bool in_sector(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v) {
-  const int turn = orientation(at, u, v);
-  const int from_u = orientation(at, u, t);
-  const int to_v = orientation(at, t, v);
-  if (turn > 0) return from_u > 0 && to_v > 0;
-  if (turn == 0) return from_u > 0;
-  return !(to_v <= 0 && from_u <= 0);  // not in the closed sector from v to u, which is less than half a turn
-}
-
 class PathCheck {
  public:
   PathCheck(const Arrangement& arrangement, const std::vector<Solid>& solids, const Solid& domain)

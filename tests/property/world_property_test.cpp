@@ -63,8 +63,6 @@ class WorldProperty : public ::testing::TestWithParam<Flavour> {};
 
 TEST_P(WorldProperty, MatchesTheOracleInAnyOrder) { check_flavour(GetParam(), "world", check_scene); }
 
-TEST_P(WorldProperty, FindsPathsThatCanBeWalked) { check_flavour(GetParam(), "path", check_paths); }
-
 INSTANTIATE_TEST_SUITE_P(Flavours, WorldProperty, ::testing::ValuesIn(kFlavours),
                          [](const auto& flavour) { return std::string(to_string(flavour.param)); });
 

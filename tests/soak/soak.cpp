@@ -1,16 +1,21 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "support/changes_check.hpp"
+#include "support/path_scene_check.hpp"
 #include "support/random_changes.hpp"
+#include "support/random_path_cases.hpp"
 #include "support/random_scenes.hpp"
 #include "support/scene_check.hpp"
 
@@ -21,8 +26,8 @@ struct Settings {
   std::uint64_t scripts = 1000;  ///< in all, dealt out evenly to the flavours
   std::size_t operations = 60;   ///< items of a scene
   std::uint64_t seed = 1;
-  std::string flavour;        ///< the only one, all of them when empty
-  bool paths = false;         ///< ask for paths too
+  std::string flavour;        ///< the only one, or the only obstacles; all of them when empty
+  std::uint64_t paths = 0;    ///< scenes to find paths in, in all; when above 0, instead of scenes
   std::uint64_t changes = 0;  ///< steps of worlds that change, in all; when above 0, instead of scenes
 };
 
@@ -38,10 +43,10 @@ class Progress {
  public:
   explicit Progress(std::uint64_t all) : all_(all), shown_(isatty(STDERR_FILENO) == 1) {}
 
-  void show(Flavour flavour, std::uint64_t seed) {
+  void show(std::string_view flavour, std::uint64_t seed) {
     ++done_;
     if (!shown_) return;
-    std::cerr << '\r' << done_ << " of " << all_ << ", " << to_string(flavour) << ' ' << seed << "    " << std::flush;
+    std::cerr << '\r' << done_ << " of " << all_ << ", " << flavour << ' ' << seed << "    " << std::flush;
   }
 
   void end() const {
@@ -54,18 +59,16 @@ class Progress {
   bool shown_;
 };
 
-using CheckOfSeed = SceneReport (*)(const Scene&, Flavour, std::uint64_t);
-
-void run_check(CheckOfSeed check, const char* what, Flavour flavour, std::uint64_t seed, const Settings& settings,
-               Totals& totals) {
+void run_check(Flavour flavour, std::uint64_t seed, const Settings& settings, Totals& totals) {
   const Scene scene = random_scene(flavour, seed, settings.operations);
-  const SceneReport report = check(scene, flavour, seed);
+  const SceneReport report = check_scene(scene, flavour, seed);
   totals.operations += report.operations;
   totals.vertices += report.vertices;
   if (!report.fault) return;
   ++totals.faults;
-  const std::string name = std::string(what) + "-" + std::string(to_string(flavour)) + "-" + std::to_string(seed);
-  std::cout << report_failure(scene, name, [&](const Scene& less) { return check(less, flavour, seed); }) << std::endl;
+  const std::string name = "world-" + std::string(to_string(flavour)) + "-" + std::to_string(seed);
+  std::cout << report_failure(scene, name, [&](const Scene& less) { return check_scene(less, flavour, seed); })
+            << std::endl;
 }
 
 /// Seeds start at settings.seed, so runs with seeds far enough apart share no scene.
@@ -73,16 +76,15 @@ Totals run_flavour(Flavour flavour, std::uint64_t scripts, const Settings& setti
   Totals totals;
   for (std::uint64_t i = 0; i < scripts; ++i) {
     const std::uint64_t seed = settings.seed + i;
-    progress.show(flavour, seed);
+    progress.show(to_string(flavour), seed);
     ++totals.scripts;
-    run_check(check_scene, "world", flavour, seed, settings, totals);
-    if (settings.paths) run_check(check_paths, "path", flavour, seed, settings, totals);
+    run_check(flavour, seed, settings, totals);
   }
   return totals;
 }
 
 std::vector<Flavour> flavours_of(const Settings& settings) {
-  if (!settings.flavour.empty()) return {*flavour_of(settings.flavour)};
+  if (const auto only = flavour_of(settings.flavour)) return {*only};
   return {kFlavours.begin(), kFlavours.end()};
 }
 
@@ -133,6 +135,87 @@ int run_changes(const Settings& settings) {
   return all_faults == 0 ? 0 : 1;
 }
 
+/// Scenes of one kind to find paths in: what stands there, or of which flavour the scene is.
+struct PathKind {
+  std::string_view name;
+  std::function<PathCase(std::uint64_t seed)> make;
+};
+
+constexpr std::size_t kQueries = 5;
+
+std::vector<PathKind> path_kinds(const Settings& settings) {
+  std::vector<PathKind> kinds;
+  const auto add = [&](std::string_view name, auto make) {
+    if (settings.flavour.empty() || settings.flavour == name) kinds.push_back({name, make});
+  };
+  for (const Obstacles obstacles : kObstacles) {
+    add(to_string(obstacles), [obstacles](std::uint64_t seed) { return random_path_case(obstacles, seed, kQueries); });
+  }
+  for (const Flavour flavour : kFlavours) {
+    add(to_string(flavour), [flavour, items = settings.operations](std::uint64_t seed) {
+      return random_path_case(flavour, seed, items, kQueries);
+    });
+  }
+  return kinds;
+}
+
+struct PathTotals {
+  std::size_t queries = 0;
+  std::size_t faults = 0;
+  std::array<PathRatios, kPathAlgorithms.size()> ratios;
+
+  PathTotals& operator+=(const PathTotals& other) {
+    queries += other.queries;
+    faults += other.faults;
+    for (std::size_t i = 0; i < ratios.size(); ++i) ratios.at(i) += other.ratios.at(i);
+    return *this;
+  }
+};
+
+void print(const PathTotals& totals) {
+  std::cout << totals.queries << " queries, " << totals.faults << " faults";
+  for (std::size_t i = 0; i < totals.ratios.size(); ++i) {
+    const PathRatios& ratios = totals.ratios.at(i);
+    std::cout << ", " << to_string(kPathAlgorithms.at(i)) << ": " << ratios.count << " found, " << ratios.mean()
+              << " times the shortest, at worst " << ratios.worst;
+  }
+}
+
+PathTotals run_path_kind(const PathKind& kind, std::uint64_t count, const Settings& settings, Progress& progress) {
+  PathTotals totals;
+  for (std::uint64_t seed = settings.seed; seed < settings.seed + count; ++seed) {
+    progress.show(kind.name, seed);
+    const PathCase path_case = kind.make(seed);
+    const PathReport report = check_paths(path_case);
+    totals += {report.queries, report.fault ? 1U : 0U, report.ratios};
+    if (!report.fault) continue;
+    const std::string name = "path-" + std::string(kind.name) + "-" + std::to_string(seed);
+    std::cout << report_failure(path_case, name) << std::endl;
+  }
+  return totals;
+}
+
+int run_paths(const Settings& settings) {
+  const std::vector<PathKind> kinds = path_kinds(settings);
+  Progress progress(settings.paths);
+  PathTotals all;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const std::uint64_t count = (settings.paths + kinds.size() - 1 - i) / kinds.size();
+    const auto start = std::chrono::steady_clock::now();
+    const PathTotals totals = run_path_kind(kinds[i], count, settings, progress);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::cout << kinds[i].name << ": " << count << " scenes, ";
+    print(totals);
+    std::cout << ", " << seconds.count() << " s" << std::endl;
+    all += totals;
+  }
+  progress.end();
+  std::cout << "all: ";
+  print(all);
+  std::cout << std::endl;
+  return all.faults == 0 ? 0 : 1;
+}
+
 int run(const Settings& settings) {
   const std::vector<Flavour> flavours = flavours_of(settings);
   Progress progress(settings.scripts);
@@ -162,13 +245,22 @@ int main(int argc, char** argv) {
   app.add_option("--changes", settings.changes,
                  "Count of insertions, removals, replacements and batches in worlds that change, instead of scenes");
   app.add_option("--seed", settings.seed, "Seed of the first scene; the others follow it")->capture_default_str();
-  app.add_flag("--paths", settings.paths, "Ask for paths in each scene too");
-  app.add_option("--flavour", settings.flavour, "lattice, small, large, mantissas or mixed; all when not given")
+  app.add_option("--paths", settings.paths, "Count of scenes to find paths in, instead of scenes");
+  app.add_option(
+         "--flavour", settings.flavour,
+         "lattice, small, large, mantissas or mixed; of --paths also boxes, walls, polylines, cells or mixture; "
+         "all when not given")
       ->check(CLI::Validator(
           [](const std::string& name) {
-            return waywright::test::flavour_of(name) ? std::string() : "no flavour is called '" + name + "'";
+            const bool known = waywright::test::flavour_of(name) || waywright::test::obstacles_of(name);
+            return known ? std::string() : "no flavour is called '" + name + "'";
           },
           "FLAVOUR"));
   CLI11_PARSE(app, argc, argv);
+  if (settings.paths > 0) return waywright::test::run_paths(settings);
+  if (waywright::test::obstacles_of(settings.flavour)) {
+    std::cerr << "waywright_soak: '" << settings.flavour << "' is a flavour of --paths only\n";
+    return 2;
+  }
   return settings.changes > 0 ? waywright::test::run_changes(settings) : waywright::test::run(settings);
 }

@@ -1,16 +1,16 @@
-#include <cmath>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "support/path_scene_check.hpp"
 
-#include "waywright/path.hpp"
-#include "waywright/world.hpp"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
 
 #include "oracle/adapter.hpp"
 #include "oracle/oracle.hpp"
+#include "oracle/shortest_paths.hpp"
 #include "support/point_text.hpp"
-#include "support/random.hpp"
 #include "support/scene_check.hpp"
 
 namespace waywright::test {
@@ -18,22 +18,18 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-constexpr std::size_t kQueries = 8;
-
-/// A corner of an item a third of the time, so that paths start and end on walls.
-Point query_end(const Scene& scene, Flavour flavour, Random& random) {
-  if (scene.items.empty() || random.chance(67)) return random_point(flavour, scene.domain, random);
-  const auto& rings = scene.items[random.below(scene.items.size())].shape.rings;
-  const auto& ring = rings[random.below(rings.size())];
-  return ring[random.below(ring.size())];
-}
-
-PathStatus expected_status(const oracle::Oracle& oracle, std::string_view dump, const PathQuery& query) {
-  const oracle::OraclePoint start = oracle::to_oracle(query.start);
-  const oracle::OraclePoint goal = oracle::to_oracle(query.goal);
-  if (oracle.strictly_inside(start)) return PathStatus::start_blocked;
-  if (oracle.strictly_inside(goal)) return PathStatus::goal_blocked;
-  return oracle.connected(dump, start, goal) ? PathStatus::found : PathStatus::no_path;
+PathStatus status_of(oracle::OracleStatus status) {
+  switch (status) {
+    case oracle::OracleStatus::found:
+      return PathStatus::found;
+    case oracle::OracleStatus::start_blocked:
+      return PathStatus::start_blocked;
+    case oracle::OracleStatus::goal_blocked:
+      return PathStatus::goal_blocked;
+    case oracle::OracleStatus::no_path:
+      break;
+  }
+  return PathStatus::no_path;
 }
 
 double length_of(const std::vector<Point>& points) {
@@ -44,50 +40,129 @@ double length_of(const std::vector<Point>& points) {
   return length;
 }
 
-Fault path_fault(const oracle::Oracle& oracle, std::string_view dump, const PathQuery& query, const Path& path) {
-  const PathStatus expected = expected_status(oracle, dump, query);
-  if (path.status != expected) {
-    return std::string(to_string(path.status)) + " instead of " + std::string(to_string(expected));
+/// By how much lengths may differ for what doubles are: 1e-9 of them, and the rounding of the corners' coordinates.
+double tolerance(const Path& path, double length) {
+  double largest = 0.0;
+  for (const Point& p : path.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  return 1e-9 * length + 0x1p-50 * largest;
+}
+
+class PathCaseCheck {
+ public:
+  PathCaseCheck(const PathCase& path_case, const PathFinder& find)
+      : path_case_(path_case),
+        find_(find),
+        oracle_(oracle::to_oracle(path_case.scene)),
+        shortest_(oracle::to_oracle(path_case.scene), oracle_ends(path_case)) {}
+
+  PathReport run() {
+    report_.fault = first_fault();
+    return std::move(report_);
   }
-  if (path.status != PathStatus::found) {
-    if (!path.points.empty() || path.length != 0.0) return "a path although there is none";
+
+ private:
+  Fault first_fault() {
+    Result<World> world = World::create(path_case_.scene.domain);
+    if (!world) return "create: " + world.error().message;
+    for (const Item& item : path_case_.scene.items) {
+      if (const auto inserted = world->insert(item.shape, item.id); !inserted) return inserted.error().message;
+    }
+    report_.vertices = world->vertex_count();
+    for (const Ends& ends : path_case_.queries) {
+      const auto shortest = shortest_.between(oracle::to_oracle(ends.start), oracle::to_oracle(ends.goal));
+      for (std::size_t i = 0; i < kPathAlgorithms.size(); ++i) {
+        const PathQuery query{ends.start, ends.goal, 0.0, kPathAlgorithms[i]};
+        ++report_.queries;
+        if (const Fault fault = check_query(*world, query, shortest, report_.ratios[i])) {
+          report_.line = "path " + text_of(query.start) + " " + text_of(query.goal) + " 0 " +
+                         std::string(to_string(query.algorithm));
+          return report_.line + ": " + *fault;
+        }
+      }
+      ++report_.failed_query;
+    }
     return std::nullopt;
   }
-  if (path.points.empty() || path.points.front() != query.start || path.points.back() != query.goal) {
-    return "the path does not lead from start to goal";
+
+  Fault check_query(const World& world, const PathQuery& query, const oracle::ShortestPath& shortest,
+                    PathRatios& ratios) {
+    if (const Result<void> done = find_(world, query, context_, path_); !done) return done.error().message;
+    const PathStatus expected = status_of(shortest.status);
+    if (path_.status != expected) {
+      return std::string(to_string(path_.status)) + " instead of " + std::string(to_string(expected));
+    }
+    if (path_.status != PathStatus::found) {
+      if (!path_.points.empty() || path_.length != 0.0) return "a path although there is none";
+      return std::nullopt;
+    }
+    if (path_.points.empty() || path_.points.front() != query.start || path_.points.back() != query.goal) {
+      return "the path does not lead from start to goal";
+    }
+    const double length = length_of(path_.points);
+    const double slack = tolerance(path_, length);
+    if (std::fabs(path_.length - length) > slack) return "the length is not that of the points";
+    if (const Fault fault = oracle_.check_path(oracle::to_oracle(path_.points))) return fault;
+    const std::string lengths = std::to_string(path_.length) + ", the shortest is " + std::to_string(shortest.length);
+    if (path_.length < shortest.length - slack) return "the path is too short to be true: " + lengths;
+    if (query.algorithm == PathAlgorithm::optimal && path_.length > shortest.length + slack) {
+      return "the path is not the shortest: " + lengths;
+    }
+    if (shortest.length > 0.0) {
+      const double ratio = path_.length / shortest.length;
+      ratios += {1, ratio, ratio};
+    }
+    return std::nullopt;
   }
-  const double length = length_of(path.points);
-  if (std::fabs(path.length - length) > 1e-12 * length) return "the length is not that of the points";
-  return oracle.check_path(oracle::to_oracle(path.points));
-}
+
+  const PathCase& path_case_;
+  const PathFinder& find_;
+  oracle::Oracle oracle_;
+  oracle::ShortestPaths shortest_;
+  QueryContext context_;
+  Path path_;
+  PathReport report_;
+};
 
 }  // namespace
 
-SceneReport check_paths(const Scene& scene, Flavour flavour, std::uint64_t seed) {
-  SceneReport report;
-  Result<World> world = World::create(scene.domain);
-  if (!world) return {"create: " + world.error().message, 0, 0};
-  for (const Item& item : scene.items) {
-    ++report.operations;
-    if (const auto inserted = world->insert(item.shape, item.id); !inserted) return {inserted.error().message, 0, 0};
+PathRatios& PathRatios::operator+=(const PathRatios& other) {
+  count += other.count;
+  sum += other.sum;
+  worst = std::max(worst, other.worst);
+  return *this;
+}
+
+std::vector<oracle::OraclePoint> oracle_ends(const PathCase& path_case) {
+  std::vector<oracle::OraclePoint> ends;
+  for (const Ends& query : path_case.queries) {
+    ends.push_back(oracle::to_oracle(query.start));
+    ends.push_back(oracle::to_oracle(query.goal));
   }
-  report.vertices = world->vertex_count();
-  const oracle::Oracle oracle(oracle::to_oracle(scene));
-  const std::string dump = world->dump();
-  report.fault = oracle.check_dump(dump);
-  Random random(seed);
-  QueryContext context;
-  Path path;
-  for (std::size_t i = 0; i < kQueries && !report.fault; ++i) {
-    ++report.operations;
-    const PathQuery query{query_end(scene, flavour, random), query_end(scene, flavour, random), 0.0, PathAlgorithm::ta};
-    const Result<void> done = world->find_path(query, context, path);
-    report.fault = done ? path_fault(oracle, dump, query, path) : Fault(done.error().message);
-    if (report.fault) {
-      report.fault = "path " + text_of(query.start) + " " + text_of(query.goal) + " 0 ta: " + *report.fault;
-    }
-  }
-  return report;
+  return ends;
+}
+
+PathFinder world_finder() {
+  return [](const World& world, const PathQuery& query, QueryContext& context, Path& path) {
+    return world.find_path(query, context, path);
+  };
+}
+
+PathReport check_paths(const PathCase& path_case, const PathFinder& find) {
+  return PathCaseCheck(path_case, find).run();
+}
+
+std::string report_failure(const PathCase& path_case, const std::string& name, const PathFinder& find) {
+  const std::size_t failed = check_paths(path_case, find).failed_query;
+  const std::vector<Ends> query{path_case.queries.at(failed)};
+  const Scene small = shrink(path_case.scene, [&](const Scene& less) {
+    return SceneReport{check_paths({less, query}, find).fault, 0, 0};
+  });
+  const PathReport report = check_paths({small, query}, find);
+  const std::string script = to_script(small) + report.line + "\n";
+  const auto file = std::filesystem::temp_directory_path() / ("waywright-" + name + ".wws");
+  std::ofstream(file, std::ios::binary) << script;
+  return name + ": " + report.fault.value_or("fails in company only") + "\nshrunk to " +
+         std::to_string(small.items.size()) + " items, " + file.string() + ":\n" + script;
 }
 
 }  // namespace waywright::test

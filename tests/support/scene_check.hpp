@@ -24,10 +24,6 @@ struct SceneReport {
 /// change nothing; another order of the items gives the same dump. All that is random follows from the seed.
 [[nodiscard]] SceneReport check_scene(const Scene& scene, Flavour flavour, std::uint64_t seed);
 
-/// Asks for paths between points of the scene's world and holds the answers against the oracle: blocked ends are those
-/// strictly inside a polygon; a path is found when the ends' free places are connected, and then can be walked.
-[[nodiscard]] SceneReport check_paths(const Scene& scene, Flavour flavour, std::uint64_t seed);
-
 using SceneCheck = std::function<SceneReport(const Scene&)>;
 
 /// The scene less all items and points that it can do without and still fail the check.

@@ -1,0 +1,178 @@
+#include "support/random_path_cases.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+using Ring = std::vector<Point>;
+
+class PathSceneMaker {
+ public:
+  PathSceneMaker(Obstacles obstacles, Random& random) : obstacles_(obstacles), random_(random) {
+    // Small enough for things to touch now and then, large enough for some not to.
+    size_ = std::array<std::int64_t, 3>{16, 40, 1000}[random_.below(3)];
+    cell_ = std::max<std::int64_t>(size_ / random_.between(8, 16), 1);
+    reach_ = std::max<std::int64_t>(size_ / random_.between(3, 10), 2);
+  }
+
+  Scene make() {
+    Scene scene;
+    scene.domain = {{0.0, 0.0}, point(size_, size_)};
+    const std::size_t count = 10 + random_.below(51);
+    for (std::size_t i = 0; i < count; ++i) scene.items.push_back({ItemId{i + 1}, shape(obstacles_)});
+    return scene;
+  }
+
+ private:
+  static Point point(std::int64_t x, std::int64_t y) { return {static_cast<double>(x), static_cast<double>(y)}; }
+
+  [[nodiscard]] std::int64_t inside(std::int64_t value) const { return std::clamp<std::int64_t>(value, 0, size_); }
+
+  Shape shape(Obstacles obstacles) {
+    switch (obstacles) {
+      case Obstacles::boxes:
+        return {ItemKind::polygon, {random_.chance(60) ? upright_box() : walk(random_.chance(50) ? 3 : 4)}};
+      case Obstacles::walls:
+        return {ItemKind::segment, {walk(2)}};
+      case Obstacles::polylines:
+        return polyline();
+      case Obstacles::cells:
+        return {ItemKind::polygon, {random_.chance(15) ? pinched_cells() : run_of_cells()}};
+      case Obstacles::mixture:
+        break;
+    }
+    return shape(kObstacles[random_.below(kObstacles.size() - 1)]);
+  }
+
+  /// A place within reach; along an axis a third of the time.
+  std::pair<std::int64_t, std::int64_t> step(std::int64_t x, std::int64_t y) {
+    const std::size_t way = random_.below(6);
+    if (way != 0) x = inside(x + random_.between(-reach_, reach_));
+    if (way != 1) y = inside(y + random_.between(-reach_, reach_));
+    return {x, y};
+  }
+
+  Ring walk(std::size_t count) {
+    std::int64_t x = random_.between(0, size_);
+    std::int64_t y = random_.between(0, size_);
+    Ring ring{point(x, y)};
+    while (ring.size() < count) {
+      std::tie(x, y) = step(x, y);
+      ring.push_back(point(x, y));
+    }
+    return ring;
+  }
+
+  Ring upright_box() {
+    const std::int64_t x = random_.between(0, size_);
+    const std::int64_t y = random_.between(0, size_);
+    const auto [far_x, far_y] = step(x, y);
+    return {point(x, y), point(far_x, y), point(far_x, far_y), point(x, far_y)};
+  }
+
+  Shape polyline() {
+    Ring ring = walk(3 + random_.below(6));
+    if (random_.chance(15)) ring.push_back(ring.front());
+    return {ItemKind::polyline, {std::move(ring)}};
+  }
+
+  Ring run_of_cells() {
+    const std::int64_t x = random_.between(0, size_ / cell_ - 1) * cell_;
+    const std::int64_t y = random_.between(0, size_ / cell_ - 1) * cell_;
+    const std::int64_t length = random_.between(1, 4) * cell_;
+    const bool across = random_.chance(50);
+    const std::int64_t far_x = inside(across ? x + length : x + cell_);
+    const std::int64_t far_y = inside(across ? y + cell_ : y + length);
+    return {point(x, y), point(far_x, y), point(far_x, far_y), point(x, far_y)};
+  }
+
+  /// Two cells that touch diagonally as one ring, which comes through their common corner twice; half of the time
+  /// crossing itself there.
+  Ring pinched_cells() {
+    const std::int64_t x = random_.between(1, size_ / cell_ - 1) * cell_;
+    const std::int64_t y = random_.between(1, size_ / cell_ - 1) * cell_;
+    const Point middle = point(x, y);
+    const Ring low{middle, point(x - cell_, y), point(x - cell_, y - cell_), point(x, y - cell_)};
+    Ring ring{middle, point(x + cell_, y), point(x + cell_, y + cell_), point(x, y + cell_)};
+    if (random_.chance(50)) std::reverse(ring.begin() + 1, ring.end());
+    ring.insert(ring.end(), low.begin(), low.end());
+    return ring;
+  }
+
+  Obstacles obstacles_;
+  Random& random_;
+  std::int64_t size_ = 0;
+  std::int64_t cell_ = 0;
+  std::int64_t reach_ = 0;
+};
+
+template <class RandomPoint>
+std::vector<Ends> random_queries(const Scene& scene, std::size_t count, Random& random, RandomPoint&& random_place) {
+  const auto end = [&]() -> Point {
+    if (scene.items.empty() || random.chance(67)) return random_place();
+    const auto& rings = scene.items[random.below(scene.items.size())].shape.rings;
+    const auto& ring = rings[random.below(rings.size())];
+    return ring[random.below(ring.size())];
+  };
+  std::vector<Ends> queries;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point start = end();
+    queries.push_back({start, end()});
+  }
+  return queries;
+}
+
+}  // namespace
+
+std::string_view to_string(Obstacles obstacles) {
+  switch (obstacles) {
+    case Obstacles::boxes:
+      return "boxes";
+    case Obstacles::walls:
+      return "walls";
+    case Obstacles::polylines:
+      return "polylines";
+    case Obstacles::cells:
+      return "cells";
+    case Obstacles::mixture:
+      return "mixture";
+  }
+  return {};
+}
+
+std::optional<Obstacles> obstacles_of(std::string_view name) {
+  const auto* const found = std::find_if(kObstacles.begin(), kObstacles.end(),
+                                         [&](Obstacles obstacles) { return to_string(obstacles) == name; });
+  if (found == kObstacles.end()) return std::nullopt;
+  return *found;
+}
+
+PathCase random_path_case(Obstacles obstacles, std::uint64_t seed, std::size_t query_count) {
+  Random random(seed * kObstacles.size() + static_cast<std::uint64_t>(obstacles));
+  PathCase result{PathSceneMaker(obstacles, random).make(), {}};
+  const auto size = static_cast<std::int64_t>(result.scene.domain.max.x);
+  // Halves now and then: in the middle of cells, and on no lattice point.
+  const auto coordinate = [&] { return static_cast<double>(random.between(0, 2 * size)) / 2.0; };
+  result.queries = random_queries(result.scene, query_count, random, [&] {
+    const double x = coordinate();
+    return Point{x, coordinate()};
+  });
+  return result;
+}
+
+PathCase random_path_case(Flavour flavour, std::uint64_t seed, std::size_t item_count, std::size_t query_count) {
+  Random random(seed);
+  PathCase result{random_scene(flavour, seed, item_count), {}};
+  result.queries = random_queries(result.scene, query_count, random,
+                                  [&] { return random_point(flavour, result.scene.domain, random); });
+  return result;
+}
+
+}  // namespace waywright::test
