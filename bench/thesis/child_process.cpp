@@ -1,0 +1,61 @@
+#include "thesis/child_process.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace waywright::bench::detail {
+namespace {
+
+constexpr rlim_t kSeconds = 40;
+constexpr rlim_t kBytes = rlim_t{4} << 30;
+constexpr int kThrew = 3;
+
+void limit(decltype(RLIMIT_AS) resource, rlim_t most) {
+  const rlimit limits = {most, most};
+  setrlimit(resource, &limits);
+}
+
+std::string describe(int status) {
+  if (WIFSIGNALED(status)) {
+    const int signal = WTERMSIG(status);
+    if (signal == SIGXCPU || signal == SIGKILL) return "does not end";
+    return "crashes (signal " + std::to_string(signal) + ")";
+  }
+  return WEXITSTATUS(status) == kThrew ? "runs out of memory" : "ends too early";
+}
+
+}  // namespace
+
+void write_result(int pipe, const void* result, std::size_t size) {
+  // A few words fit into a pipe at once; if not, the reader misses them.
+  if (write(pipe, result, size) != static_cast<ssize_t>(size)) _exit(1);
+}
+
+std::string run_in_child(void (*job)(void* context, int pipe), void* context, void* result, std::size_t size) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return "no pipe";
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child < 0) return "no process";
+  if (child == 0) {
+    limit(RLIMIT_CPU, kSeconds);
+    limit(RLIMIT_AS, kBytes);
+    limit(RLIMIT_CORE, 0);
+    std::set_terminate([] { _exit(kThrew); });
+    job(context, pipe_ends[1]);
+    _exit(0);
+  }
+  close(pipe_ends[1]);
+  const bool is_whole = read(pipe_ends[0], result, size) == static_cast<ssize_t>(size);
+  close(pipe_ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const bool has_ended_well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return is_whole && has_ended_well ? std::string() : describe(status);
+}
+
+}  // namespace waywright::bench::detail

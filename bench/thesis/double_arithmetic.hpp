@@ -1,0 +1,74 @@
+#pragma once
+
+#include <compare>
+
+#include "waywright/point.hpp"
+
+#include "exact/sign.hpp"
+#include "thesis/rival_geometry.hpp"
+
+namespace waywright::bench {
+
+/// How near to 0 a determinant counts as 0.
+struct ThesisTolerance {
+  static constexpr double kOrientation = 1e-14;
+  static constexpr double kInCircle = 1e-14;
+};
+/// What the rounding of crossings calls for in the worlds of the benchmarks, with coordinates of up to 2^20. It was
+/// found by trying: nothing tells it beforehand.
+struct TunedTolerance {
+  static constexpr double kOrientation = 1e-5;
+  static constexpr double kInCircle = 1e-14;
+};
+
+/// Chen 2009's "double": plain doubles, crossings rounded.
+template <class Tolerance>
+struct DoubleArithmetic {
+  struct Place {
+    Point rounded;
+  };
+  using View = Point;
+
+  [[nodiscard]] static Place at(const Point& point) { return {point}; }
+  [[nodiscard]] static Place crossing(const Place& a, const Place& b, const Place& c, const Place& d) {
+    const Point ab = difference(b.rounded, a.rounded);
+    const Point cd = difference(d.rounded, c.rounded);
+    const Point ac = difference(c.rounded, a.rounded);
+    const double along = (ac.x * cd.y - ac.y * cd.x) / (ab.x * cd.y - ab.y * cd.x);
+    return {{a.rounded.x + along * ab.x, a.rounded.y + along * ab.y}};
+  }
+  [[nodiscard]] static View view(const Place& place) { return place.rounded; }
+  [[nodiscard]] static View view(const Point& point) { return point; }
+
+  [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {
+    return sign((a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x), Tolerance::kOrientation);
+  }
+  [[nodiscard]] static exact::Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
+    const Point ad = difference(a, d);
+    const Point bd = difference(b, d);
+    const Point cd = difference(c, d);
+    const double a_lift = ad.x * ad.x + ad.y * ad.y;
+    const double b_lift = bd.x * bd.x + bd.y * bd.y;
+    const double c_lift = cd.x * cd.x + cd.y * cd.y;
+    return sign(a_lift * (bd.x * cd.y - cd.x * bd.y) + b_lift * (cd.x * ad.y - ad.x * cd.y) +
+                    c_lift * (ad.x * bd.y - bd.x * ad.y),
+                Tolerance::kInCircle);
+  }
+  [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) {
+    if (p.x != q.x) return p.x < q.x ? std::strong_ordering::less : std::strong_ordering::greater;
+    if (p.y != q.y) return p.y < q.y ? std::strong_ordering::less : std::strong_ordering::greater;
+    return std::strong_ordering::equal;
+  }
+
+ private:
+  [[nodiscard]] static Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
+  [[nodiscard]] static exact::Sign sign(double determinant, double tolerance) {
+    if (determinant > tolerance) return exact::Sign::positive;
+    return determinant < -tolerance ? exact::Sign::negative : exact::Sign::zero;
+  }
+};
+
+using DoubleGeometry = RivalGeometry<DoubleArithmetic<ThesisTolerance>>;
+using TunedDoubleGeometry = RivalGeometry<DoubleArithmetic<TunedTolerance>>;
+
+}  // namespace waywright::bench

@@ -1,0 +1,4 @@
+#include "thesis/triangulations.hpp"
+
+template class waywright::delaunay::Triangulation<waywright::bench::DoubleGeometry>;
+template class waywright::constraint::ConstrainedTriangulation<waywright::bench::DoubleGeometry>;

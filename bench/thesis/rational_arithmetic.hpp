@@ -1,0 +1,51 @@
+#pragma once
+
+#include <compare>
+#include <gmpxx.h>
+
+#include "waywright/point.hpp"
+
+#include "exact/sign.hpp"
+#include "thesis/rival_geometry.hpp"
+
+namespace waywright::bench {
+
+struct RationalPoint {
+  mpq_class x;
+  mpq_class y;
+};
+
+[[nodiscard]] exact::Sign orientation(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c);
+[[nodiscard]] exact::Sign in_circle(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
+                                    const RationalPoint& d);
+[[nodiscard]] std::strong_ordering order(const RationalPoint& p, const RationalPoint& q);
+[[nodiscard]] RationalPoint crossing(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
+                                     const RationalPoint& d);
+
+/// Chen 2009's "exact": GMP's rationals for everything.
+struct RationalArithmetic {
+  struct Place {
+    RationalPoint exact;
+    Point rounded;
+  };
+  using View = PlaceView<Place>;
+
+  [[nodiscard]] static Place at(const Point& point) { return {{mpq_class(point.x), mpq_class(point.y)}, point}; }
+  [[nodiscard]] static Place crossing(const Place& a, const Place& b, const Place& c, const Place& d);
+  [[nodiscard]] static View view(const Place& place) { return View(&place); }
+  [[nodiscard]] static View view(const Point& point) { return View(at(point)); }
+
+  [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {
+    return bench::orientation(a->exact, b->exact, c->exact);
+  }
+  [[nodiscard]] static exact::Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
+    return bench::in_circle(a->exact, b->exact, c->exact, d->exact);
+  }
+  [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) {
+    return bench::order(p->exact, q->exact);
+  }
+};
+
+using RationalGeometry = RivalGeometry<RationalArithmetic>;
+
+}  // namespace waywright::bench

@@ -1,0 +1,4 @@
+#include "thesis/triangulations.hpp"
+
+template class waywright::delaunay::Triangulation<waywright::bench::RationalGeometry>;
+template class waywright::constraint::ConstrainedTriangulation<waywright::bench::RationalGeometry>;

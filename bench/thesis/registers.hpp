@@ -1,0 +1,10 @@
+#pragma once
+
+namespace waywright::bench {
+
+// Each adds its benchmarks; main() calls them before it runs any.
+
+/// Experiments 4, 5 and 6: the same updates under four arithmetics.
+void register_arithmetic();
+
+}  // namespace waywright::bench

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "waywright/point.hpp"
+
+#include "exact/sign.hpp"
+
+namespace waywright::bench {
+
+/// How a place too large to copy is handed to a question: a vertex's, or one made for a point that is no vertex.
+template <class Place>
+class PlaceView {
+ public:
+  explicit PlaceView(const Place* vertex) : place_(vertex) {}
+  explicit PlaceView(Place&& point) : owned_(std::make_shared<const Place>(std::move(point))), place_(owned_.get()) {}
+
+  const Place* operator->() const { return place_; }
+
+ private:
+  std::shared_ptr<const Place> owned_;
+  const Place* place_;
+};
+
+/// A geometry for delaunay::Triangulation and what stands on it, over arithmetic other than the library's. What it
+/// keeps and logs, and when, is what exact::Geometry keeps and logs, so that a comparison compares arithmetic.
+///
+/// An Arithmetic has: a `Place`, where a vertex is, with a `rounded` Point; a `View` of one; `at(point)` and
+/// `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three questions on views.
+template <class Arithmetic>
+class RivalGeometry {
+ public:
+  using View = typename Arithmetic::View;
+
+  void place(std::uint32_t vertex, const Point& point) { put(vertex, Arithmetic::at(point)); }
+  void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    put(vertex, Arithmetic::crossing(places_[a], places_[b], places_[c], places_[d]));
+  }
+  void clear(std::uint32_t) {}  // whatever comes next to the vertex's slot takes its place
+
+  void begin() { log_.clear(); }
+  void roll_back() {
+    for (; !log_.empty(); log_.pop_back()) places_[log_.back().vertex] = std::move(log_.back().place);
+  }
+
+  [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(places_[vertex]); }
+  [[nodiscard]] static View view(const Point& point) { return Arithmetic::view(point); }
+  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex].rounded; }
+
+  [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {
+    return Arithmetic::orientation(a, b, c);
+  }
+  [[nodiscard]] static exact::Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
+    return Arithmetic::in_circle(a, b, c, d);
+  }
+  [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) { return Arithmetic::order(p, q); }
+
+ private:
+  using Place = typename Arithmetic::Place;
+  struct Undo {
+    std::uint32_t vertex;
+    Place place;  ///< the one before
+  };
+
+  void put(std::uint32_t vertex, Place place) {
+    if (vertex >= places_.size()) places_.resize(vertex + std::size_t{1});
+    log_.push_back({vertex, std::move(places_[vertex])});
+    places_[vertex] = std::move(place);
+  }
+
+  std::vector<Place> places_;
+  std::vector<Undo> log_;
+};
+
+}  // namespace waywright::bench

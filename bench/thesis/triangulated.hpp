@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "constraint/exact_triangulation.hpp"
+#include "thesis/triangulations.hpp"
+#include "workloads.hpp"
+
+namespace waywright::bench {
+
+/// What meshes of one workload have in common, if they are right.
+struct MeshCounts {
+  std::size_t vertices = 0;
+  std::size_t fixed_edges = 0;
+
+  friend bool operator==(const MeshCounts&, const MeshCounts&) = default;
+};
+
+/// The library's triangulation over some geometry, doing a workload's updates as a World does.
+template <class Geometry>
+class Triangulated {
+ public:
+  explicit Triangulated(const Box& domain) : triangulation_(domain) {}
+
+  void insert(const Item& item) {
+    typename Triangulation::Operation operation(triangulation_);
+    triangulation_.insert(item.shape, item.id);
+    operation.commit();
+  }
+  void update(const Update& update) {
+    if (!update.removed.is_null()) remove(update.removed);
+    if (!update.inserted.id.is_null()) insert(update.inserted);
+  }
+
+  [[nodiscard]] MeshCounts counts() const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    MeshCounts counts{mesh.vertex_count() - 1, 0};  // without the ghost
+    for_each_half_edge([&](mesh::HalfEdge h) { counts.fixed_edges += h < mesh.twin(h) && mesh.is_fixed(h) ? 1 : 0; });
+    return counts;
+  }
+
+  /// Whether links are whole and no face is turned over. Of a mesh with rounded crossings, that of the places as
+  /// rounded.
+  [[nodiscard]] bool is_planar() const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    if (mesh.find_fault()) return false;
+    bool is_planar = true;
+    for_each_half_edge([&](mesh::HalfEdge h) {
+      if (h != mesh::first(mesh::face(h)) || triangulation_.triangulation().is_ghost_face(h)) return;
+      is_planar = is_planar && turns_left(mesh.origin(h), mesh.target(h), mesh.apex(h));
+    });
+    return is_planar;
+  }
+
+ private:
+  using Triangulation = constraint::ConstrainedTriangulation<Geometry>;
+
+  void remove(ItemId id) {
+    typename Triangulation::Operation operation(triangulation_);
+    triangulation_.remove(id);
+    operation.commit();
+  }
+
+  [[nodiscard]] bool turns_left(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c) const {
+    if constexpr (std::is_same_v<typename Geometry::View, Point>) {
+      const auto at = [&](mesh::Vertex v) {
+        return exact::explicit_point(triangulation_.triangulation().geometry().nearest(number(v)));
+      };
+      return exact::orientation(at(a), at(b), at(c)) == exact::Sign::positive;
+    } else {
+      return triangulation_.triangulation().orientation(a, b, c) == exact::Sign::positive;
+    }
+  }
+
+  template <class Visit>
+  void for_each_half_edge(Visit&& visit) const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
+      if (mesh.is_alive(mesh::face(mesh::HalfEdge{i}))) visit(mesh::HalfEdge{i});
+    }
+  }
+
+  Triangulation triangulation_;
+};
+
+}  // namespace waywright::bench

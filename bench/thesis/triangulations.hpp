@@ -1,0 +1,17 @@
+#pragma once
+
+#include "constraint/constrained_triangulation.hpp"
+#include "thesis/double_arithmetic.hpp"
+#include "thesis/interval_arithmetic.hpp"
+#include "thesis/rational_arithmetic.hpp"
+
+// What the library does for its own geometry in constraint/exact_triangulation.hpp.
+
+extern template class waywright::delaunay::Triangulation<waywright::bench::DoubleGeometry>;
+extern template class waywright::delaunay::Triangulation<waywright::bench::TunedDoubleGeometry>;
+extern template class waywright::delaunay::Triangulation<waywright::bench::IntervalGeometry>;
+extern template class waywright::delaunay::Triangulation<waywright::bench::RationalGeometry>;
+extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::DoubleGeometry>;
+extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::TunedDoubleGeometry>;
+extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::IntervalGeometry>;
+extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::RationalGeometry>;
