@@ -32,7 +32,7 @@ def read_runs(file_names):
         for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
             if run.get("run_type") == "aggregate" or run.get("error_occurred"):
                 continue
-            parts = [part for part in run["run_name"].split("/") if ":" not in part]
+            parts = [part for part in run["run_name"].split("/") if ":" not in part and part != "manual_time"]
             workload, contender = "/".join(parts[:-1]), parts[-1]
             runs[workload][contender].append((run["per_op"] * 1e6, round(run["vertices"])))
     return runs

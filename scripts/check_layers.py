@@ -114,7 +114,7 @@ class Checker:
     def own_fault(self, file, path):
         """An include of a file that is neither public nor in a layer: it must be the including part's own."""
         part = file.parts[0]
-        roots = {"src": ["src"], "tests": ["tests"]}.get(part, [])
+        roots = {"src": ["src"], "tests": ["tests"], "bench": ["bench"]}.get(part, [])
         if part == "src" and len(file.parts) > 2:
             roots = []  # what lies in src/ itself stands above all layers
         candidates = [self.root / file.parent / path] + [self.root / root / path for root in roots]

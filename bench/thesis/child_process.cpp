@@ -1,5 +1,6 @@
 #include "thesis/child_process.hpp"
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -10,7 +11,6 @@
 namespace waywright::bench::detail {
 namespace {
 
-constexpr rlim_t kSeconds = 40;
 constexpr rlim_t kBytes = rlim_t{4} << 30;
 constexpr int kThrew = 3;
 
@@ -35,14 +35,15 @@ void write_result(int pipe, const void* result, std::size_t size) {
   if (write(pipe, result, size) != static_cast<ssize_t>(size)) _exit(1);
 }
 
-std::string run_in_child(void (*job)(void* context, int pipe), void* context, void* result, std::size_t size) {
+std::string run_in_child(void (*job)(void* context, int pipe), void* context, double seconds, void* result,
+                         std::size_t size) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return "no pipe";
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child < 0) return "no process";
   if (child == 0) {
-    limit(RLIMIT_CPU, kSeconds);
+    limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(seconds)));
     limit(RLIMIT_AS, kBytes);
     limit(RLIMIT_CORE, 0);
     std::set_terminate([] { _exit(kThrew); });

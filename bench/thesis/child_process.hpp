@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace waywright::bench {
 
@@ -10,7 +12,8 @@ namespace detail {
 
 /// Calls `job(context, pipe)` in a child process, which ends with it, and waits. What `job` wrote into the pipe comes
 /// back in `result`, `size` bytes. Returns what went wrong, or nothing.
-std::string run_in_child(void (*job)(void* context, int pipe), void* context, void* result, std::size_t size);
+std::string run_in_child(void (*job)(void* context, int pipe), void* context, double seconds, void* result,
+                         std::size_t size);
 void write_result(int pipe, const void* result, std::size_t size);
 
 }  // namespace detail
@@ -22,17 +25,17 @@ struct Outcome {
   std::string failure;
 };
 
-/// Runs `job()` in a child process of its own with 40 s of processor time and 4 GB of memory, for arithmetic that may
-/// loop, crash or fill the memory.
+/// Runs `job()` in a child process of its own with so much time of the processor and 4 GB of memory, for arithmetic
+/// that may loop, crash or fill the memory.
 template <class Job, class Result = std::invoke_result_t<Job>>
-[[nodiscard]] Outcome<Result> run_in_child(Job job) {
+[[nodiscard]] Outcome<Result> run_in_child(double seconds, Job job) {
   static_assert(std::is_trivially_copyable_v<Result>, "a result goes through a pipe");
   const auto run = [](void* context, int pipe) {
     const Result result = (*static_cast<Job*>(context))();
     detail::write_result(pipe, &result, sizeof result);
   };
   Result result{};
-  std::string failure = detail::run_in_child(run, &job, &result, sizeof result);
+  std::string failure = detail::run_in_child(run, &job, seconds, &result, sizeof result);
   if (!failure.empty()) return {std::nullopt, std::move(failure)};
   return {result, {}};
 }

@@ -26,7 +26,7 @@ class PlaceView {
   const Place* place_;
 };
 
-/// A geometry for delaunay::Triangulation and what stands on it, over arithmetic other than the library's. What it
+/// A geometry (exact::AnyGeometry) over arithmetic other than the library's. What it
 /// keeps and logs, and when, is what exact::Geometry keeps and logs, so that a comparison compares arithmetic.
 ///
 /// An Arithmetic has: a `Place`, where a vertex is, with a `rounded` Point; a `View` of one; `at(point)` and

@@ -5,6 +5,11 @@
 #include "thesis/interval_arithmetic.hpp"
 #include "thesis/rational_arithmetic.hpp"
 
+static_assert(waywright::exact::AnyGeometry<waywright::bench::DoubleGeometry>);
+static_assert(waywright::exact::AnyGeometry<waywright::bench::TunedDoubleGeometry>);
+static_assert(waywright::exact::AnyGeometry<waywright::bench::IntervalGeometry>);
+static_assert(waywright::exact::AnyGeometry<waywright::bench::RationalGeometry>);
+
 // What the library does for its own geometry in constraint/exact_triangulation.hpp.
 
 extern template class waywright::delaunay::Triangulation<waywright::bench::DoubleGeometry>;
