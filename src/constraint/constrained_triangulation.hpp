@@ -91,12 +91,24 @@ class ConstrainedTriangulation {
   void insert_ring(const std::vector<Point>& ring, std::uint32_t slot);
   mesh::Vertex insert_corner(const Point& point, std::uint32_t item);
   void insert_side(std::uint32_t slot);
-  [[nodiscard]] Step next_step(mesh::Vertex u, const Side& side);
+  /// The first step of a side, from its corner `u`.
+  [[nodiscard]] Step leave_corner(mesh::Vertex u, const Side& side);
+  /// The next step from a vertex on the way, to which the half-edge `behind` points back; from one that was there, and
+  /// from one that cut() has just made. `guide` is a side that lies behind as well, and runs on through the vertex.
+  [[nodiscard]] Step leave_vertex(mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide);
+  [[nodiscard]] Step leave_crossing(mesh::HalfEdge behind, const Side& side);
+  /// Between two half-edges from one vertex: what `right` points to lies on the side's right, or behind; what `left`
+  /// points to on its left, or behind.
+  [[nodiscard]] Step leave_between(mesh::HalfEdge right, mesh::HalfEdge left, const Side& side);
   [[nodiscard]] Step step_across(mesh::HalfEdge exit, const Side& side);
   /// Parts a fixed edge where the side crosses it.
   mesh::Vertex cut(mesh::HalfEdge fixed, const Side& side);
-  /// Makes the piece from `u` to the step's vertex an edge that `side` uses.
-  void take(mesh::Vertex u, const Step& step, std::uint32_t side);
+  /// The step from `u` to the new vertex, after the edges in `crossed_` as they were before it was made.
+  [[nodiscard]] Step step_to_crossing(mesh::Vertex u, mesh::Vertex x);
+  /// A side that covers the edge and doesn't end where it ends.
+  [[nodiscard]] std::optional<std::uint32_t> guide_along(mesh::HalfEdge along) const;
+  /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
+  mesh::HalfEdge take(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);
   void strip_side(std::uint32_t slot);
   void strip_corner(mesh::Vertex v, std::uint32_t item);

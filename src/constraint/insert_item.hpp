@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cassert>
-
 #include "constraint/constrained_triangulation.hpp"
 
 namespace waywright::constraint {
@@ -76,35 +74,63 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::insert_corner(const Point& poin
   return inserted.vertex;
 }
 
+// Piece by piece: up to the next vertex on the way, or to a new one on the fixed edge that comes first.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   const Side side = items_.side(slot);
-  const Side backwards{side.item, side.to, side.from};
   mesh::Vertex u = side.from;
-  while (u != side.to) {
-    Step step = next_step(u, side);
-    if (step.fixed == mesh::kNoHalfEdge) {
-      take(u, step, slot);
+  Step step = leave_corner(u, side);
+  for (;;) {
+    if (step.fixed != mesh::kNoHalfEdge) {
+      const mesh::Vertex x = cut(step.fixed, side);
+      const mesh::HalfEdge piece = take(u, step_to_crossing(u, x), slot);
+      step = leave_crossing(topology().twin(piece), side);
+      u = x;
+    } else {
+      const std::optional<std::uint32_t> guide = guide_along(step.along);
+      const mesh::HalfEdge piece = take(u, step, slot);
       u = step.vertex;
-      continue;
+      if (u == side.to) return;
+      step = leave_vertex(topology().twin(piece), side, guide);
     }
-    // Cutting the fixed edge may change the faces crossed so far, so the piece is joined from its new end. Between
-    // the two there is now nothing but free edges.
-    const mesh::Vertex x = cut(step.fixed, side);
-    step = next_step(x, backwards);
-    assert(step.fixed == mesh::kNoHalfEdge && step.vertex == u);
-    take(x, step, slot);
-    u = x;
   }
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, std::uint32_t side) {
-  if (step.along == mesh::kNoHalfEdge) {
-    triangulation_.force_edge(u, step.vertex, crossed_, UseLists::of(side));
-  } else {
-    triangulation_.fix(step.along, uses_.add(topology().label(step.along), side));
+std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::guide_along(mesh::HalfEdge along) const {
+  if (along == mesh::kNoHalfEdge || !topology().is_fixed(along)) return std::nullopt;
+  const std::uint32_t guide = uses_.any(topology().label(along));
+  const Side& side = items_.side(guide);
+  const mesh::Vertex v = topology().target(along);
+  if (side.from == v || side.to == v) return std::nullopt;
+  return guide;
+}
+
+// The faces that the new vertex x is part of are those that its coming rebuilt. As seen from x they are a star, so the
+// way from u to it runs through a few of the faces that it crossed before, as they were, and then stays in the star.
+template <class Geometry>
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::step_to_crossing(mesh::Vertex u,
+                                                                                                       mesh::Vertex x) {
+  const mesh::TriangleMesh& mesh = topology();
+  const auto is_corner = [&](mesh::HalfEdge h) {
+    return mesh.origin(h) == x || mesh.target(h) == x || mesh.apex(h) == x;
+  };
+  if (crossed_.empty() || is_corner(crossed_.front())) {
+    return {x, mesh.twin(mesh.find(x, u)), mesh::kNoHalfEdge};
   }
+  std::size_t count = 1;
+  while (mesh.apex(mesh.twin(crossed_[count - 1])) != x) ++count;
+  crossed_.resize(count);
+  return {x, mesh::kNoHalfEdge, mesh::kNoHalfEdge};
+}
+
+template <class Geometry>
+mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, std::uint32_t side) {
+  if (step.along == mesh::kNoHalfEdge) {
+    return triangulation_.force_edge(u, step.vertex, crossed_, UseLists::of(side));
+  }
+  triangulation_.fix(step.along, uses_.add(topology().label(step.along), side));
+  return step.along;
 }
 
 //            q
@@ -114,8 +140,8 @@ void ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, 
 //        \   |
 //          \ p
 template <class Geometry>
-typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::next_step(mesh::Vertex u,
-                                                                                                const Side& side) {
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_corner(mesh::Vertex u,
+                                                                                                   const Side& side) {
   using exact::Sign;
   const mesh::TriangleMesh& mesh = topology();
   const mesh::Vertex ghost = triangulation_.ghost();
@@ -135,6 +161,48 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
     if (p_side == Sign::negative && q_side == Sign::positive) return step_across(mesh::next(h), side);
     h = mesh.next_around(h);
     p_side = q_side;
+  }
+}
+
+// Where the way so far lay on another side that runs on, that side shows where to: the two are on one line.
+template <class Geometry>
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_vertex(
+    mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide) {
+  if (!guide) return leave_between(behind, behind, side);
+  const mesh::TriangleMesh& mesh = topology();
+  mesh::HalfEdge h = mesh.next_around(behind);
+  while (!mesh.is_fixed(h) || !uses_.contains(mesh.label(h), *guide)) h = mesh.next_around(h);
+  return {mesh.target(h), h, mesh::kNoHalfEdge};
+}
+
+// On both sides of the new vertex lies half the edge that was cut: the first fixed edge on the right, and the first on
+// the left. The side leaves between them.
+template <class Geometry>
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_crossing(
+    mesh::HalfEdge behind, const Side& side) {
+  const mesh::TriangleMesh& mesh = topology();
+  mesh::HalfEdge right = mesh.next_around(behind);
+  while (!mesh.is_fixed(right)) right = mesh.next_around(right);
+  mesh::HalfEdge left = mesh.previous_around(behind);
+  while (!mesh.is_fixed(left)) left = mesh.previous_around(left);
+  return leave_between(right, left, side);
+}
+
+template <class Geometry>
+typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_between(
+    mesh::HalfEdge right, mesh::HalfEdge left, const Side& side) {
+  using exact::Sign;
+  const mesh::TriangleMesh& mesh = topology();
+  for (mesh::HalfEdge h = right;;) {
+    const mesh::HalfEdge turned = mesh.next_around(h);
+    const mesh::Vertex q = mesh.target(turned);
+    if (turned == left) return step_across(mesh::next(h), side);
+    if (q != triangulation_.ghost()) {
+      const Sign q_side = triangulation_.orientation(side.from, side.to, q);
+      if (q_side == Sign::zero) return {q, turned, mesh::kNoHalfEdge};
+      if (q_side == Sign::positive) return step_across(mesh::next(h), side);
+    }
+    h = turned;
   }
 }
 
