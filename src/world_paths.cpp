@@ -33,8 +33,8 @@ std::optional<Error> find_query_error(const Box& domain, const PathQuery& query)
   if (auto error = find_point_error(domain, query.start, 0)) return error;
   if (auto error = find_point_error(domain, query.goal, 1)) return error;
   if (auto error = find_radius_error(query.radius)) return error;
-  if (query.algorithm != PathAlgorithm::ta) {
-    return Error{ErrorCode::not_supported, "of the path algorithms only ta is supported yet", {}, 0};
+  if (query.algorithm == PathAlgorithm::tra) {
+    return Error{ErrorCode::not_supported, "the path algorithm tra is not supported yet", {}, 0};
   }
   return std::nullopt;
 }

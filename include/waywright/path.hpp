@@ -17,7 +17,7 @@ namespace waywright {
 enum class PathAlgorithm : std::uint8_t {
   ta,   ///< triangulation A* (Demyen and Buro 2006): A* over triangles, then the funnel; betters its path on request
   tra,  ///< triangulation reduction A*; not supported yet
-  optimal,  ///< the shortest path there is; not supported yet
+  optimal,  ///< the shortest path there is (after Polyanya: Cui, Harabor and Grastien 2017)
 };
 
 /// The algorithm as the world script names it: `ta`, `tra`, `optimal`.
@@ -42,7 +42,7 @@ struct PathQuery {
   Point start;
   Point goal;
   double radius = 0.0;  ///< of the agent, >= 0; only 0 is supported yet
-  PathAlgorithm algorithm = PathAlgorithm::ta;
+  PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
   bool wants_channel = false;  ///< whether the answer names the edges that the path crosses
   bool wants_time = false;     ///< whether the answer says how long the search took

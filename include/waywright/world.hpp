@@ -155,8 +155,9 @@ class World {
 
   /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both.
   /// Errors: coordinate_range, out_of_domain, bad_radius, not_supported.
-  /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006; see ARCHITECTURE.md for where we
-  /// depart from it.
+  /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
+  /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md says where we
+  /// depart from them.
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 

@@ -33,17 +33,25 @@ void Finder::begin(const Triangulation& triangulation, const PathQuery& query, P
     finish(path);
     return;
   }
-  ta_.begin(triangulation, ends_);
+  if (query.algorithm == PathAlgorithm::ta) {
+    ta_.begin(triangulation, ends_);
+  } else {
+    optimal_.begin(triangulation, ends_, query.wants_channel);
+  }
 }
 
 bool Finder::step(std::size_t expansions, Path& path) {
   const std::size_t limit = add_or_stay_largest(path.expansions, expansions);
   while (!is_done_ && path.expansions < limit) {
-    is_done_ = is_over_budget(path) || ta_.step(std::min(limit, add_or_stay_largest(path.expansions, kSlice)), path);
-    if (is_done_ && path.status == PathStatus::found && query_.wants_channel) ta_.write_channel(path);
+    is_done_ = search(limit, path);
     if (is_done_) finish(path);
   }
   return is_done_;
+}
+
+bool Finder::search(std::size_t limit, Path& path) {
+  if (query_.algorithm == PathAlgorithm::optimal) return optimal_.step(limit, path);
+  return is_over_budget(path) || ta_.step(std::min(limit, add_or_stay_largest(path.expansions, kSlice)), path);
 }
 
 bool Finder::is_over_budget(const Path& path) const {
@@ -61,6 +69,13 @@ void Finder::write_straight_path(Path& path) const {
 }
 
 void Finder::finish(Path& path) const {
+  if (query_.wants_channel && path.expansions > 0 && path.status == PathStatus::found) {
+    if (query_.algorithm == PathAlgorithm::ta) {
+      ta_.write_channel(path);
+    } else {
+      optimal_.write_channel(path);
+    }
+  }
   if (query_.wants_time) path.time = Clock::now() - start_time_;
 }
 

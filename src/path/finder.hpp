@@ -6,6 +6,7 @@
 #include "waywright/path.hpp"
 
 #include "path/ends.hpp"
+#include "path/optimal.hpp"
 #include "path/ta_star.hpp"
 
 namespace waywright::path {
@@ -28,6 +29,7 @@ class Finder {
   [[nodiscard]] bool is_over_budget(const Path& path) const;
   [[nodiscard]] bool has_time_limit() const;
   void write_straight_path(Path& path) const;
+  [[nodiscard]] bool search(std::size_t limit, Path& path);
   void finish(Path& path) const;
 
   PathQuery query_;
@@ -35,6 +37,7 @@ class Finder {
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;
+  Optimal optimal_;
 };
 
 }  // namespace waywright::path

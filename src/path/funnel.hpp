@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -8,15 +7,9 @@
 #include "waywright/point.hpp"
 
 #include "constraint/exact_triangulation.hpp"
+#include "path/distance.hpp"
 
 namespace waywright::path {
-
-/// Euclidean. Square root is correctly rounded everywhere, which std::hypot is not.
-[[nodiscard]] inline double distance(const Point& p, const Point& q) {
-  const double dx = p.x - q.x;
-  const double dy = p.y - q.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 /// The funnel of a channel that has come to a portal: the taut strings from the start to the portal's two ends run
 /// together to `apex` and then part, each turning only towards its own side. The three are positions in a TautTree.

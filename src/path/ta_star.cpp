@@ -5,31 +5,6 @@
 
 namespace waywright::path {
 
-namespace {
-
-/// The length of the shortest way from p to q that touches the segment from a to b.
-double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
-  const auto side = [&](const Point& r) { return (b.x - a.x) * (r.y - a.y) - (b.y - a.y) * (r.x - a.x); };
-  const double p_side = side(p);
-  double q_side = side(q);
-  Point image = q;
-  if ((p_side > 0.0 && q_side > 0.0) || (p_side < 0.0 && q_side < 0.0)) {
-    // q lies on p's side: its mirror image beyond the segment is as far from every point of it.
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double scale = 2.0 * q_side / (dx * dx + dy * dy);
-    image = {q.x + dy * scale, q.y - dx * scale};
-    q_side = -q_side;
-  }
-  const auto turn = [&](const Point& r) { return (image.x - p.x) * (r.y - p.y) - (image.y - p.y) * (r.x - p.x); };
-  const double a_turn = turn(a);
-  const double b_turn = turn(b);
-  if ((a_turn >= 0.0 && b_turn <= 0.0) || (a_turn <= 0.0 && b_turn >= 0.0)) return distance(p, image);
-  return std::min(distance(p, a) + distance(a, q), distance(p, b) + distance(b, q));
-}
-
-}  // namespace
-
 void TaStar::begin(const Triangulation& triangulation, const Ends& ends) {
   ends_ = &ends;
   mesh_ = &triangulation.topology();

@@ -142,7 +142,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 2 1e300 0", "path", "coordinate-range"}, Refusal{"path 1 1 2 1 -1", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 0.5", "path", "not-supported"},
-        Refusal{"path 1 1 2 1 0 optimal", "path", "not-supported"},
         Refusal{"path 1 1 2 1 0 tra", "path", "not-supported"}, Refusal{"remove 9", "remove", "unknown-id"},
         Refusal{"ray 1 1 2 2", "ray", "not-supported"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
         Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},

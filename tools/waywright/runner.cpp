@@ -70,7 +70,7 @@ Outcome Runner::locate(const Operation& operation) {
 
 Outcome Runner::find_path(const Operation& operation) {
   const PathQuery query{operation.from, operation.to, operation.radius,
-                        operation.algorithm.value_or(PathAlgorithm::ta)};
+                        operation.algorithm.value_or(PathAlgorithm::optimal)};
   Path path;
   const Result<void> searched = world_.find_path(query, context_, path);
   if (!searched.ok()) return refuse(operation, searched.error());

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "waywright/point.hpp"
+
+// Lengths in doubles. They choose between ways and bound searches; what is on which side is decided elsewhere, exactly.
+
+namespace waywright::path {
+
+/// Euclidean. Square root is correctly rounded everywhere, which std::hypot is not.
+[[nodiscard]] inline double distance(const Point& p, const Point& q) {
+  const double dx = p.x - q.x;
+  const double dy = p.y - q.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+/// Of two directions: positive where `w` points to the left of `v`.
+[[nodiscard]] inline double cross(const Point& v, const Point& w) { return v.x * w.y - v.y * w.x; }
+
+/// `q` where the line through `a` along `edge` parts it from `p`; else its mirror image there, which is as far from
+/// every point of the line.
+[[nodiscard]] inline Point beyond(const Point& p, const Point& a, const Point& edge, const Point& q) {
+  const double p_side = cross(edge, {p.x - a.x, p.y - a.y});
+  const double q_side = cross(edge, {q.x - a.x, q.y - a.y});
+  if (!(p_side > 0.0 && q_side > 0.0) && !(p_side < 0.0 && q_side < 0.0)) return q;
+  const double scale = 2.0 * q_side / (edge.x * edge.x + edge.y * edge.y);
+  return {q.x + edge.y * scale, q.y - edge.x * scale};
+}
+
+/// Where the ray from `p` in a direction meets the edge from `a` along `edge`; the edge's nearer end where it hardly
+/// does.
+[[nodiscard]] inline Point meeting(const Point& p, const Point& direction, const Point& a, const Point& edge) {
+  const double at = cross(direction, {p.x - a.x, p.y - a.y}) / cross(direction, edge);
+  const double share = at > 0.0 ? std::min(at, 1.0) : 0.0;
+  return {a.x + share * edge.x, a.y + share * edge.y};
+}
+
+[[nodiscard]] inline double length_by_way_of(const Point& p, const Point& between, const Point& q) {
+  return distance(p, between) + distance(between, q);
+}
+
+/// The length of the shortest way from `p` to `q` that touches the segment from `a` to `b`.
+[[nodiscard]] inline double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
+  const Point image = beyond(p, a, {b.x - a.x, b.y - a.y}, q);
+  const Point way{image.x - p.x, image.y - p.y};
+  const double a_turn = cross(way, {a.x - p.x, a.y - p.y});
+  const double b_turn = cross(way, {b.x - p.x, b.y - p.y});
+  if ((a_turn >= 0.0 && b_turn <= 0.0) || (a_turn <= 0.0 && b_turn >= 0.0)) return distance(p, image);
+  return std::min(length_by_way_of(p, a, q), length_by_way_of(p, b, q));
+}
+
+}  // namespace waywright::path

@@ -1,0 +1,376 @@
+#include "path/optimal.hpp"
+
+#include <algorithm>
+
+#include "path/distance.hpp"
+
+namespace waywright::path {
+
+using exact::Sign;
+
+namespace {
+
+/// Windows whose bound is this much above the least one are followed at once. Above 1 a few are that need not be, and
+/// fewer pass the open list.
+constexpr double kAtOnce = 1.0;
+
+}  // namespace
+
+/// What a root sees of an edge: which sides of the cone's bounds a point lies on.
+class Optimal::Cone {
+ public:
+  Cone(const Optimal& search, const Node& window)
+      : geometry_(*search.geometry_), root_(search.view(search.roots_[window.root])) {
+    if (window.left == kStraightOn || window.right == kStraightOn) {
+      before_ = search.view(search.roots_[search.roots_[window.root].before]);
+    }
+    set_left(window.left);
+    set_right(window.right);
+  }
+
+  /// Positive on the left of the cone's left bound.
+  [[nodiscard]] Sign side_of_left(const Geometry::View& p) const {
+    return is_left_straight_ ? Geometry::orientation(before_, root_, p) : Geometry::orientation(root_, left_, p);
+  }
+  /// Negative on the right of the cone's right bound.
+  [[nodiscard]] Sign side_of_right(const Geometry::View& p) const {
+    return is_right_straight_ ? Geometry::orientation(before_, root_, p) : Geometry::orientation(root_, right_, p);
+  }
+
+  void set_left(mesh::Vertex v) {
+    is_left_straight_ = v == kStraightOn;
+    if (!is_left_straight_) left_ = geometry_.view(number(v));
+  }
+  void set_right(mesh::Vertex v) {
+    is_right_straight_ = v == kStraightOn;
+    if (!is_right_straight_) right_ = geometry_.view(number(v));
+  }
+
+  [[nodiscard]] Point root() const { return {root_.x, root_.y}; }
+  /// From the root along the bounds.
+  [[nodiscard]] Point left_direction() const { return is_left_straight_ ? straight_on() : towards(left_); }
+  [[nodiscard]] Point right_direction() const { return is_right_straight_ ? straight_on() : towards(right_); }
+
+ private:
+  [[nodiscard]] Point towards(const Geometry::View& p) const { return {p.x - root_.x, p.y - root_.y}; }
+  [[nodiscard]] Point straight_on() const { return {root_.x - before_.x, root_.y - before_.y}; }
+
+  const Geometry& geometry_;
+  Geometry::View root_;
+  Geometry::View before_;
+  Geometry::View left_;
+  Geometry::View right_;
+  bool is_left_straight_ = false;
+  bool is_right_straight_ = false;
+};
+
+void Optimal::begin(const Triangulation& triangulation, const Ends& ends, bool wants_channel) {
+  ends_ = &ends;
+  mesh_ = &triangulation.topology();
+  geometry_ = &triangulation.triangulation().geometry();
+  wants_channel_ = wants_channel;
+  roots_.clear();
+  nodes_.clear();
+  open_.clear();
+  traces_.clear();
+  expansions_ = 0;
+  best_length_ = std::numeric_limits<double>::infinity();
+  forget_lengths();
+  leave_start();
+}
+
+void Optimal::forget_lengths() {
+  if (++query_ == 0) {  // the count went once around
+    std::fill(reached_.begin(), reached_.end(), Reached{});
+    query_ = 1;
+  }
+  if (reached_.size() < mesh_->vertex_slots()) reached_.resize(mesh_->vertex_slots());
+}
+
+// The start sees all edges of its faces, but for those that it lies on.
+void Optimal::leave_start() {
+  roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
+  const locate::Spot spot = ends_->start_place().spot;
+  at_once_bound_ = 0.0;
+  for (const mesh::HalfEdge h : ends_->start_faces()) {
+    if (spot == locate::Spot::vertex) reached(mesh_->origin(h)).length = 0.0;
+    for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
+      if (exit == h && spot != locate::Spot::face) continue;
+      if (exit == mesh::previous(h) && spot == locate::Spot::vertex) continue;
+      if (is_barred(exit)) continue;
+      const mesh::HalfEdge entry = mesh_->twin(exit);
+      offer({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
+    }
+  }
+}
+
+bool Optimal::step(std::size_t limit, Path& path) {
+  expansions_ = path.expansions;
+  while (!open_.empty() && open_.least_bound() < best_length_ && expansions_ < limit) {
+    at_once_bound_ = open_.least_bound() * kAtOnce;
+    const Node node = nodes_[open_.pop()];
+    follow(node);
+    while (!at_once_.empty()) {
+      const Node next = at_once_.back();
+      at_once_.pop_back();
+      follow_window(next);
+    }
+  }
+  path.expansions = expansions_;
+  if (!open_.empty() && open_.least_bound() < best_length_) return false;
+  if (best_length_ < std::numeric_limits<double>::infinity()) write_path(path);
+  return true;
+}
+
+void Optimal::follow(const Node& node) {
+  switch (node.kind) {
+    case Kind::window:
+      return follow_window(node);
+    case Kind::left_turn:
+      return make_left_turn(node);
+    case Kind::right_turn:
+      return make_right_turn(node);
+  }
+}
+
+//        apex            The face was entered across `entry` from below: its left end is the edge's origin. Where the
+//       /    \           cone passes the apex on one side, it goes on over one edge; an apex within it parts it.
+//   origin - target
+void Optimal::follow_window(Node window) {
+  Cone cone(*this, window);
+  while (true) {
+    ++expansions_;
+    if (ends_->is_goal(mesh::face(window.entry))) meet_goal(window, cone);
+    const mesh::Vertex apex = mesh_->apex(window.entry);
+    const Geometry::View place = geometry_->view(number(apex));
+    mesh::HalfEdge exit{};
+    if (const Sign left = cone.side_of_left(place); left != Sign::negative) {
+      if (window.left == mesh_->origin(window.entry)) note_turn(window, cone, Kind::left_turn, left == Sign::positive);
+      exit = mesh::next(window.entry);
+      if (left == Sign::zero) cone.set_left(window.left = apex);
+    } else if (const Sign right = cone.side_of_right(place); right != Sign::positive) {
+      if (window.right == mesh_->target(window.entry)) {
+        note_turn(window, cone, Kind::right_turn, right == Sign::negative);
+      }
+      exit = mesh::previous(window.entry);
+      if (right == Sign::zero) cone.set_right(window.right = apex);
+    } else {
+      exit = mesh::next(window.entry);
+      if (is_barred(exit)) {
+        exit = mesh::previous(window.entry);
+        cone.set_right(window.right = apex);
+      } else if (is_barred(mesh::previous(window.entry))) {
+        cone.set_left(window.left = apex);
+      } else {
+        return part(window, cone, apex);
+      }
+    }
+    if (is_barred(exit)) return;
+    window.entry = mesh_->twin(exit);
+    window.trace = traced(window.entry, window.trace);
+  }
+}
+
+void Optimal::part(const Node& window, const Cone& cone, mesh::Vertex apex) {
+  Node right = window;
+  right.entry = mesh_->twin(mesh::next(window.entry));
+  right.trace = traced(right.entry, window.trace);
+  right.left = apex;
+  Cone right_cone = cone;
+  right_cone.set_left(apex);
+  Node left = window;
+  left.entry = mesh_->twin(mesh::previous(window.entry));
+  left.trace = traced(left.entry, window.trace);
+  left.right = apex;
+  Cone left_cone = cone;
+  left_cone.set_right(apex);
+  offer(left, left_cone);
+  offer(right, right_cone);
+}
+
+void Optimal::meet_goal(const Node& window, const Cone& cone) {
+  const Geometry::View goal = Geometry::view(ends_->goal());
+  if (cone.side_of_left(goal) == Sign::positive || cone.side_of_right(goal) == Sign::negative) return;
+  end_at_goal(window.root, window.trace);
+}
+
+void Optimal::end_at_goal(std::uint32_t root, std::uint32_t trace) {
+  const double length = roots_[root].length + distance(roots_[root].point, ends_->goal());
+  if (length >= best_length_) return;
+  best_length_ = length;
+  best_root_ = root;
+  best_trace_ = trace;
+}
+
+//          apex          The cone's left bound grazes the entry's left end and leaves the face's apex on its left: what
+//        /    \          lies beyond on that side can be reached by turning there, around the walls at that vertex.
+//        There
+//   origin --- target    are none on the right of the way, which the cone has passed; so without walls there is nothing
+//                        to turn around.
+void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
+  const bool is_left = kind == Kind::left_turn;
+  const mesh::HalfEdge near_side = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
+  const mesh::HalfEdge far_side = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
+  const bool leads_on = !is_barred(near_side) || (sees_apex && !is_barred(far_side));
+  if (!leads_on && !ends_->is_goal(mesh::face(window.entry))) return;
+  const mesh::Vertex v = is_left ? window.left : window.right;
+  const Point& at = place(v);
+  const double length = roots_[window.root].length + distance(cone.root(), at);
+  const double bound = length + distance(at, ends_->goal());
+  if (bound >= best_length_) return;
+  Reached& reached_before = reached(v);
+  if (length >= reached_before.length) return;
+  reached_before.length = length;
+  nodes_.push_back(window);
+  nodes_.back().kind = kind;
+  open_.push(bound, static_cast<std::uint32_t>(nodes_.size() - 1));
+}
+
+/// The shortest way to `v` so far: infinite where there is none yet, minus infinite where no path can turn.
+Optimal::Reached& Optimal::reached(mesh::Vertex v) {
+  Reached& entry = reached_[number(v)];
+  if (entry.query == query_) return entry;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  entry = {has_walls(v) ? kInfinity : -kInfinity, query_};
+  return entry;
+}
+
+bool Optimal::has_walls(mesh::Vertex v) const {
+  const mesh::HalfEdge start = mesh_->outgoing(v);
+  mesh::HalfEdge h = start;
+  do {
+    if (mesh_->is_fixed(h)) return true;
+    h = mesh_->next_around(h);
+  } while (h != start);
+  return false;
+}
+
+std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
+  const Point& at = place(v);
+  roots_.push_back({at, v, before, roots_[before].length + distance(roots_[before].point, at)});
+  return static_cast<std::uint32_t>(roots_.size() - 1);
+}
+
+//   .  apex              The path has come to the entry's left end and turns left around the walls there. From the way
+//    .  |  \             straight on it looks around: at what the face's far side lets through between that way and the
+//   walls - v - target   apex, then at the far sides of the faces around v up to the walls.
+void Optimal::make_left_turn(const Node& turn) {
+  const std::uint32_t root = add_root(turn.left, turn.root);
+  if (roots_[root].length > reached(turn.left).length) return;
+  ++expansions_;
+  Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kStraightOn, turn.trace};
+  const Cone cone(*this, window);
+  const bool sees_apex = cone.side_of_right(geometry_->view(number(window.left))) == Sign::positive;
+  if (ends_->is_goal(mesh::face(turn.entry)) && cone.side_of_right(Geometry::view(ends_->goal())) != Sign::negative) {
+    end_at_goal(root, turn.trace);
+  }
+  const mesh::HalfEdge far_side = mesh::next(turn.entry);
+  if (sees_apex && !is_barred(far_side)) {
+    window.entry = mesh_->twin(far_side);
+    window.trace = traced(window.entry, turn.trace);
+    offer(window, cone);
+  }
+  std::uint32_t trace = turn.trace;
+  for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::previous(h));) {
+    h = mesh_->next_around(h);
+    trace = traced(h, trace);
+    ++expansions_;
+    if (ends_->is_goal(mesh::face(h))) end_at_goal(root, trace);
+    const mesh::HalfEdge exit = mesh::next(h);
+    if (is_barred(exit)) continue;
+    const mesh::HalfEdge entry = mesh_->twin(exit);
+    offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
+  }
+}
+
+/// The mirror image of make_left_turn: `entry` ends at the vertex.
+void Optimal::make_right_turn(const Node& turn) {
+  const std::uint32_t root = add_root(turn.right, turn.root);
+  if (roots_[root].length > reached(turn.right).length) return;
+  ++expansions_;
+  Node window{Kind::window, turn.entry, root, kStraightOn, mesh_->apex(turn.entry), turn.trace};
+  const Cone cone(*this, window);
+  const bool sees_apex = cone.side_of_left(geometry_->view(number(window.right))) == Sign::negative;
+  if (ends_->is_goal(mesh::face(turn.entry)) && cone.side_of_left(Geometry::view(ends_->goal())) != Sign::positive) {
+    end_at_goal(root, turn.trace);
+  }
+  const mesh::HalfEdge far_side = mesh::previous(turn.entry);
+  if (sees_apex && !is_barred(far_side)) {
+    window.entry = mesh_->twin(far_side);
+    window.trace = traced(window.entry, turn.trace);
+    offer(window, cone);
+  }
+  std::uint32_t trace = turn.trace;
+  for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::next(h));) {
+    h = mesh_->twin(mesh::next(h));
+    trace = traced(h, trace);
+    ++expansions_;
+    if (ends_->is_goal(mesh::face(h))) end_at_goal(root, trace);
+    const mesh::HalfEdge exit = mesh::previous(h);
+    if (is_barred(exit)) continue;
+    const mesh::HalfEdge entry = mesh_->twin(exit);
+    offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
+  }
+}
+
+void Optimal::offer(const Node& window) { offer(window, Cone(*this, window)); }
+
+void Optimal::offer(const Node& window, const Cone& cone) {
+  const double least = bound(window, cone);
+  if (least >= best_length_) return;
+  if (least <= at_once_bound_) {
+    at_once_.push_back(window);
+    return;
+  }
+  nodes_.push_back(window);
+  open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
+}
+
+/// No path through the window is shorter. A bound in doubles: it decides what is looked at first, nothing else.
+double Optimal::bound(const Node& window, const Cone& cone) const {
+  const Point& a = place(mesh_->origin(window.entry));
+  const Point& b = place(mesh_->target(window.entry));
+  const Point p = cone.root();
+  const Point edge{b.x - a.x, b.y - a.y};
+  const Point q = beyond(p, a, edge, ends_->goal());
+  const Point way{q.x - p.x, q.y - p.y};
+  const double so_far = roots_[window.root].length;
+  const Point left = cone.left_direction();
+  if (cross(left, way) > 0.0) return so_far + length_by_way_of(p, meeting(p, left, a, edge), q);
+  const Point right = cone.right_direction();
+  if (cross(right, way) < 0.0) return so_far + length_by_way_of(p, meeting(p, right, a, edge), q);
+  return so_far + distance(p, q);
+}
+
+Optimal::Geometry::View Optimal::view(const Root& root) const {
+  return root.vertex == mesh::kNoVertex ? Geometry::view(root.point) : geometry_->view(number(root.vertex));
+}
+
+std::uint32_t Optimal::traced(mesh::HalfEdge entry, std::uint32_t before) {
+  if (!wants_channel_) return kNone;
+  traces_.push_back({entry, before});
+  return static_cast<std::uint32_t>(traces_.size() - 1);
+}
+
+void Optimal::write_path(Path& path) const {
+  path.status = PathStatus::found;
+  path.length = best_length_;
+  path.lower_bound = best_length_;
+  path.points.clear();
+  path.points.push_back(ends_->goal());
+  for (std::uint32_t root = best_root_; root != kNone; root = roots_[root].before) {
+    if (roots_[root].point != path.points.back()) path.points.push_back(roots_[root].point);
+  }
+  std::reverse(path.points.begin(), path.points.end());
+}
+
+void Optimal::write_channel(Path& path) const {
+  path.channel.clear();
+  for (std::uint32_t trace = best_trace_; trace != kNone; trace = traces_[trace].before) {
+    const mesh::HalfEdge entry = traces_[trace].entry;
+    path.channel.push_back({place(mesh_->origin(entry)), place(mesh_->target(entry))});
+  }
+  std::reverse(path.channel.begin(), path.channel.end());
+}
+
+}  // namespace waywright::path
