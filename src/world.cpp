@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "constraint/batch.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/item_queries.hpp"
@@ -54,6 +55,8 @@ std::size_t point_count(const Shape& shape) {
   return count;
 }
 
+Error too_large() { return {ErrorCode::too_large, "the world has too many vertices", {}, 0}; }
+
 std::optional<Error> find_shape_error(const Box& domain, const Shape& shape, std::size_t vertex_count) {
   if (auto error = find_arity_error(shape)) return error;
   std::size_t index = 0;
@@ -64,7 +67,7 @@ std::optional<Error> find_shape_error(const Box& domain, const Shape& shape, std
     }
   }
   if (vertex_count + index > kLargestPointCount) {
-    return Error{ErrorCode::too_large, "the world has too many vertices", {}, 0};
+    return too_large();
   }
   return std::nullopt;
 }
@@ -81,6 +84,69 @@ Error id_in_use(ItemId id) {
 }
 
 Error unknown_id(ItemId id) { return {ErrorCode::unknown_id, "no item has id " + std::to_string(id.value), id, 0}; }
+
+/// Checks changes one after the other against the ids and the size that the ones before will have left.
+class BatchCheck {
+ public:
+  BatchCheck(const World& world, const constraint::ItemTable& items)
+      : world_(world), items_(items), largest_(items.largest_id_seen()), vertices_(world.vertex_count()) {}
+
+  /// What is wrong with the change, its position in the error's index; or nothing, and the change is counted in.
+  [[nodiscard]] std::optional<Error> add(const Change& change) {
+    if (change.kind == Change::Kind::insert) return add_insertion(change.shape, change.id);
+    if (!is_alive(change.id)) return refuse(unknown_id(change.id));
+    if (change.kind == Change::Kind::replace) {
+      if (auto error = count_in(change.shape)) return refuse(about(change.id, *std::move(error)));
+    } else {
+      changed_[change.id] = false;
+    }
+    ids_.push_back(change.id);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Error> add_insertion(const Shape& shape, ItemId id) {
+    if (id.is_null()) id = {largest_.value + 1};
+    if (id.value > ItemId::kLargest) return refuse(bad_id(id));
+    if (id <= largest_ && is_alive(id)) return refuse(id_in_use(id));
+    if (auto error = count_in(shape)) return refuse(about(id, *std::move(error)));
+    if (id > largest_) {
+      largest_ = id;
+      fresh_.push_back(id);
+    } else {
+      changed_[id] = true;
+    }
+    ids_.push_back(id);
+    return std::nullopt;
+  }
+
+  /// Of each change's item.
+  [[nodiscard]] std::span<const ItemId> ids() const { return ids_; }
+  [[nodiscard]] std::vector<ItemId> take_ids() { return std::move(ids_); }
+
+ private:
+  [[nodiscard]] std::optional<Error> refuse(Error error) const {
+    error.index = ids_.size();
+    return error;
+  }
+  [[nodiscard]] std::optional<Error> count_in(const Shape& shape) {
+    if (auto error = find_shape_error(world_.domain(), shape, vertices_)) return error;
+    vertices_ += point_count(shape);
+    return std::nullopt;
+  }
+  [[nodiscard]] bool is_alive(ItemId id) const {
+    const auto found = changed_.find(id);
+    if (found != changed_.end()) return found->second;
+    return items_.contains(id) || std::binary_search(fresh_.begin(), fresh_.end(), id);
+  }
+
+  const World& world_;
+  const constraint::ItemTable& items_;
+  ItemId largest_;
+  std::size_t vertices_;
+  std::vector<ItemId> ids_;
+  std::vector<ItemId> fresh_;                 ///< inserted under an id above all before; so they ascend
+  std::unordered_map<ItemId, bool> changed_;  ///< of other ids that were changed, whether they are alive now
+};
 
 Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
   return {kind, {std::vector<Point>(points.begin(), points.end())}};
@@ -157,46 +223,66 @@ Result<void> World::replace(ItemId id, const Shape& shape) {
   return {};
 }
 
-// All that can be wrong is found out before the first change, in a list of the ids as the changes will leave them.
+// All that can be wrong is found out before the first change.
 Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
-  std::unordered_map<ItemId, bool> is_alive;
-  const auto alive = [&](ItemId id) {
-    const auto found = is_alive.find(id);
-    return found == is_alive.end() ? contains(id) : found->second;
-  };
-  std::vector<ItemId> ids;
-  ItemId largest = impl_->triangulation.items().largest_id_seen();
-  std::size_t vertices = vertex_count();
+  BatchCheck check(*this, impl_->triangulation.items());
+  bool is_all_insertions = true;
   for (const Change& change : changes) {
-    const auto refuse = [&](Error error) {
-      error.index = ids.size();
-      error.message = "change " + std::to_string(ids.size()) + ": " + error.message;
-      return error;
-    };
-    ItemId id = change.id;
-    if (change.kind == Change::Kind::insert) {
-      if (id.is_null()) id = {largest.value + 1};
-      if (id.value > ItemId::kLargest) return refuse(bad_id(id));
-      if (alive(id)) return refuse(id_in_use(id));
-    } else if (!alive(id)) {
-      return refuse(unknown_id(id));
+    if (auto error = check.add(change)) {
+      error->message = "change " + std::to_string(error->index) + ": " + error->message;
+      return *std::move(error);
     }
-    if (change.kind != Change::Kind::remove) {
-      if (auto error = find_shape_error(domain(), change.shape, vertices)) return refuse(about(id, *std::move(error)));
-      vertices += point_count(change.shape);
-    }
-    is_alive[id] = change.kind != Change::Kind::remove;
-    largest = std::max(largest, id);
-    ids.push_back(id);
+    is_all_insertions = is_all_insertions && change.kind == Change::Kind::insert;
+  }
+  const std::span<const ItemId> ids = check.ids();
+  if (is_all_insertions) {
+    impl_->insert_all(constraint::ShapeBatch<Change>{changes, ids});
+    return check.take_ids();
   }
   Operation operation(impl_->triangulation);
   for (std::size_t i = 0; i < changes.size(); ++i) {
+    std::size_t end = i;
+    while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
+    if (end > i + 1) {
+      impl_->triangulation.insert_all(
+          constraint::ShapeBatch<Change>{changes.subspan(i, end - i), ids.subspan(i, end - i)});
+      i = end - 1;
+      continue;
+    }
     if (changes[i].kind != Change::Kind::insert) impl_->triangulation.remove(ids[i]);
     if (changes[i].kind != Change::Kind::remove) impl_->triangulation.insert(changes[i].shape, ids[i]);
   }
   operation.commit();
   ++impl_->version;
-  return ids;
+  return check.take_ids();
+}
+
+Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items) {
+  BatchCheck check(*this, impl_->triangulation.items());
+  for (const Item& item : items) {
+    if (auto error = check.add_insertion(item.shape, item.id)) return *std::move(error);
+  }
+  impl_->insert_all(constraint::ShapeBatch<Item>{items, check.ids()});
+  return check.take_ids();
+}
+
+Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first) {
+  const constraint::ItemTable& items = impl_->triangulation.items();
+  const ItemId largest = items.largest_id_seen();
+  if (first.is_null()) first = {largest.value + 1};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ItemId id{first.value + i};
+    const auto refuse = [&](Error error) {
+      error.index = i;
+      return about(id, std::move(error));
+    };
+    if (id.value > ItemId::kLargest || id < first) return refuse(bad_id(id));
+    if (id <= largest && items.contains(id)) return refuse(id_in_use(id));
+    if (auto error = find_point_error(domain(), points[i], i)) return refuse(*std::move(error));
+  }
+  if (vertex_count() + points.size() > kLargestPointCount) return about(first, too_large());
+  impl_->insert_all(constraint::PointBatch{points, first});
+  return first;
 }
 
 bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }

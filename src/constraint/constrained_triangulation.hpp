@@ -2,15 +2,18 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "waywright/item.hpp"
 
+#include "constraint/batch.hpp"
 #include "constraint/item_table.hpp"
 #include "constraint/use_lists.hpp"
 #include "delaunay/triangulation.hpp"
+#include "locate/curve.hpp"
 
 namespace waywright::constraint {
 
@@ -25,12 +28,17 @@ class ConstrainedTriangulation {
  public:
   using Triangulation = delaunay::Triangulation<Geometry>;
 
-  explicit ConstrainedTriangulation(const Box& domain);
+  explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
+  /// What insert_all makes of nothing, but faster.
+  template <class Batch>
+  ConstrainedTriangulation(const Box& domain, const Batch& batch);
 
   [[nodiscard]] const Box& domain() const { return domain_; }
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
   [[nodiscard]] const mesh::TriangleMesh& topology() const { return triangulation_.topology(); }
   [[nodiscard]] const ItemTable& items() const { return items_; }
+  /// Takes note of an id that is not to be handed out again.
+  void see(ItemId id) { items_.see(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
   /// The items with a corner at `v`, by slot; one as often as it has corners there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
@@ -59,6 +67,11 @@ class ConstrainedTriangulation {
   /// Source: Chen 2009, section 3.3, after Anglada 1997.
   void insert(const Shape& shape, ItemId id);
 
+  /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(), and for i below
+  /// that an id(i), a kind(i) and rings(i), a range of ranges of points: see batch.hpp. Requires: as insert, of each.
+  template <class Batch>
+  void insert_all(const Batch& batch);
+
   /// Takes an item out: ids off the edges; edges without ids are free again; vertices without a reason go, and the
   /// pieces of what ran straight through them are one edge again. Requires: an item of that id is alive. Source: Chen
   /// 2009, section 3.4, algorithms 15 to 17, completed for overlaps and shared crossings.
@@ -75,6 +88,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
  private:
+  static constexpr std::size_t kItemsBetweenLogs = 1024;
+
   /// What a side meets next on its way: a vertex, after crossing the free edges in `crossed_`, or a fixed edge.
   struct Step {
     mesh::Vertex vertex{};
@@ -87,9 +102,23 @@ class ConstrainedTriangulation {
   void set_corner_uses(mesh::Vertex v, Uses uses);
   void grow_corner_uses();
 
+  template <class Batch>
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, locate::SortedPoints&& sorted);
+  void add_domain();
+  /// Gives a batch's items their records: corner after corner at the vertices of these ranks, and sides that are still
+  /// to be inserted. Returns the slots of the items with sides, in the order of their first corners.
+  template <class Batch, class VertexOf, class AfterItem>
+  [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
+                                                       VertexOf&& vertex_of, AfterItem&& after_item);
+  template <class AfterItem>
+  void insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item);
+
   void count_hash(std::uint32_t slot);
   void insert_ring(const std::vector<Point>& ring, std::uint32_t slot);
-  mesh::Vertex insert_corner(const Point& point, std::uint32_t item);
+  void add_corner(mesh::Vertex v, std::uint32_t item);
+  void end_ring(std::uint32_t item);
+  /// Accounts for a vertex that came in as a corner, and for the fixed edge that it may have parted.
+  mesh::Vertex insert_vertex(const typename Triangulation::Inserted& inserted);
   void insert_side(std::uint32_t slot);
   /// The first step of a side, from its corner `u`.
   [[nodiscard]] Step leave_corner(mesh::Vertex u, const Side& side);
@@ -138,6 +167,7 @@ class ConstrainedTriangulation {
 
 }  // namespace waywright::constraint
 
+#include "constraint/bulk.hpp"
 #include "constraint/find_fault.hpp"
 #include "constraint/insert_item.hpp"
 #include "constraint/operation.hpp"

@@ -1,24 +1,9 @@
 #pragma once
 
 #include "constraint/constrained_triangulation.hpp"
+#include "constraint/ring_corners.hpp"
 
 namespace waywright::constraint {
-
-template <class Geometry>
-ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain)
-    : domain_(domain),
-      triangulation_(domain, {UseLists::of(0), UseLists::of(1), UseLists::of(2), UseLists::of(3)}),
-      corner_uses_(topology().vertex_slots(), UseLists::kNone) {
-  ItemRecord& record = items_.item(ItemTable::kDomain);
-  record.corners.assign(triangulation_.box_corners().begin(), triangulation_.box_corners().end());
-  record.ring_ends = {4};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const mesh::Vertex corner = record.corners[i];
-    corner_uses_[number(corner)] = UseLists::of(ItemTable::kDomain);
-    items_.add_side({ItemTable::kDomain, corner, record.corners[(i + 1) % 4]});
-  }
-  count_hash(ItemTable::kDomain);
-}
 
 // Corners first, then sides: a side finds its ends there, and is cut at every vertex on its way, among them the other
 // corners of its own item.
@@ -45,36 +30,37 @@ void ConstrainedTriangulation<Geometry>::count_hash(std::uint32_t slot) {
 /// The corners of a ring, and a record of each of its sides; the sides themselves come later.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_ring(const std::vector<Point>& ring, std::uint32_t slot) {
-  const bool is_closed = items_.item(slot).kind == ItemKind::polygon;
-  std::size_t end = ring.size();
-  while (is_closed && end > 1 && ring[end - 1] == ring.front()) --end;
-
-  std::vector<mesh::Vertex>& corners = items_.item(slot).corners;
-  const std::size_t begin = corners.size();
-  for (std::size_t i = 0; i < end; ++i) {
-    if (i == 0 || ring[i] != ring[i - 1]) corners.push_back(insert_corner(ring[i], slot));
-  }
-  items_.item(slot).ring_ends.push_back(static_cast<std::uint32_t>(corners.size()));
-
-  const std::size_t count = corners.size() - begin;
-  const std::size_t side_count = is_closed && count > 1 ? count : count - 1;
-  for (std::size_t i = 0; i < side_count; ++i) {
-    items_.add_side({slot, corners[begin + i], corners[begin + (i + 1) % count]});
-  }
+  for_each_corner(ring, items_.item(slot).kind == ItemKind::polygon,
+                  [&](const Point& point) { add_corner(insert_vertex(triangulation_.insert(point)), slot); });
+  end_ring(slot);
 }
 
 template <class Geometry>
-mesh::Vertex ConstrainedTriangulation<Geometry>::insert_corner(const Point& point, std::uint32_t item) {
-  // Adding 0 turns -0 into 0, so that equal places have equal bits.
-  const Point place{point.x + 0.0, point.y + 0.0};
-  const auto inserted = triangulation_.insert(place);
+mesh::Vertex ConstrainedTriangulation<Geometry>::insert_vertex(const typename Triangulation::Inserted& inserted) {
   if (inserted.split != mesh::kNoHalfEdge) split_uses(inserted.split);
   grow_corner_uses();
-  set_corner_uses(inserted.vertex, uses_.add(corner_uses_[number(inserted.vertex)], item));
   return inserted.vertex;
 }
 
 // Piece by piece: up to the next vertex on the way, or to a new one on the fixed edge that comes first.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::add_corner(mesh::Vertex v, std::uint32_t item) {
+  items_.item(item).corners.push_back(v);
+  set_corner_uses(v, uses_.add(corner_uses_[number(v)], item));
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::end_ring(std::uint32_t item) {
+  ItemRecord& record = items_.item(item);
+  const std::size_t begin = record.ring_ends.empty() ? 0 : record.ring_ends.back();
+  const std::size_t count = record.corners.size() - begin;
+  record.ring_ends.push_back(static_cast<std::uint32_t>(record.corners.size()));
+  const std::size_t side_count = record.kind == ItemKind::polygon && count > 1 ? count : count - 1;
+  for (std::size_t i = 0; i < side_count; ++i) {
+    items_.add_side({item, record.corners[begin + i], record.corners[begin + (i + 1) % count]});
+  }
+}
+
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   const Side side = items_.side(slot);

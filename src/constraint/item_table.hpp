@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -65,6 +66,7 @@ class ItemTable {
 
   [[nodiscard]] std::vector<ItemId> ids() const;
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
+  void see(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
 
  private:
   using Slots = std::unordered_map<ItemId, std::uint32_t>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "delaunay/tie_rule.hpp"
 #include "delaunay/triangulation.hpp"
 
 namespace waywright::delaunay {
@@ -141,23 +142,10 @@ void Triangulation<Geometry>::close(Chain& chain, std::uint32_t position, mesh::
   }
 }
 
-// On the circle, lowering the first of the four by an infinitesimal decides: if that is d itself, the circle holds it;
-// if it is one of the others, swapping it with d in the determinant turns it into that case, with the sign of the
-// orientation of d and the two that remain.
 template <class Geometry>
 bool Triangulation<Geometry>::circle_holds(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d) const {
-  const exact::Sign sign = geometry_.in_circle(view(a), view(b), view(c), view(d));
-  if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
   if (a == d || b == d || c == d) return false;
-  mesh::Vertex smallest = d;
-  for (const mesh::Vertex v : {a, b, c}) {
-    if (comes_before(v, smallest)) smallest = v;
-  }
-  if (smallest == d) return true;
-  const exact::Sign rest = smallest == a   ? orientation(d, b, c)
-                           : smallest == b ? orientation(a, d, c)
-                                           : orientation(a, b, d);
-  return rest == exact::Sign::negative;
+  return delaunay::circle_holds(geometry_, view(a), view(b), view(c), view(d));
 }
 
 }  // namespace waywright::delaunay

@@ -7,6 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "exact/any_geometry.hpp"
+#include "locate/curve.hpp"
 #include "locate/sectors.hpp"
 #include "locate/walk.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -27,7 +28,18 @@ class Triangulation {
   using View = typename Geometry::View;
 
   /// The box cut in two, its sides (bottom, right, top, left) fixed under those labels.
-  Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels);
+  Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels)
+      : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
+  /// The same with a vertex at each of `sorted`, made all at once. The first four points given to sort were the box's
+  /// corners, as corners_of() lists them. Source: see DivideAndConquer.
+  Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted);
+
+  /// The box's corners, counter-clockwise from its smallest.
+  [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {
+    return {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
+  }
+  /// The vertex of the sorted point of that rank.
+  [[nodiscard]] static mesh::Vertex vertex_of_rank(std::uint32_t rank) { return mesh::Vertex{rank + 1}; }
 
   [[nodiscard]] const mesh::TriangleMesh& topology() const { return mesh_; }
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
@@ -94,6 +106,7 @@ class Triangulation {
   [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
 
  private:
+  static constexpr std::uint32_t kPlacesBetweenLogs = 1024;
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
 
   /// An edge of a cavity's border, from `from` towards the next chain edge's.
@@ -114,6 +127,7 @@ class Triangulation {
   };
 
   mesh::Vertex add_vertex(const Point& point);
+  void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
   void legalise_around_apex();
   void remember(mesh::HalfEdge h);

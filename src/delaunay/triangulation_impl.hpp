@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+
+#include "delaunay/divide_and_conquer.hpp"
 #include "delaunay/triangulation.hpp"
 
 namespace waywright::delaunay {
@@ -10,20 +13,41 @@ using mesh::number;
 using mesh::previous;
 
 template <class Geometry>
-Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels) : sectors_(box) {
-  const auto [ghost, a, b, c, d] = mesh_.make_square();
-  ghost_ = ghost;
-  box_corners_ = {a, b, c, d};
-  geometry_.place(number(ghost), Point{});
-  geometry_.place(number(a), box.min);
-  geometry_.place(number(b), Point{box.max.x, box.min.y});
-  geometry_.place(number(c), box.max);
-  geometry_.place(number(d), Point{box.min.x, box.max.y});
-  for (std::size_t i = 0; i < 4; ++i) {
-    mesh_.set_label(mesh_.find(box_corners_[i], box_corners_[(i + 1) % 4]), side_labels[i]);
+Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
+                                       locate::SortedPoints&& sorted)
+    : sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
+  const auto count = static_cast<std::uint32_t>(sorted.points.size());
+  {
+    std::vector<mesh::TriangleMesh::Corner> corners(6 * std::size_t{count} - 6);
+    DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(0, count);
+    mesh_ = mesh::TriangleMesh(std::move(corners), count + std::size_t{1});
   }
-  // Of the box's four corners the first in (x, y) order is a, so the diagonal a - c is the right one.
-  remember(mesh_.find(a, c));
+  sorted.keys = {};
+  if constexpr (requires { geometry_.reserve(count); }) geometry_.reserve(count + std::size_t{1});
+  geometry_.place(number(ghost_), Point{});
+  for (std::uint32_t rank = 0; rank < count; ++rank) {
+    const mesh::Vertex v = vertex_of_rank(rank);
+    geometry_.place(number(v), sorted.points[rank]);
+    sectors_.remember(sorted.points[rank], v, count);
+    if (rank % kPlacesBetweenLogs == 0) geometry_.begin();
+  }
+  sorted.points = {};
+  for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
+  fix_border(side_labels);
+  begin();
+}
+
+// Around the ghost, clockwise, stand the vertices on the border, counter-clockwise around the box.
+template <class Geometry>
+void Triangulation<Geometry>::fix_border(const std::array<mesh::Label, 4>& side_labels) {
+  mesh::HalfEdge h = mesh_.find(ghost_, box_corners_[0]);
+  for (std::size_t side = 0; side < 4; ++side) {
+    do {
+      h = mesh_.previous_around(h);
+      mesh_.set_label(next(h), side_labels[side]);
+    } while (mesh_.target(h) != box_corners_[(side + 1) % 4]);
+  }
+  remember(h);
 }
 
 template <class Geometry>

@@ -22,6 +22,8 @@ class Geometry {
  public:
   using View = ExactPoint;
 
+  /// Makes room for the vertices below `count`.
+  void reserve(std::size_t count) { places_.reserve(count); }
   /// Puts an explicit point, in range, at `vertex`, growing the table where needed.
   void place(std::uint32_t vertex, const Point& point);
   /// Puts the crossing of the lines through (a, b) and (c, d), explicit vertices all, at `vertex`.

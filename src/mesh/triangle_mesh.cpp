@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace waywright::mesh {
 
@@ -13,6 +14,11 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 }
 
 }  // namespace
+
+TriangleMesh::TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count)
+    : corners_(std::move(corners)), labels_(corners_.size()), outgoing_(vertex_count) {
+  for (std::uint32_t h = 0; h < corners_.size(); ++h) outgoing_[number(corners_[h].origin)] = h;
+}
 
 HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   const HalfEdge start = outgoing(from);
@@ -103,38 +109,6 @@ void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
   corners_[number(to)].twin = twin_and_flag;
   back = number(to) | (back & kFixed);
   if ((twin_and_flag & kFixed) != 0) labels_[number(to)] = labels_[number(from)];
-}
-
-//        c               d ------- c
-//       / \              | \  f  / |       The square of the corners a, b, c, d as seen from inside; around it, four
-//      /   \             |   \ /   |       ghost faces join its sides to the ghost vertex.
-//     /     \            |   / \   |
-//    a ----- b           a ------- b
-std::array<Vertex, 5> TriangleMesh::make_square() {
-  assert(corners_.empty() && outgoing_.empty());
-  std::array<Vertex, 5> v{};
-  for (Vertex& vertex : v) vertex = add_vertex();
-  const auto [ghost, a, b, c, d] = v;
-  const Face lower = add_face();
-  const Face upper = add_face();
-  set_corners(lower, a, b, c);
-  set_corners(upper, a, c, d);
-  link(previous(first(lower)), first(upper), 0);
-
-  // The sides in counter-clockwise order; the ghost face beyond each runs the other way.
-  const std::array<HalfEdge, 4> sides = {first(lower), next(first(lower)), next(first(upper)), previous(first(upper))};
-  std::array<HalfEdge, 4> ghosts{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Face f = add_face();
-    const Vertex from = origin(sides[i]);
-    const Vertex to = target(sides[i]);
-    set_corners(f, to, from, ghost);
-    ghosts[i] = first(f);
-    link(sides[i], ghosts[i], 0);
-  }
-  // Around the ghost: the edge ghost -> to of one side's face is the edge from -> ghost of the next side's.
-  for (std::size_t i = 0; i < 4; ++i) link(previous(ghosts[i]), next(ghosts[(i + 1) % 4]), 0);
-  return v;
 }
 
 //        c                      c

@@ -32,6 +32,17 @@ class TriangleMesh {
   /// once, in order.
   enum class Touch : std::uint8_t { made, rebuilt, freed };
 
+  /// A half-edge as it is stored.
+  struct Corner {
+    std::uint32_t twin;  ///< the highest bit says that the edge is fixed; of a free face's first, the next free face
+    Vertex origin;       ///< kNoVertex in a free face
+  };
+
+  TriangleMesh() = default;
+  /// A mesh as it was made elsewhere: three half-edges a face, none of them free or fixed, and `vertex_count` vertices,
+  /// each the origin of some.
+  TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count);
+
   // Walking about. Each is O(1).
   [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin & ~kFixed}; }
   [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
@@ -69,10 +80,6 @@ class TriangleMesh {
   }
 
   // Changing.
-
-  /// Makes the smallest world: a square of the corners a, b, c, d (counter-clockwise) cut along a - c, and a ghost
-  /// vertex joined to all four. Requires: the mesh is empty. Returns the five vertices, the ghost first.
-  std::array<Vertex, 5> make_square();
 
   [[nodiscard]] Vertex add_vertex();
   /// Requires: no face has `v` as a corner.
@@ -128,11 +135,6 @@ class TriangleMesh {
   static constexpr std::uint32_t kFixed = 0x80000000;
   static constexpr std::uint32_t kFree = 0x80000000;
   static constexpr std::uint32_t kEndOfList = 0x7fffffff;
-
-  struct Corner {
-    std::uint32_t twin;  ///< the highest bit says that the edge is fixed; of a free face's first, the next free face
-    Vertex origin;       ///< kNoVertex in a free face
-  };
 
   enum class ChangeKind : std::uint8_t {
     add_vertex,

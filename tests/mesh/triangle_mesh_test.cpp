@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random.hpp"
+#include "support/square_mesh.hpp"
 
 namespace waywright::test {
 namespace {
@@ -17,19 +18,7 @@ using mesh::kNoHalfEdge;
 using mesh::TriangleMesh;
 using mesh::Vertex;
 
-struct Square {
-  TriangleMesh mesh;
-  Vertex ghost{}, a{}, b{}, c{}, d{};
-
-  Square() {
-    const auto v = mesh.make_square();
-    ghost = v[0];
-    a = v[1];
-    b = v[2];
-    c = v[3];
-    d = v[4];
-  }
-};
+using Square = SquareMesh;
 
 std::set<Vertex> neighbours(const TriangleMesh& mesh, Vertex v) {
   std::set<Vertex> result;

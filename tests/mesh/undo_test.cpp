@@ -6,6 +6,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "support/random.hpp"
+#include "support/square_mesh.hpp"
 
 namespace waywright::test {
 namespace {
@@ -111,8 +112,7 @@ void change(TriangleMesh& mesh, Random& random) {
 
 TEST(Undo, RollingBackRestoresEveryHalfEdgeLabelAndVertex) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    TriangleMesh mesh;
-    mesh.make_square();
+    TriangleMesh mesh = SquareMesh().mesh;
     Random random(seed);
     for (int i = 0; i < 60; ++i) change(mesh, random);
     ASSERT_EQ(mesh.find_fault(), std::nullopt);
@@ -134,8 +134,7 @@ TEST(Undo, RollingBackRestoresEveryHalfEdgeLabelAndVertex) {
 
 TEST(Undo, TouchedFacesAndVerticesAreThoseThatChanged) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    TriangleMesh mesh;
-    mesh.make_square();
+    TriangleMesh mesh = SquareMesh().mesh;
     Random random(seed);
     for (int i = 0; i < 60; ++i) change(mesh, random);
     const State before = state_of(mesh);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -45,6 +46,7 @@ class WorldCheck {
     if (const Fault fault = check_snapshot(*world)) return fault;
     if (const Fault fault = check_locations(*world, dump)) return fault;
     if (const Fault fault = check_refusals(*world, dump)) return fault;
+    if (const Fault fault = check_at_once(dump)) return fault;
     return check_other_order(dump);
   }
 
@@ -193,6 +195,35 @@ class WorldCheck {
     }
     if (world->dump() != dump) return "in another order, the items give another dump";
     return std::nullopt;
+  }
+
+  // All items at once, into nothing and into what the first of them have made.
+  Fault check_at_once(std::string_view dump) {
+    for (const std::size_t before : {std::size_t{0}, scene_.items.size() / 3}) {
+      Result<World> world = World::create(scene_.domain);
+      if (!world) return "create: " + world.error().message;
+      const std::span<const Item> items = scene_.items;
+      for (const Item& item : items.first(before)) (void)world->insert(item.shape, item.id);
+      const Result<std::vector<ItemId>> ids = world->insert_all(items.subspan(before));
+      report_.operations += items.size();
+      if (!ids) return "insert_all: " + ids.error().message;
+      for (std::size_t i = before; i < items.size(); ++i) {
+        if ((*ids)[i - before] != items[i].id) return "insert_all returned another id for " + name_of(items[i].id);
+        const Result<Shape> shape = world->shape(items[i].id);
+        if (!shape || *shape != *world_shape(items[i])) return "the shape of " + name_of(items[i].id) + " is wrong";
+      }
+      const Validation validation = world->validate();
+      if (!validation.ok) return "validate after insert_all: " + validation.fault;
+      if (world->dump() != dump) return "inserted at once, the items give another dump";
+    }
+    return std::nullopt;
+  }
+
+  /// As a world of its own gives it back.
+  Result<Shape> world_shape(const Item& item) const {
+    World world = World::create(scene_.domain).value();
+    (void)world.insert(item.shape, item.id);
+    return world.shape(item.id);
   }
 
   const Scene& scene_;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+#include "waywright/point.hpp"
+
+namespace waywright::constraint {
+
+// Batches as ConstrainedTriangulation::insert_all takes them. They own nothing.
+
+/// Elements with a `shape`, under these ids.
+template <class Element>
+struct ShapeBatch {
+  std::span<const Element> elements;
+  std::span<const ItemId> ids;
+
+  [[nodiscard]] std::size_t size() const { return elements.size(); }
+  [[nodiscard]] ItemId id(std::size_t i) const { return ids[i]; }
+  [[nodiscard]] ItemKind kind(std::size_t i) const { return elements[i].shape.kind; }
+  [[nodiscard]] const std::vector<std::vector<Point>>& rings(std::size_t i) const { return elements[i].shape.rings; }
+};
+
+/// Points, as items each under one more than the last.
+struct PointBatch {
+  std::span<const Point> points;
+  ItemId first;
+
+  [[nodiscard]] std::size_t size() const { return points.size(); }
+  [[nodiscard]] ItemId id(std::size_t i) const { return {first.value + i}; }
+  [[nodiscard]] static ItemKind kind(std::size_t /*i*/) { return ItemKind::point; }
+  [[nodiscard]] std::array<std::span<const Point>, 1> rings(std::size_t i) const { return {points.subspan(i, 1)}; }
+};
+
+}  // namespace waywright::constraint

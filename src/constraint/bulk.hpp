@@ -1,0 +1,108 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "constraint/constrained_triangulation.hpp"
+#include "constraint/ring_corners.hpp"
+
+// Many items at once. Corners come in along a curve, so that each is near the last, and near in memory to its
+// neighbours; then the sides, whose ends are known, in the order of their items' first corners.
+
+namespace waywright::constraint {
+
+/// The corners of all of a batch's items, after some others.
+template <class Batch>
+locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others) {
+  std::vector<Point> corners(others.begin(), others.end());
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (const auto& ring : batch.rings(i)) {
+      for_each_corner(ring, batch.kind(i) == ItemKind::polygon, [&](const Point& point) { corners.push_back(point); });
+    }
+  }
+  return locate::sort_along_curve(domain, corners);
+}
+
+template <class Geometry>
+template <class Batch>
+ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch)
+    : ConstrainedTriangulation(domain, batch, sort_corners(domain, batch, Triangulation::corners_of(domain))) {}
+
+// Nobody has seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and
+// then.
+template <class Geometry>
+template <class Batch>
+ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
+                                                             locate::SortedPoints&& sorted)
+    : domain_(domain),
+      triangulation_(domain, {UseLists::of(0), UseLists::of(1), UseLists::of(2), UseLists::of(3)}, std::move(sorted)),
+      corner_uses_(topology().vertex_slots(), UseLists::kNone) {
+  std::size_t done = 0;
+  const auto after_item = [&] {
+    if (++done % kItemsBetweenLogs == 0) begin();
+  };
+  const auto vertex_of = [](std::uint32_t rank) { return Triangulation::vertex_of_rank(rank); };
+  add_domain();
+  const std::span<const std::uint32_t> ranks = std::span(sorted.ranks).subspan(4);
+  insert_sides(add_records(batch, ranks, vertex_of, after_item), after_item);
+  begin();
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::add_domain() {
+  for (const mesh::Vertex corner : triangulation_.box_corners()) add_corner(corner, ItemTable::kDomain);
+  end_ring(ItemTable::kDomain);
+  count_hash(ItemTable::kDomain);
+}
+
+template <class Geometry>
+template <class Batch>
+void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch) {
+  const locate::SortedPoints sorted = sort_corners(domain_, batch, {});
+  std::vector<mesh::Vertex> vertices;
+  vertices.reserve(sorted.points.size());
+  for (const Point& point : sorted.points) vertices.push_back(insert_vertex(triangulation_.insert(point)));
+  const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
+  const auto after_item = [] {};
+  insert_sides(add_records(batch, sorted.ranks, vertex_of, after_item), after_item);
+}
+
+template <class Geometry>
+template <class Batch, class VertexOf, class AfterItem>
+std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const Batch& batch,
+                                                                           std::span<const std::uint32_t> ranks,
+                                                                           VertexOf&& vertex_of,
+                                                                           AfterItem&& after_item) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rank_and_slot;
+  std::size_t corner = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const ItemKind kind = batch.kind(i);
+    const std::uint32_t slot = items_.add_item(batch.id(i), kind);
+    const std::uint32_t first_rank = ranks[corner];
+    for (const auto& ring : batch.rings(i)) {
+      for_each_corner(ring, kind == ItemKind::polygon,
+                      [&](const Point&) { add_corner(vertex_of(ranks[corner++]), slot); });
+      end_ring(slot);
+    }
+    count_hash(slot);
+    if (!items_.item(slot).sides.empty()) rank_and_slot.emplace_back(first_rank, slot);
+    after_item();
+  }
+  std::sort(rank_and_slot.begin(), rank_and_slot.end());
+  std::vector<std::uint32_t> slots;
+  slots.reserve(rank_and_slot.size());
+  for (const auto& [rank, slot] : rank_and_slot) slots.push_back(slot);
+  return slots;
+}
+
+template <class Geometry>
+template <class AfterItem>
+void ConstrainedTriangulation<Geometry>::insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item) {
+  for (const std::uint32_t slot : items) {
+    for (const std::uint32_t side : items_.item(slot).sides) insert_side(side);
+    after_item();
+  }
+}
+
+}  // namespace waywright::constraint

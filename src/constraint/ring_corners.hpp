@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "waywright/point.hpp"
+
+namespace waywright::constraint {
+
+/// Calls visit(point) for each corner of a ring: points that repeat their predecessor are one, and so are those at the
+/// end of a closed ring that repeat its first. Adding 0 turns -0 into 0, so that equal places have equal bits.
+template <class Ring, class Visit>
+void for_each_corner(const Ring& ring, bool is_closed, Visit&& visit) {
+  std::size_t end = ring.size();
+  while (is_closed && end > 1 && ring[end - 1] == ring[0]) --end;
+  for (std::size_t i = 0; i < end; ++i) {
+    if (i == 0 || ring[i] != ring[i - 1]) visit(Point{ring[i].x + 0.0, ring[i].y + 0.0});
+  }
+}
+
+}  // namespace waywright::constraint

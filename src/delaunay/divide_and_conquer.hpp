@@ -1,0 +1,402 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "waywright/point.hpp"
+
+#include "delaunay/tie_rule.hpp"
+#include "exact/sign.hpp"
+#include "locate/curve.hpp"
+#include "mesh/index.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace waywright::delaunay {
+
+/// The Delaunay triangulation of a set of points and the ghost beyond their hull, from nothing: points are parted by
+/// axis-parallel lines down to three or fewer, and the triangulations of both sides are zipped together along the line.
+///
+/// m points and the ghost are a sphere of 2 m - 2 faces, whatever the points; so the points [i, j) own the faces 2 i to
+/// 2 j - 3, a merge at k adds the faces 2 k - 2 and 2 k - 1, and nothing is ever moved or allocated.
+///
+/// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cutting both ways:
+/// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghosts that become
+/// the new faces: Shewchuk, *Triangle*, 1996. Departure: cuts are those of the curve's cells, which need no medians,
+/// and ties are broken, which leaves one result.
+template <class Geometry>
+class DivideAndConquer {
+ public:
+  using Corner = mesh::TriangleMesh::Corner;
+  using Key = locate::Curve::Key;
+
+  /// `geometry` answers questions about points as they are. `points` in the order of their `keys`, those of one key in
+  /// (x, y) order; all distinct. Point i becomes vertex i + 1, the ghost is vertex 0. `corners` has room for 6
+  /// (points.size() - 1).
+  DivideAndConquer(const Geometry& geometry, std::span<const Point> points, std::span<const Key> keys,
+                   std::span<Corner> corners)
+      : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
+
+  /// The triangulation of the points [begin, end), of which there are two or more.
+  void run(std::uint32_t begin, std::uint32_t end) { (void)triangulate(begin, end); }
+
+  static constexpr mesh::Vertex kGhost{0};
+
+ private:
+  using HalfEdge = mesh::HalfEdge;
+  using Vertex = mesh::Vertex;
+  using Sign = exact::Sign;
+  /// A triangulated part. Each of its hull's edges has a ghost face, and the half-edge there that is opposite to the
+  /// ghost stands for it: it runs clockwise around the part.
+  struct Part {
+    Vertex any;                         ///< one of its vertices
+    HalfEdge hull = mesh::kNoHalfEdge;  ///< some hull edge, where there is more than one vertex
+  };
+  /// How a cut parts: by x, or by y.
+  enum class Cut : std::uint8_t { x, y };
+
+  // The zip's two sides, before its first step and between any two: `base` is the uppermost edge joined so far, from
+  // the right part's vertex to the left one's, its twin's face still to come. `left` is the hull edge of the left part
+  // that ends at the base, `right` that of the right part which starts there; either is missing where the part is a
+  // single vertex. `left_open` and `right_open` are the edges from the base to the ghost above it that have no twin.
+  struct Zip {
+    Vertex l, r;
+    HalfEdge base;
+    HalfEdge left, right;
+    HalfEdge left_open, right_open;
+  };
+
+  [[nodiscard]] const Point& point(Vertex v) const { return points_[number(v) - 1]; }
+  [[nodiscard]] typename Geometry::View view(Vertex v) const { return geometry_.view(point(v)); }
+  [[nodiscard]] Sign orientation(Vertex a, Vertex b, Vertex c) const {
+    return geometry_.orientation(view(a), view(b), view(c));
+  }
+  [[nodiscard]] bool circle_holds(Vertex a, Vertex b, Vertex c, Vertex d) const {
+    return delaunay::circle_holds(geometry_, view(a), view(b), view(c), view(d));
+  }
+  [[nodiscard]] bool comes_before(Vertex p, Vertex q, Cut cut) const {
+    const Point& a = point(p);
+    const Point& b = point(q);
+    if (cut == Cut::x) return a.x < b.x || (a.x == b.x && a.y < b.y);
+    return a.y < b.y || (a.y == b.y && a.x > b.x);
+  }
+
+  [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin}; }
+  [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
+  [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
+  void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
+  void link(HalfEdge g, HalfEdge h) {
+    corners_[number(g)].twin = number(h);
+    corners_[number(h)].twin = number(g);
+  }
+  HalfEdge make_face(std::uint32_t f, Vertex a, Vertex b, Vertex c) {
+    corners_[3 * std::size_t{f}].origin = a;
+    corners_[3 * std::size_t{f} + 1].origin = b;
+    corners_[3 * std::size_t{f} + 2].origin = c;
+    return HalfEdge{3 * f};
+  }
+  /// The hull edge after `hull`, or before it, counter-clockwise around the part.
+  [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
+  [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
+
+  Part triangulate(std::uint32_t begin, std::uint32_t end);
+  Part make_edge(std::uint32_t begin);
+  Part make_three(std::uint32_t begin);
+  Part make_triangle(std::uint32_t f, Vertex a, Vertex b, Vertex c);
+  Part make_chain(std::uint32_t f, Vertex a, Vertex b, Vertex c);
+
+  Part merge(const Part& left, const Part& right, std::uint32_t f, Cut cut);
+  [[nodiscard]] HalfEdge find_last(HalfEdge hull, Cut cut) const;
+  [[nodiscard]] HalfEdge find_first(HalfEdge hull, Cut cut) const;
+  [[nodiscard]] Zip lower_tangent(const Part& left, const Part& right, Cut cut) const;
+  void open(Zip& zip, std::uint32_t f);
+  void uncover_left(Zip& zip, Vertex& candidate);
+  void uncover_right(Zip& zip, Vertex& candidate);
+  void join_left(Zip& zip, Vertex candidate);
+  void join_right(Zip& zip, Vertex candidate);
+
+  const Geometry& geometry_;
+  std::span<const Point> points_;
+  std::span<const Key> keys_;
+  std::span<Corner> corners_;
+};
+
+// Of the cells' common prefix, the first bit that differs parts the cells by a line. Points of one cell are in (x, y)
+// order: any place parts them by a line that is all but vertical.
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::triangulate(std::uint32_t begin,
+                                                                                  std::uint32_t end) {
+  const std::uint32_t count = end - begin;
+  if (count == 1) return {Vertex{begin + 1}, mesh::kNoHalfEdge};
+  if (count == 2) return make_edge(begin);
+  if (count == 3) return make_three(begin);
+  std::uint32_t middle = begin + count / 2;
+  Cut cut = Cut::x;
+  const Key differing = keys_[begin] ^ keys_[end - 1];
+  if (differing != 0) {
+    const int bit = 63 - std::countl_zero(differing);
+    const Key upper = keys_[end - 1] >> bit << bit;
+    cut = locate::Curve::is_bit_of_x(bit) ? Cut::x : Cut::y;
+    const auto first = keys_.begin() + begin;
+    middle = begin + static_cast<std::uint32_t>(std::lower_bound(first, keys_.begin() + end, upper) - first);
+  }
+  const Part left = triangulate(begin, middle);
+  const Part right = triangulate(middle, end);
+  return merge(left, right, 2 * middle - 2, cut);
+}
+
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_edge(std::uint32_t begin) {
+  const Vertex a{begin + 1};
+  const Vertex b{begin + 2};
+  const HalfEdge ab = make_face(2 * begin, a, b, kGhost);
+  const HalfEdge ba = make_face(2 * begin + 1, b, a, kGhost);
+  link(ab, ba);
+  link(next(ab), previous(ba));
+  link(previous(ab), next(ba));
+  return {a, ab};
+}
+
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_three(std::uint32_t begin) {
+  Vertex a{begin + 1};
+  Vertex b{begin + 2};
+  Vertex c{begin + 3};
+  const Sign sign = orientation(a, b, c);
+  if (sign == Sign::positive) return make_triangle(2 * begin, a, b, c);
+  if (sign == Sign::negative) return make_triangle(2 * begin, a, c, b);
+  if (comes_before(b, a, Cut::x)) std::swap(a, b);
+  if (comes_before(c, b, Cut::x)) std::swap(b, c);
+  if (comes_before(b, a, Cut::x)) std::swap(a, b);
+  return make_chain(2 * begin, a, b, c);
+}
+
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_triangle(std::uint32_t f, Vertex a, Vertex b,
+                                                                                    Vertex c) {
+  const HalfEdge ab = make_face(f, a, b, c);
+  const HalfEdge ba = make_face(f + 1, b, a, kGhost);
+  const HalfEdge cb = make_face(f + 2, c, b, kGhost);
+  const HalfEdge ac = make_face(f + 3, a, c, kGhost);
+  link(ab, ba);
+  link(next(ab), cb);
+  link(previous(ab), ac);
+  link(previous(ba), next(cb));
+  link(previous(cb), next(ac));
+  link(previous(ac), next(ba));
+  return {a, ba};
+}
+
+/// Three on a line, in order.
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
+                                                                                 Vertex c) {
+  const HalfEdge ab = make_face(f, a, b, kGhost);
+  const HalfEdge bc = make_face(f + 1, b, c, kGhost);
+  const HalfEdge cb = make_face(f + 2, c, b, kGhost);
+  const HalfEdge ba = make_face(f + 3, b, a, kGhost);
+  link(ab, ba);
+  link(bc, cb);
+  link(next(ab), previous(bc));
+  link(next(bc), previous(cb));
+  link(next(cb), previous(ba));
+  link(next(ba), previous(ab));
+  return {a, ab};
+}
+
+/// Of the hull edges, the one that starts, counter-clockwise, at the last vertex in the cut's direction.
+template <class Geometry>
+mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) const {
+  Vertex v = target(hull);
+  bool has_climbed = false;
+  for (Vertex w = origin(hull); comes_before(v, w, cut); w = origin(hull)) {
+    hull = hull_next(hull);
+    v = w;
+    has_climbed = true;
+  }
+  if (has_climbed) return hull;
+  for (;;) {
+    const HalfEdge before = hull_previous(hull);
+    const Vertex w = target(before);
+    if (!comes_before(v, w, cut)) return hull;
+    hull = before;
+    v = w;
+  }
+}
+
+/// Of the hull edges, the one that ends, counter-clockwise, at the first vertex in the cut's direction.
+template <class Geometry>
+mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) const {
+  Vertex v = origin(hull);
+  bool has_climbed = false;
+  for (Vertex w = target(hull); comes_before(w, v, cut); w = target(hull)) {
+    hull = hull_previous(hull);
+    v = w;
+    has_climbed = true;
+  }
+  if (has_climbed) return hull;
+  for (;;) {
+    const HalfEdge after = hull_next(hull);
+    const Vertex w = origin(after);
+    if (!comes_before(w, v, cut)) return hull;
+    hull = after;
+    v = w;
+  }
+}
+
+// From the two vertices nearest to the cut down to where both parts lie on the left of the way from l to r, or on it.
+// Of several vertices on it, l and r stay the nearest.
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tangent(const Part& left, const Part& right,
+                                                                                   Cut cut) const {
+  Zip zip{left.any, right.any, {}, left.hull, right.hull, {}, {}};
+  const bool has_left = left.hull != mesh::kNoHalfEdge;
+  const bool has_right = right.hull != mesh::kNoHalfEdge;
+  if (has_left) {
+    zip.left = find_last(left.hull, cut);
+    zip.l = target(zip.left);
+  }
+  if (has_right) {
+    zip.right = find_first(right.hull, cut);
+    zip.r = origin(zip.right);
+  }
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    if (has_left) {
+      const HalfEdge below = hull_previous(zip.left);
+      if (orientation(zip.l, zip.r, target(below)) == Sign::negative) {
+        zip.left = below;
+        zip.l = target(below);
+        has_moved = true;
+      }
+    }
+    if (has_right) {
+      const HalfEdge below = hull_next(zip.right);
+      if (orientation(zip.l, zip.r, origin(below)) == Sign::negative) {
+        zip.right = below;
+        zip.r = origin(below);
+        has_moved = true;
+      }
+    }
+  }
+  return zip;
+}
+
+//       ghost
+//      /     \          The ghost face below the lower tangent takes its place among the ghosts of both hulls. The
+//    l ------- r        edges from l and from r to the ghost, which it parts from one another, are open until the
+//      \     /          upper tangent has a ghost face as well.
+//       ghost
+template <class Geometry>
+void DivideAndConquer<Geometry>::open(Zip& zip, std::uint32_t f) {
+  zip.base = make_face(f, zip.r, zip.l, kGhost);
+  const HalfEdge l_to_ghost = next(zip.base);
+  const HalfEdge ghost_to_r = previous(zip.base);
+  zip.left_open = l_to_ghost;
+  zip.right_open = ghost_to_r;
+  if (zip.left != mesh::kNoHalfEdge) {
+    zip.left_open = next(zip.left);
+    link(l_to_ghost, twin(zip.left_open));
+  }
+  if (zip.right != mesh::kNoHalfEdge) {
+    zip.right_open = previous(zip.right);
+    link(ghost_to_r, twin(zip.right_open));
+  }
+}
+
+//          x                  x
+//        /   \              / |        The hull edge l - p goes while the circle through l, r and p holds the vertex
+//      p ----- l    ->    p   | l      beyond it: the face there becomes a ghost's, and x the candidate. The edge from
+//        ghost             ghost       l to the ghost stays as it is.
+template <class Geometry>
+void DivideAndConquer<Geometry>::uncover_left(Zip& zip, Vertex& candidate) {
+  for (;;) {
+    const HalfEdge lp = twin(zip.left);
+    const HalfEdge xl = previous(lp);
+    const Vertex x = origin(xl);
+    if (x == kGhost || !circle_holds(zip.l, zip.r, candidate, x)) return;
+    const HalfEdge ghost_to_p = previous(zip.left);
+    set_origin(zip.left, x);
+    set_origin(lp, kGhost);
+    link(zip.left, twin(xl));
+    link(lp, twin(ghost_to_p));
+    link(ghost_to_p, xl);
+    candidate = x;
+  }
+}
+
+/// The same on the other side: the hull edge is r - q.
+template <class Geometry>
+void DivideAndConquer<Geometry>::uncover_right(Zip& zip, Vertex& candidate) {
+  for (;;) {
+    const HalfEdge qr = twin(zip.right);
+    const HalfEdge rx = next(qr);
+    const Vertex x = target(rx);
+    if (x == kGhost || !circle_holds(zip.l, zip.r, candidate, x)) return;
+    const HalfEdge q_to_ghost = next(zip.right);
+    set_origin(q_to_ghost, x);
+    set_origin(rx, kGhost);
+    link(zip.right, twin(rx));
+    link(qr, twin(q_to_ghost));
+    link(q_to_ghost, rx);
+    candidate = x;
+  }
+}
+
+/// The ghost face at the left hull edge becomes the face of l, r and the candidate.
+template <class Geometry>
+void DivideAndConquer<Geometry>::join_left(Zip& zip, Vertex candidate) {
+  const HalfEdge lr = next(zip.left);
+  const HalfEdge up = previous(zip.left);
+  link(lr, zip.base);
+  set_origin(up, zip.r);
+  zip.base = up;
+  zip.l = candidate;
+  zip.left_open = twin(up);
+  zip.left = previous(zip.left_open);
+}
+
+template <class Geometry>
+void DivideAndConquer<Geometry>::join_right(Zip& zip, Vertex candidate) {
+  const HalfEdge lr = previous(zip.right);
+  const HalfEdge up = next(zip.right);
+  link(lr, zip.base);
+  set_origin(lr, zip.l);
+  zip.base = up;
+  zip.r = candidate;
+  zip.right_open = twin(up);
+  zip.right = next(zip.right_open);
+}
+
+// A circle through the base rises between the two parts until it meets the next vertex of either.
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
+                                                                            std::uint32_t f, Cut cut) {
+  Zip zip = lower_tangent(left, right, cut);
+  open(zip, f);
+  for (;;) {
+    Vertex p = zip.left == mesh::kNoHalfEdge ? zip.l : origin(zip.left);
+    Vertex q = zip.right == mesh::kNoHalfEdge ? zip.r : target(zip.right);
+    const bool has_p = orientation(zip.l, zip.r, p) == Sign::positive;
+    const bool has_q = orientation(zip.l, zip.r, q) == Sign::positive;
+    if (!has_p && !has_q) break;
+    if (has_p) uncover_left(zip, p);
+    if (has_q) uncover_right(zip, q);
+    if (!has_p || (has_q && circle_holds(zip.l, zip.r, p, q))) {
+      join_right(zip, q);
+    } else {
+      join_left(zip, p);
+    }
+  }
+  const HalfEdge upper = make_face(f + 1, zip.l, zip.r, kGhost);
+  link(upper, zip.base);
+  link(next(upper), zip.right_open);
+  link(previous(upper), zip.left_open);
+  return {zip.l, upper};
+}
+
+}  // namespace waywright::delaunay
