@@ -6,6 +6,7 @@
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  waywright::bench::register_location();
   waywright::bench::register_arithmetic();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

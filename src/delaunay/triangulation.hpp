@@ -76,7 +76,9 @@ class Triangulation {
     bool is_new;
     mesh::HalfEdge split;  ///< where a fixed edge was parted: one of its halves, from the vertex; else kNoHalfEdge
   };
-  Inserted insert(const Point& point);
+  Inserted insert(const Point& point) { return insert(point, locate(point)); }
+  /// The same where it is known already where the point lies.
+  Inserted insert(const Point& point, const locate::Located& place);
 
   /// Parts the fixed edge of `h` at its crossing with the line through `a` and `b`, explicit vertices; the edge lies on
   /// the line through `c` and `d`, explicit too. Returns the new vertex.

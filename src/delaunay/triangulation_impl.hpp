@@ -92,8 +92,8 @@ mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
 }
 
 template <class Geometry>
-typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point) {
-  const locate::Located place = locate(point);
+typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point,
+                                                                           const locate::Located& place) {
   if (place.spot == locate::Spot::vertex) {
     remember(place.h);
     return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};

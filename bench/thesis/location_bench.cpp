@@ -1,0 +1,141 @@
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "constraint/exact_triangulation.hpp"
+#include "harness.hpp"
+#include "locate/strategies.hpp"
+#include "thesis/registers.hpp"
+#include "workloads.hpp"
+
+namespace waywright::bench {
+namespace {
+
+using Triangulation = constraint::ExactTriangulation::Triangulation;
+
+constexpr std::size_t kQueryCount = 10000;
+
+std::vector<Point> points_of(const Workload& workload) {
+  std::vector<Point> points;
+  for (const Update& update : workload.updates) points.push_back(update.inserted.shape.rings.front().front());
+  return points;
+}
+
+/// Random whole places where those of thesis_points() lie, but others.
+std::vector<Point> queries() {
+  const std::vector<Point> points = points_of(thesis_points(2 * kQueryCount));
+  return {points.end() - kQueryCount, points.end()};
+}
+
+/// The library's own way: from what updates left in its sectors.
+class OwnSectors {
+ public:
+  explicit OwnSectors(const Box&) {}
+  locate::Located find(const Triangulation& triangulation, const Point& point) { return triangulation.locate(point); }
+  void found(const Point&, mesh::HalfEdge) {}
+};
+
+/// One of the thesis' ways.
+template <class Strategy>
+class By {
+ public:
+  explicit By(const Box& box) : strategy_(make(box)) {}
+
+  locate::Located find(const Triangulation& triangulation, const Point& point) {
+    const locate::Ground<exact::Geometry> ground{triangulation.topology(), triangulation.geometry(),
+                                                 triangulation.ghost()};
+    return locate::locate_by(strategy_, ground, point);
+  }
+  void found(const Point& point, mesh::HalfEdge h) { strategy_.found(point, h); }
+
+ private:
+  static Strategy make(const Box& box) {
+    if constexpr (std::is_constructible_v<Strategy, Box>) {
+      return Strategy(box);
+    } else {
+      return Strategy();
+    }
+  }
+
+  Strategy strategy_;
+};
+
+template <class Way>
+void insert_all(Triangulation& triangulation, Way& way, const std::vector<Point>& points) {
+  for (const Point& point : points) {
+    triangulation.begin();
+    const auto inserted = triangulation.insert(point, way.find(triangulation, point));
+    way.found(point, triangulation.topology().outgoing(inserted.vertex));
+  }
+}
+
+/// Times `job` by the clock on the wall, once.
+template <class Job>
+void time_once(benchmark::State& state, std::size_t operation_count, Job job) {
+  for ([[maybe_unused]] const auto iteration : state) state.SetIterationTime(job());
+  report_time_per_operation(state, operation_count);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+template <class Way>
+void time_insertion(benchmark::State& state, std::size_t count) {
+  const Workload workload = thesis_points(count);
+  const std::vector<Point> points = points_of(workload);
+  time_once(state, count, [&] {
+    Triangulation triangulation(workload.domain, {1, 2, 3, 4});
+    Way way(workload.domain);
+    const auto begin = std::chrono::steady_clock::now();
+    insert_all(triangulation, way, points);
+    const double seconds = seconds_since(begin);
+    state.counters["vertices"] = static_cast<double>(triangulation.topology().vertex_count() - 1);
+    return seconds;
+  });
+}
+
+template <class Way>
+void time_location(benchmark::State& state, std::size_t count) {
+  const Workload workload = thesis_points(count);
+  Triangulation triangulation(workload.domain, {1, 2, 3, 4});
+  for (const Point& point : points_of(workload)) triangulation.insert(point);
+  const std::vector<Point> places = queries();
+  time_once(state, places.size(), [&] {
+    Way way(workload.domain);
+    const auto begin = std::chrono::steady_clock::now();
+    for (const Point& place : places) benchmark::DoNotOptimize(way.find(triangulation, place));
+    return seconds_since(begin);
+  });
+  state.counters["vertices"] = static_cast<double>(triangulation.topology().vertex_count() - 1);
+}
+
+template <class Way>
+void register_way(const std::string& contender, std::size_t count) {
+  const auto add = [&](const std::string& workload, void (*run)(benchmark::State&, std::size_t)) {
+    const std::string name = workload + '/' + std::to_string(count) + '/' + contender;
+    benchmark::RegisterBenchmark(name.c_str(), [run, count](benchmark::State& state) { run(state, count); })
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("location", time_location<Way>);
+  add("insertion", time_insertion<Way>);
+}
+
+}  // namespace
+
+void register_location() {
+  for (std::size_t count = 1000; count <= 10000; count += 1000) {
+    register_way<OwnSectors>("waywright", count);
+    register_way<By<locate::LastFace>>("last_face", count);
+    register_way<By<locate::CubeRootSampling>>("cube_root", count);
+    register_way<By<locate::SectorsOfSearches>>("sectors_16", count);
+  }
+}
+
+}  // namespace waywright::bench

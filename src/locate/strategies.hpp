@@ -1,0 +1,125 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "waywright/point.hpp"
+
+#include "locate/random.hpp"
+#include "locate/walk.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+// Where a walk starts: the three ways that Chen 2009 compares (section 3.2.1), each to be given to locate_by(). They
+// are here for experiments and tests. The library has a way of its own (sectors.hpp), which queries only read.
+
+namespace waywright::locate {
+
+/// What a strategy chooses from: a triangulated box, the places of its vertices, and the vertex beyond it.
+template <class Geometry>
+struct Ground {
+  const mesh::TriangleMesh& mesh;
+  const Geometry& geometry;
+  mesh::Vertex ghost;
+
+  [[nodiscard]] bool is_inside(mesh::HalfEdge h) const {
+    return mesh.origin(h) != ghost && mesh.target(h) != ghost && mesh.apex(h) != ghost;
+  }
+  /// Whether `h`, remembered from some time, stands for a face of the box today.
+  [[nodiscard]] bool holds(mesh::HalfEdge h) const {
+    return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
+  }
+  /// Some face of the box: the one on the inner side of some edge on its border.
+  [[nodiscard]] mesh::HalfEdge somewhere() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
+  /// Some face of the box at `v`, which is alive and not the ghost.
+  [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
+    mesh::HalfEdge h = mesh.outgoing(v);
+    while (!is_inside(h)) h = mesh.next_around(h);
+    return h;
+  }
+};
+
+/// The face where the last search ended.
+class LastFace {
+ public:
+  template <class Geometry>
+  [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point&) const {
+    return ground.holds(last_) ? last_ : ground.somewhere();
+  }
+  void found(const Point&, mesh::HalfEdge h) { last_ = h; }
+
+ private:
+  mesh::HalfEdge last_ = mesh::kNoHalfEdge;
+};
+
+/// Jump and walk: of n^(1/3) random vertices, n being their number, the nearest. The choice is seeded by the point.
+/// Source: Mücke, Saias and Zhu, *Fast randomized point location without preprocessing in two- and three-dimensional
+/// Delaunay triangulations*, 1996.
+class CubeRootSampling {
+ public:
+  template <class Geometry>
+  [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point& point) const {
+    const std::size_t vertex_count = ground.mesh.vertex_count();
+    Random random(point);
+    mesh::HalfEdge nearest = ground.somewhere();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t tries = 0; tries * tries * tries < vertex_count; ++tries) {
+      const mesh::Vertex v{random.below(ground.mesh.vertex_slots())};
+      if (!ground.mesh.is_alive(v) || v == ground.ghost) continue;
+      const Point at = ground.geometry.nearest(number(v));
+      const double squared = (at.x - point.x) * (at.x - point.x) + (at.y - point.y) * (at.y - point.y);
+      if (squared >= least) continue;
+      least = squared;
+      nearest = ground.at(v);
+    }
+    return nearest;
+  }
+  void found(const Point&, mesh::HalfEdge) {}
+};
+
+/// A grid of 16 x 16 sectors over the box, each of which remembers the face where the last search in it ended; where
+/// that is gone, the face where the last search of all ended.
+class SectorsOfSearches {
+ public:
+  explicit SectorsOfSearches(const Box& box) : box_(box) { sectors_.fill(mesh::kNoHalfEdge); }
+
+  template <class Geometry>
+  [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point& point) const {
+    const mesh::HalfEdge remembered = sectors_[sector(point)];
+    if (ground.holds(remembered)) return remembered;
+    return ground.holds(last_) ? last_ : ground.somewhere();
+  }
+  void found(const Point& point, mesh::HalfEdge h) {
+    sectors_[sector(point)] = h;
+    last_ = h;
+  }
+
+ private:
+  static constexpr std::size_t kSide = 16;
+
+  [[nodiscard]] static std::size_t step(double at, double from, double to) {
+    const double scaled = (at - from) / (to - from) * double{kSide};
+    return std::min(static_cast<std::size_t>(std::max(scaled, 0.0)), kSide - 1);
+  }
+  [[nodiscard]] std::size_t sector(const Point& point) const {
+    return step(point.y, box_.min.y, box_.max.y) * kSide + step(point.x, box_.min.x, box_.max.x);
+  }
+
+  Box box_;
+  std::array<mesh::HalfEdge, kSide * kSide> sectors_;
+  mesh::HalfEdge last_ = mesh::kNoHalfEdge;
+};
+
+/// Where `point`, which lies in the box, is: the walk from where `strategy` says, which then learns where it ended.
+template <class Strategy, class Geometry>
+[[nodiscard]] Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {
+  const mesh::HalfEdge start = strategy.start(ground, point);
+  const Located place =
+      walk(ground.mesh, ground.geometry, ground.geometry.view(point), point, mesh::face(start), ground.ghost);
+  strategy.found(point, place.h);
+  return place;
+}
+
+}  // namespace waywright::locate

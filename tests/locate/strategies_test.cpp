@@ -1,0 +1,128 @@
+#include "locate/strategies.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "delaunay/triangulation.hpp"
+#include "exact/geometry.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Ground = locate::Ground<exact::Geometry>;
+using locate::Located;
+using locate::Spot;
+using mesh::HalfEdge;
+
+constexpr Box kBox = {{0, 0}, {32, 32}};
+
+Ground ground_of(const Triangulation& triangulation) {
+  return {triangulation.topology(), triangulation.geometry(), triangulation.ghost()};
+}
+
+Point random_point(Random& random) {
+  return {static_cast<double>(random.below(65)) / 2, static_cast<double>(random.below(65)) / 2};
+}
+
+/// What a place is, under one name whichever way it was found: a number of a vertex, an edge or a face.
+std::uint32_t name(const Triangulation& triangulation, const Located& place) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  if (place.spot == Spot::vertex) return number(mesh.origin(place.h));
+  if (place.spot == Spot::edge) return number(std::min(place.h, mesh.twin(place.h)));
+  return number(mesh::face(place.h));
+}
+
+/// Points come and go between the questions, so that what a strategy remembers grows old.
+template <class Strategy>
+void expect_what_search_of_all_faces_finds(Strategy strategy) {
+  Random random(11);
+  Triangulation triangulation(kBox, {1, 2, 3, 4});
+  std::vector<mesh::Vertex> vertices;
+  std::size_t counts[3] = {0, 0, 0};
+  for (int round = 0; round < 2000; ++round) {
+    if (vertices.size() < 40 || random.chance(50)) {
+      const auto inserted = triangulation.insert(random_point(random));
+      if (inserted.is_new && inserted.split == mesh::kNoHalfEdge) vertices.push_back(inserted.vertex);
+    } else {
+      const std::size_t gone = random.below(vertices.size());
+      triangulation.remove_vertex(vertices[gone]);
+      vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(gone));
+    }
+    const Point point = random_point(random);
+    const Ground ground = ground_of(triangulation);
+    ASSERT_TRUE(ground.holds(strategy.start(ground, point)));
+    const Located place = locate::locate_by(strategy, ground, point);
+    const Located right = locate::search_all(ground.mesh, ground.geometry, exact::Geometry::view(point), ground.ghost);
+    ASSERT_EQ(place.spot, right.spot);
+    ASSERT_EQ(name(triangulation, place), name(triangulation, right));
+    ++counts[static_cast<std::size_t>(place.spot)];
+  }
+  for (const std::size_t count : counts) EXPECT_GT(count, 10U);
+}
+
+TEST(Strategies, LastFaceFindsWhatIsThere) { expect_what_search_of_all_faces_finds(locate::LastFace()); }
+
+TEST(Strategies, CubeRootSamplingFindsWhatIsThere) {
+  expect_what_search_of_all_faces_finds(locate::CubeRootSampling());
+}
+
+TEST(Strategies, SectorsOfSearchesFindWhatIsThere) {
+  expect_what_search_of_all_faces_finds(locate::SectorsOfSearches(kBox));
+}
+
+/// Two hundred points, and two faces far from each other.
+struct World {
+  World() : triangulation(kBox, {1, 2, 3, 4}) {
+    Random random(12);
+    for (int i = 0; i < 200; ++i) triangulation.insert(random_point(random));
+  }
+
+  Triangulation triangulation;
+  HalfEdge low = triangulation.locate({3.3, 3.1}).h;
+  HalfEdge high = triangulation.locate({29.3, 29.1}).h;
+};
+
+TEST(Strategies, LastFaceStartsWhereTheLastSearchEnded) {
+  const World world;
+  locate::LastFace strategy;
+  strategy.found({3.3, 3.1}, world.low);
+  strategy.found({29.3, 29.1}, world.high);
+  EXPECT_EQ(strategy.start(ground_of(world.triangulation), {3.3, 3.1}), world.high);
+}
+
+TEST(Strategies, SectorsRememberTheLastSearchInEach) {
+  const World world;
+  const Ground ground = ground_of(world.triangulation);
+  locate::SectorsOfSearches strategy(kBox);
+  strategy.found({3.3, 3.1}, world.low);
+  strategy.found({29.3, 29.1}, world.high);
+  // Sectors are 2 x 2: the first two share theirs with what was found, the third is in one where nothing was.
+  EXPECT_EQ(strategy.start(ground, {2.1, 3.9}), world.low);
+  EXPECT_EQ(strategy.start(ground, {28.1, 28.1}), world.high);
+  EXPECT_EQ(strategy.start(ground, {2.1, 4.1}), world.high);
+}
+
+// The nearest of k random places of a square lies about 1 / (2 sqrt(k)) of its side away: here, with k = 6, about a
+// fifth; a single random place lies about half a side away.
+TEST(Strategies, CubeRootSamplingStartsNear) {
+  const World world;
+  const Ground ground = ground_of(world.triangulation);
+  const locate::CubeRootSampling strategy;
+  Random random(13);
+  double sum = 0.0;
+  constexpr int kRounds = 200;
+  for (int i = 0; i < kRounds; ++i) {
+    const Point point = random_point(random);
+    const Point start = ground.geometry.nearest(number(ground.mesh.origin(strategy.start(ground, point))));
+    sum += std::hypot(start.x - point.x, start.y - point.y);
+  }
+  EXPECT_LT(sum / kRounds, 0.3 * 32);
+}
+
+}  // namespace
+}  // namespace waywright::test
