@@ -1,9 +1,19 @@
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
 #include <benchmark/benchmark.h>
 
 #include "thesis/registers.hpp"
+#include "thesis/tables.hpp"
 
-// The experiments of Chen 2009 that measure time. All are named WORKLOAD/SIZE/CONTENDER.
-int main(int argc, char** argv) {
+namespace {
+
+constexpr std::size_t kThesisTrials = 1'000'000;
+
+// Benchmarks are named WORKLOAD/SIZE/CONTENDER.
+int run_benchmarks(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   waywright::bench::register_location();
@@ -11,4 +21,20 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;
+}
+
+}  // namespace
+
+// usage: waywright_thesis in_circle [TRIALS] | evaluations | [BENCHMARK-ARGUMENT...]
+int main(int argc, char** argv) {
+  const std::string_view experiment = argc > 1 ? argv[1] : "";
+  if (experiment == "in_circle") {
+    waywright::bench::print_in_circle_table(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : kThesisTrials);
+    return 0;
+  }
+  if (experiment == "evaluations") {
+    waywright::bench::print_evaluations_table();
+    return 0;
+  }
+  return run_benchmarks(argc, argv);
 }
