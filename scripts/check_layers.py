@@ -29,7 +29,7 @@ PUBLIC = {
     "mesh": {"id.hpp", "error.hpp"},
     "locate": VALUES,
     "delaunay": VALUES,
-    "constraint": VALUES | {"item.hpp", "mesh_snapshot.hpp"},
+    "constraint": VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"},
     "path": VALUES | {"item.hpp", "path.hpp"},
     "io": None,
 }

@@ -361,6 +361,19 @@ Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) cons
   return result;
 }
 
+Result<void> World::ray(Point from, Point to, RayHit& hit) const {
+  if (auto error = find_point_error(domain(), from, 0)) return *std::move(error);
+  if (auto error = find_point_error(domain(), to, 1)) return *std::move(error);
+  constraint::first_wall(impl_->triangulation, from, to, hit);
+  return {};
+}
+
+Result<RayHit> World::ray(Point from, Point to) const {
+  RayHit hit;
+  if (auto done = ray(from, to, hit); !done) return done.error();
+  return hit;
+}
+
 Result<std::vector<ItemId>> World::items_in(const Box& box) const {
   if (!exact::in_range(box.min)) return range_error(box.min, 0);
   if (!exact::in_range(box.max)) return range_error(box.max, 1);

@@ -8,6 +8,7 @@
 #include "waywright/path_search.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
+#include "waywright/ray.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 #include "waywright/svg.hpp"

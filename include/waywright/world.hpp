@@ -16,6 +16,7 @@
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
+#include "waywright/ray.hpp"
 
 namespace waywright {
 
@@ -160,6 +161,12 @@ class World {
   /// The items whose sides the segment meets, in order, and where. One that it runs along is told of where that begins;
   /// items met in one place come by ascending id. Errors: coordinate_range, out_of_domain.
   [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
+  /// The first wall that the segment touches on its way from `from`, the domain's border included; a start on a wall
+  /// touches it. Decided exactly, also where walls meet or the segment runs through a wall's end.
+  /// Errors: coordinate_range, out_of_domain. Cost: the location of `from`, and the faces that the segment crosses
+  /// before it hits; no memory, once `hit` has been used.
+  [[nodiscard]] Result<void> ray(Point from, Point to, RayHit& hit) const;
+  [[nodiscard]] Result<RayHit> ray(Point from, Point to) const;
   /// The items that have a point in common with the closed box, which may reach beyond the domain; ascending.
   /// Errors: coordinate_range, bad_domain (where min is beyond max).
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;

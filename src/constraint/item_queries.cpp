@@ -36,6 +36,20 @@ void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v
                                              [&](mesh::HalfEdge h) { append_items_of_edge(triangulation, h, slots); });
 }
 
+/// Where a segment meets a wall's edge, as nearest doubles: a segment that starts on it, or ends on it, meets it there
+/// and may run along it.
+Point meeting_place(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
+  const auto& geometry = triangulation.triangulation().geometry();
+  const Side& side = triangulation.items().side(triangulation.uses().any(triangulation.topology().label(h)));
+  const Point& c = geometry.nearest(number(side.from));
+  const Point& d = geometry.nearest(number(side.to));
+  for (const Point& end : {from, to}) {
+    const auto on = exact::orientation(exact::explicit_point(c), exact::explicit_point(d), exact::explicit_point(end));
+    if (on == exact::Sign::zero) return end;
+  }
+  return exact::round_to_nearest({from, to, c, d}).nearest;
+}
+
 /// Turns what a segment walk meets into items and places.
 class CrossedItems {
  public:
@@ -62,8 +76,7 @@ class CrossedItems {
     if (!triangulation_.topology().is_fixed(h)) return true;
     Slots met;
     append_items_of_edge(triangulation_, h, met);
-    const Side& side = triangulation_.items().side(triangulation_.uses().any(triangulation_.topology().label(h)));
-    tell(met, crossing_with(side));
+    tell(met, meeting_place(triangulation_, h, from_, to_));
     return true;
   }
 
@@ -83,25 +96,44 @@ class CrossedItems {
     return is_end ? last_edge_ : mesh::kNoHalfEdge;
   }
 
-  /// A segment that starts on the edge, or ends on it, meets it there; it may run along it.
-  [[nodiscard]] Point crossing_with(const Side& side) const {
-    const auto& geometry = triangulation_.triangulation().geometry();
-    const Point& c = geometry.nearest(number(side.from));
-    const Point& d = geometry.nearest(number(side.to));
-    for (const Point& end : {from_, to_}) {
-      const auto on =
-          exact::orientation(exact::explicit_point(c), exact::explicit_point(d), exact::explicit_point(end));
-      if (on == exact::Sign::zero) return end;
-    }
-    return exact::round_to_nearest({from_, to_, c, d}).nearest;
-  }
-
   const ExactTriangulation& triangulation_;
   Point from_;
   Point to_;
   mesh::Vertex last_vertex_ = mesh::kNoVertex;    ///< where the segment was last, if that was at a vertex
   mesh::HalfEdge last_edge_ = mesh::kNoHalfEdge;  ///< where it was last, if that was on an edge
   std::vector<std::pair<ItemId, Point>> found_;
+};
+
+/// Stops a segment walk at the first wall.
+class FirstWall {
+ public:
+  FirstWall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit)
+      : triangulation_(triangulation), from_(from), to_(to), hit_(hit) {}
+
+  bool at_vertex(mesh::Vertex v) {
+    triangulation_.topology().for_each_outgoing(v, [&](mesh::HalfEdge h) { append_items(h); });
+    if (hit_.items.empty()) return true;
+    hit_.at = triangulation_.triangulation().geometry().nearest(number(v));
+    return false;
+  }
+
+  bool at_edge(mesh::HalfEdge h) {
+    if (!triangulation_.topology().is_fixed(h)) return true;
+    append_items(h);
+    hit_.at = meeting_place(triangulation_, h, from_, to_);
+    return false;
+  }
+
+ private:
+  void append_items(mesh::HalfEdge h) {
+    triangulation_.for_each_side(
+        h, [&](const Side& side) { hit_.items.push_back(triangulation_.items().item(side.item).id); });
+  }
+
+  const ExactTriangulation& triangulation_;
+  Point from_;
+  Point to_;
+  RayHit& hit_;
 };
 
 /// A closed box against points and segments; a segment misses it when their extents do, or when all four corners lie
@@ -203,6 +235,16 @@ std::vector<std::pair<ItemId, Point>> items_crossed(const ExactTriangulation& tr
   CrossedItems crossed(triangulation, from, to);
   SegmentWalk(triangulation, from, to, delaunay.locate(from)).run(crossed);
   return std::move(crossed.found());
+}
+
+void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit) {
+  hit.items.clear();
+  SegmentWalk(triangulation, from, to, triangulation.triangulation().locate(from))
+      .run(FirstWall(triangulation, from, to, hit));
+  hit.hit = !hit.items.empty();
+  if (!hit.hit) hit.at = {};
+  std::sort(hit.items.begin(), hit.items.end());
+  hit.items.erase(std::unique(hit.items.begin(), hit.items.end()), hit.items.end());
 }
 
 // What covers the whole box without a side or corner in it covers its first corner.

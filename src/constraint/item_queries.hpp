@@ -5,6 +5,7 @@
 
 #include "waywright/id.hpp"
 #include "waywright/point.hpp"
+#include "waywright/ray.hpp"
 
 #include "constraint/cover.hpp"
 #include "constraint/exact_triangulation.hpp"
@@ -18,6 +19,9 @@ namespace waywright::constraint {
 /// runs along is told of where that begins. Items met in one place come by ascending id.
 [[nodiscard]] std::vector<std::pair<ItemId, Point>> items_crossed(const ExactTriangulation& triangulation,
                                                                   const Point& from, const Point& to);
+
+/// The first wall that the segment touches on its way.
+void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
 
 /// The items that have a point in common with the closed box; ascending. Requires: the box meets the domain.
 [[nodiscard]] std::vector<ItemId> items_in(const ExactTriangulation& triangulation, const Box& box);

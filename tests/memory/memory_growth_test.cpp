@@ -80,11 +80,13 @@ TEST(MemoryGrowth, WarmQueriesAllocateNothing) {
   QueryContext context;
   Path path;
   Location location;
+  RayHit hit;
   const auto ask_all = [&] {
     for (int i = 0; i < 40; ++i) {
       const Point start{-990 + 20.0 * i, -990};
       world.find_path({start, {990 - 10.0 * i, 990}}, context, path).value();
       world.locate(start, context, location).value();
+      world.ray(start, {990 - 10.0 * i, 990}, hit).value();
       world.locate({10.0 * i, 5.0 * i}, context, location).value();
     }
   };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/adapter.hpp"
+#include "oracle/first_wall.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/shortest_paths.hpp"
 #include "support/point_text.hpp"
@@ -30,6 +31,14 @@ PathStatus status_of(oracle::OracleStatus status) {
       break;
   }
   return PathStatus::no_path;
+}
+
+std::vector<oracle::OracleRay> rays_of(const PathCase& path_case) {
+  std::vector<oracle::OracleRay> rays;
+  for (const Ends& query : path_case.queries) {
+    rays.push_back({oracle::to_oracle(query.start), oracle::to_oracle(query.goal)});
+  }
+  return rays;
 }
 
 double length_of(const std::vector<Point>& points) {
@@ -68,7 +77,12 @@ class PathCaseCheck {
       if (const auto inserted = world->insert(item.shape, item.id); !inserted) return inserted.error().message;
     }
     report_.vertices = world->vertex_count();
+    const auto first_walls = oracle::first_walls(oracle::to_oracle(path_case_.scene), rays_of(path_case_));
     for (const Ends& ends : path_case_.queries) {
+      if (const Fault fault = check_ray(*world, ends, first_walls[report_.failed_query])) {
+        report_.line = "ray " + text_of(ends.start) + " " + text_of(ends.goal);
+        return report_.line + ": " + *fault;
+      }
       const auto shortest = shortest_.between(oracle::to_oracle(ends.start), oracle::to_oracle(ends.goal));
       for (std::size_t i = 0; i < kPathAlgorithms.size(); ++i) {
         const PathQuery query{ends.start, ends.goal, 0.0, kPathAlgorithms[i]};
@@ -81,6 +95,19 @@ class PathCaseCheck {
       }
       ++report_.failed_query;
     }
+    return std::nullopt;
+  }
+
+  Fault check_ray(const World& world, const Ends& ends, const oracle::OracleHit& expected) {
+    const Result<void> done = world.ray(ends.start, ends.goal, hit_);
+    if (!done) return done.error().message;
+    std::vector<std::uint64_t> ids;
+    for (const ItemId id : hit_.items) ids.push_back(id.value);
+    if (hit_.hit != expected.hit) return "a hit where there is none, or none where there is";
+    if (oracle::to_oracle(hit_.at) != expected.at) {
+      return "hits at " + text_of(hit_.at) + " instead of " + text_of({expected.at.x, expected.at.y});
+    }
+    if (ids != expected.ids) return "hits the wrong items";
     return std::nullopt;
   }
 
@@ -120,6 +147,7 @@ class PathCaseCheck {
   oracle::ShortestPaths shortest_;
   QueryContext context_;
   Path path_;
+  RayHit hit_;
   PathReport report_;
 };
 

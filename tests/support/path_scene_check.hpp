@@ -18,7 +18,7 @@
 namespace waywright::test {
 
 /// The algorithms that are held against the oracle.
-inline constexpr std::array kPathAlgorithms{PathAlgorithm::ta};
+inline constexpr std::array kPathAlgorithms{PathAlgorithm::ta, PathAlgorithm::optimal};
 
 /// How long an algorithm's paths are beside the shortest ones.
 struct PathRatios {
@@ -50,7 +50,8 @@ using PathFinder = std::function<Result<void>(const World&, const PathQuery&, Qu
 
 /// Builds the world, asks for every path by every algorithm, and holds the answers against the oracle: blocked ends are
 /// those strictly inside a polygon; a path is found exactly when there is one, leads from start to goal, is as long as
-/// it says, can be walked by a point agent, and is no shorter than the shortest; `optimal` is no longer either.
+/// it says, can be walked by a point agent, and is no shorter than the shortest; `optimal` is no longer either. Between
+/// the same ends, rays hit the first wall.
 [[nodiscard]] PathReport check_paths(const PathCase& path_case, const PathFinder& find = world_finder());
 
 /// Shrinks a case that fails to the one query that shows it and to the items that it takes, and writes it as a world

@@ -49,6 +49,18 @@ TEST(RunCommand, ListsThePolygonsThatCoverAPointAscending) {
   EXPECT_EQ(lines[3].at("inside"), json::parse("[5,9]"));  // the hole's corner bounds 5
 }
 
+TEST(RunCommand, PrintsTheFirstWallOfARay) {
+  const auto result = run_script(kHead +
+                                 "segment 9 3 1 3 4\nsegment 4 3 2 5 3\npoint 2 2 5\n"
+                                 "ray 1 3 9 3\nray 1 2 9 2\nray 9 2 1 2\nray 1 5 8 5\nray 5 9 5 10\n");
+  EXPECT_EQ(result.out,
+            "{\"line\":6,\"op\":\"ray\",\"hit\":true,\"at\":[3,3],\"items\":[9]}\n"
+            "{\"line\":7,\"op\":\"ray\",\"hit\":true,\"at\":[3,2],\"items\":[4,9]}\n"
+            "{\"line\":8,\"op\":\"ray\",\"hit\":true,\"at\":[3,2],\"items\":[4,9]}\n"
+            "{\"line\":9,\"op\":\"ray\",\"hit\":false}\n"
+            "{\"line\":10,\"op\":\"ray\",\"hit\":true,\"at\":[5,10],\"items\":[0]}\n");
+}
+
 TEST(RunCommand, PrintsAPathInTheFormatsShape) {
   const auto result = run_script(kHead + "path 1 1 5 4 0 ta\n");
   EXPECT_EQ(result.out, R"({"line":3,"op":"path","found":true,"length":5,"pieces":[{"line":[1,1,5,4]}]})"
@@ -143,7 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 0.5", "path", "not-supported"},
         Refusal{"path 1 1 2 1 0 tra", "path", "not-supported"}, Refusal{"remove 9", "remove", "unknown-id"},
-        Refusal{"ray 1 1 2 2", "ray", "not-supported"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
+        Refusal{"ray 1 1 2 12", "ray", "out-of-domain"}, Refusal{"ray -1 1 2 2", "ray", "out-of-domain"},
+        Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
         Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
         Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,12 @@ std::string opening(const Request& request) {
 /// Adding zero leaves every number as it is but -0.
 double without_sign_of_zero(double value) { return value + 0.0; }
 
+void append_ids(std::string& out, const std::vector<ItemId>& ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : ",", ids[i].value);
+  }
+}
+
 void append_point(std::string& out, const Point& point) {
   fmt::format_to(std::back_inserter(out), "{},{}", without_sign_of_zero(point.x), without_sign_of_zero(point.y));
 }
@@ -37,9 +44,7 @@ std::string json_line(const Request& request, const Location& location) {
     out += ']';
   }
   out += R"(],"inside":[)";
-  for (std::size_t i = 0; i < location.inside.size(); ++i) {
-    fmt::format_to(std::back_inserter(out), "{}{}", i == 0 ? "" : ",", location.inside[i].value);
-  }
+  append_ids(out, location.inside);
   return out + "]}";
 }
 
@@ -55,6 +60,15 @@ std::string json_line(const Request& request, const Path& path) {
     append_point(out, path.points[i]);
     out += "]}";
   }
+  return out + "]}";
+}
+
+std::string json_line(const Request& request, const RayHit& hit) {
+  if (!hit.hit) return opening(request) + R"(,"hit":false})";
+  std::string out = opening(request) + R"(,"hit":true,"at":[)";
+  append_point(out, hit.at);
+  out += R"(],"items":[)";
+  append_ids(out, hit.items);
   return out + "]}";
 }
 

@@ -7,6 +7,7 @@
 
 #include "waywright/error.hpp"
 #include "waywright/path.hpp"
+#include "waywright/ray.hpp"
 #include "waywright/world.hpp"
 
 namespace waywright::command {
@@ -20,6 +21,7 @@ struct Request {
 /// The answers, each one JSON object without a line end. Numbers are in the shortest form that reads back the same.
 [[nodiscard]] std::string json_line(const Request& request, const Location& location);
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
+[[nodiscard]] std::string json_line(const Request& request, const RayHit& hit);
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);

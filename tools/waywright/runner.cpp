@@ -34,6 +34,7 @@ Outcome Runner::carry_out(const Operation& operation) {
       output_.write_line(json_line(request_of(operation), world_.items_hash(), world_.mesh_hash()));
       return Outcome::done;
     case OperationKind::ray:
+      return cast_ray(operation);
     case OperationKind::disc:
     case OperationKind::nearest:
       break;
@@ -65,6 +66,13 @@ Outcome Runner::locate(const Operation& operation) {
   const Result<void> located = world_.locate(operation.from, context_, location_);
   if (!located.ok()) return refuse(operation, located.error());
   output_.write_line(json_line(request_of(operation), location_));
+  return Outcome::done;
+}
+
+Outcome Runner::cast_ray(const Operation& operation) {
+  const Result<void> cast = world_.ray(operation.from, operation.to, hit_);
+  if (!cast.ok()) return refuse(operation, cast.error());
+  output_.write_line(json_line(request_of(operation), hit_));
   return Outcome::done;
 }
 

@@ -5,6 +5,7 @@
 #include "waywright/error.hpp"
 #include "waywright/path.hpp"
 #include "waywright/query_context.hpp"
+#include "waywright/ray.hpp"
 #include "waywright/script.hpp"
 #include "waywright/world.hpp"
 
@@ -30,6 +31,7 @@ class Runner {
   Outcome insert(const Operation& operation);
   Outcome remove(const Operation& operation);
   Outcome locate(const Operation& operation);
+  Outcome cast_ray(const Operation& operation);
   Outcome find_path(const Operation& operation);
   Outcome check(const Operation& operation);
   Outcome refuse(const Operation& operation, const Error& error);
@@ -39,6 +41,7 @@ class Runner {
   StandardOutput& output_;
   QueryContext context_;
   Location location_;
+  RayHit hit_;
   std::vector<Path> paths_;
 };
 

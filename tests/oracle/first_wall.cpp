@@ -1,0 +1,59 @@
+#include "oracle/first_wall.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "oracle/arrangement.hpp"
+
+namespace waywright::oracle {
+namespace {
+
+/// The places where a segment meets a wall, or between which it runs along it.
+std::vector<ExactPoint> meetings(const Grid& grid, const Wall& wall, const ExactPoint& from, const ExactPoint& to) {
+  const ExactPoint& a = wall.exact_a;
+  const ExactPoint& b = wall.exact_b;
+  if (cross_properly(a, b, from, to)) return {grid.crossing(a, b, from, to)};
+  std::vector<ExactPoint> places;
+  for (const ExactPoint* end : {&from, &to}) {
+    if (on_segment(a, b, *end)) places.push_back(*end);
+  }
+  for (const ExactPoint* end : {&a, &b}) {
+    if (on_segment(from, to, *end)) places.push_back(*end);
+  }
+  return places;
+}
+
+OracleHit first_wall(const Arrangement& arrangement, const OracleRay& ray) {
+  const ExactPoint from = arrangement.grid.point(ray.from);
+  const ExactPoint to = arrangement.grid.point(ray.to);
+  const bool forward = compare_xy(from, to) <= 0;
+  std::vector<ExactPoint> places;
+  for (const Wall& wall : arrangement.walls) {
+    for (ExactPoint& place : meetings(arrangement.grid, wall, from, to)) places.push_back(std::move(place));
+  }
+  if (places.empty()) return {};
+  const ExactPoint& first = *std::min_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+    return forward ? compare_xy(a, b) < 0 : compare_xy(a, b) > 0;
+  });
+  OracleHit result{true, arrangement.grid.nearest(first), {}};
+  for (const Wall& wall : arrangement.walls) {
+    if (!on_segment(wall.exact_a, wall.exact_b, first)) continue;
+    result.ids.insert(result.ids.end(), wall.ids.begin(), wall.ids.end());
+  }
+  std::sort(result.ids.begin(), result.ids.end());
+  result.ids.erase(std::unique(result.ids.begin(), result.ids.end()), result.ids.end());
+  return result;
+}
+
+}  // namespace
+
+std::vector<OracleHit> first_walls(OracleScene scene, const std::vector<OracleRay>& rays) {
+  // With their ends among its points, the grid has them all.
+  for (const OracleRay& ray : rays) scene.items.push_back({0, OracleKind::polyline, {{ray.from}, {ray.to}}});
+  const Arrangement arrangement(scene);
+  std::vector<OracleHit> hits;
+  for (const OracleRay& ray : rays) hits.push_back(first_wall(arrangement, ray));
+  return hits;
+}
+
+}  // namespace waywright::oracle

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "oracle/oracle.hpp"
+
+namespace waywright::oracle {
+
+struct OracleRay {
+  OraclePoint from;
+  OraclePoint to;
+};
+
+struct OracleHit {
+  bool hit = false;
+  OraclePoint at;                  ///< correctly rounded
+  std::vector<std::uint64_t> ids;  ///< of the items with a side there, ascending; 0 is the domain
+};
+
+/// Where each segment first touches a wall of the scene: the least of all places where it meets any of them.
+[[nodiscard]] std::vector<OracleHit> first_walls(OracleScene scene, const std::vector<OracleRay>& rays);
+
+}  // namespace waywright::oracle
