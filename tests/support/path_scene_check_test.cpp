@@ -60,13 +60,19 @@ TEST(PathSceneCheck, FindsEveryWayToBeWrong) {
               HasSubstr("wall of item 1"));
 }
 
-TEST(PathSceneCheck, MeasuresDetours) {
-  const PathReport report = check_paths(wall_case(), spoilt([](Path& path) {
-                                          if (path.points.size() != 3) return;
-                                          path.points.insert(path.points.begin() + 2, {4.0, 8.0});
-                                          path.length = 5.0 + 2.0 + std::sqrt(9.0 + 36.0);
-                                        }));
-  for (const PathRatios& ratios : report.ratios) EXPECT_NEAR(ratios.worst, (7.0 + std::sqrt(45.0)) / 10.0, 1e-12);
+/// The way round the wall by a corner too many, where the shortest has one.
+void add_detour(Path& path) {
+  if (path.points.size() != 3) return;
+  path.points.insert(path.points.begin() + 2, {4.0, 8.0});
+  path.length = 5.0 + 2.0 + std::sqrt(9.0 + 36.0);
+}
+
+TEST(PathSceneCheck, MeasuresDetoursAndGrantsTheShortestNone) {
+  const PathReport report = check_paths(wall_case(), spoilt(add_detour));
+  EXPECT_NEAR(report.ratios[0].worst, (7.0 + std::sqrt(45.0)) / 10.0, 1e-12);
+  EXPECT_THAT(report.fault.value_or("no fault"), HasSubstr("not the shortest"));
+  EXPECT_EQ(report.line, "path 1 2 7 2 0 optimal");
+  EXPECT_EQ(report.failed_query, 2U);
 }
 
 TEST(PathSceneCheck, ShrinksToTheQueryAndItsItems) {
