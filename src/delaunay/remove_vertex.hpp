@@ -95,6 +95,7 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(mesh::Vertex v, me
 template <class Geometry>
 void Triangulation<Geometry>::forget(mesh::Vertex v, mesh::HalfEdge near) {
   mesh_.free_vertex(v);
+  sectors_.forget(geometry_.nearest(number(v)), v, mesh_.origin(near));
   geometry_.clear(number(v));
   remember(near);
 }

@@ -76,7 +76,7 @@ class Triangulation {
     bool is_new;
     mesh::HalfEdge split;  ///< where a fixed edge was parted: one of its halves, from the vertex; else kNoHalfEdge
   };
-  Inserted insert(const Point& point) { return insert(point, locate(point)); }
+  Inserted insert(const Point& point);
   /// The same where it is known already where the point lies.
   Inserted insert(const Point& point, const locate::Located& place);
 
@@ -108,6 +108,7 @@ class Triangulation {
   [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
 
  private:
+  static constexpr std::size_t kLongWalk = 16;
   static constexpr std::uint32_t kPlacesBetweenLogs = 1024;
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
 
@@ -134,6 +135,7 @@ class Triangulation {
   void legalise_around_apex();
   void remember(mesh::HalfEdge h);
   [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
+  void divide_sector(const Point& point);
   [[nodiscard]] mesh::HalfEdge inner_side(mesh::HalfEdge h) const;
 
   mesh::HalfEdge remove_free_vertex(mesh::Vertex v);

@@ -21,14 +21,13 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
     std::vector<mesh::TriangleMesh::Corner> corners(6 * std::size_t{count} - 6);
     DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(0, count);
     mesh_ = mesh::TriangleMesh(std::move(corners), count + std::size_t{1});
+    sectors_.fill(sorted.keys, number(vertex_of_rank(0)));
   }
   sorted.keys = {};
   if constexpr (requires { geometry_.reserve(count); }) geometry_.reserve(count + std::size_t{1});
   geometry_.place(number(ghost_), Point{});
   for (std::uint32_t rank = 0; rank < count; ++rank) {
-    const mesh::Vertex v = vertex_of_rank(rank);
-    geometry_.place(number(v), sorted.points[rank]);
-    sectors_.remember(sorted.points[rank], v, count);
+    geometry_.place(number(vertex_of_rank(rank)), sorted.points[rank]);
     if (rank % kPlacesBetweenLogs == 0) geometry_.begin();
   }
   sorted.points = {};
@@ -84,11 +83,26 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   return is_ghost_face(h) ? inner_side(h) : h;
 }
 
+/// Where a walk was long although it came from within the point's sector, the sector is crowded.
+template <class Geometry>
+void Triangulation<Geometry>::divide_sector(const Point& point) {
+  const mesh::Vertex v = sectors_.near(point);
+  if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return;
+  if (sectors_.are_in_one(point, geometry_.nearest(number(v)))) sectors_.divide(point, mesh_.vertex_count());
+}
+
 /// Of a half-edge in a ghost face, one in the face on the other side of the border there.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
   while (mesh_.apex(h) != ghost_) h = next(h);
   return mesh_.twin(h);
+}
+
+template <class Geometry>
+typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point) {
+  const locate::Located place = locate(point);
+  if (place.steps > kLongWalk) divide_sector(point);
+  return insert(point, place);
 }
 
 template <class Geometry>
@@ -119,6 +133,7 @@ mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Ve
                                                       mesh::Vertex d) {
   const mesh::Vertex v = mesh_.add_vertex();
   geometry_.place_crossing(number(v), number(a), number(b), number(c), number(d));
+  sectors_.remember(geometry_.nearest(number(v)), v, mesh_.vertex_count());
   stack_.clear();
   for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) stack_.push_back(opposite);
   legalise_around_apex();

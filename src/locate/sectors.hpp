@@ -1,60 +1,78 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "waywright/point.hpp"
 
+#include "locate/curve.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::locate {
 
-/// Where to start a walk from: a uniform grid over the domain, each sector of which remembers the vertex last made in
-/// it. Queries only read it. What it remembers may have gone since; a hint is no more than that. The grid grows with
-/// the number of vertices, so that on even data a walk is short however large the world.
+/// Where to start a walk from: the domain's square cells, each of which remembers a vertex in it or near. Queries only
+/// read them. What a sector remembers may have gone since; a hint is no more than that.
+///
+/// The number of sectors grows with the number of vertices, so that on even data a walk is short however large the
+/// world; a sector that turns out to be crowded is divided in four, over and over, so that it is on uneven data as
+/// well. What sectors there are depends on the history; what is found with their help does not.
 ///
 /// Source: Chen 2009, section 3.2.1 (sector-based location). Departure: updates feed the sectors, queries don't, and
 /// their number isn't fixed.
 class Sectors {
  public:
-  explicit Sectors(const Box& domain) : domain_(domain), vertices_(kSmallestSide * kSmallestSide, mesh::kNoVertex) {}
+  explicit Sectors(const Box& domain) : curve_(domain), sectors_(4, kNone) {}
 
   /// The vertex that the sector of `point` remembers, or kNoVertex.
-  [[nodiscard]] mesh::Vertex near(const Point& point) const { return vertices_[index(point)]; }
-
-  /// Takes note of a vertex. Cost: O(1), amortised.
-  void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count) {
-    if (vertex_count > kVerticesPerSector * vertices_.size()) grow();
-    vertices_[index(point)] = v;
+  [[nodiscard]] mesh::Vertex near(const Point& point) const {
+    const Cell cell = sectors_[find(curve_.key(point)).index];
+    return cell == kNone ? mesh::kNoVertex : mesh::Vertex{cell};
   }
+  /// Whether both points lie in one sector.
+  [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const;
+
+  /// Starts anew, from vertices along the curve: vertex `first` has the first of the keys, and so on. Cost: linear.
+  void fill(std::span<const Curve::Key> keys, std::uint32_t first);
+  /// Takes note of a vertex in a world of so many. Cost: O(1), amortised.
+  void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
+  /// Where `v`, which goes, is remembered, remembers `other`.
+  void forget(const Point& point, mesh::Vertex v, mesh::Vertex other);
+  /// Divides the sector of `point`, in a world of so many vertices. Cost: O(1), amortised.
+  void divide(const Point& point, std::size_t vertex_count);
 
  private:
-  static constexpr std::size_t kSmallestSide = 4;
+  /// What a sector remembers; with kDivided set, where its four quarters start, in the curve's order.
+  using Cell = std::uint32_t;
+  static constexpr Cell kDivided = 0x80000000;
+  static constexpr Cell kNone = 0x7fffffff;
   static constexpr std::size_t kVerticesPerSector = 4;
+  static constexpr std::size_t kCrowd = 8;
+  static constexpr int kKeyBits = 64;
 
-  [[nodiscard]] std::size_t step(double at, double from, double to) const {
-    const auto scaled = (at - from) / (to - from) * static_cast<double>(side_);
-    return std::min(static_cast<std::size_t>(std::max(scaled, 0.0)), side_ - 1);
-  }
-  [[nodiscard]] std::size_t index(const Point& point) const {
-    return step(point.y, domain_.min.y, domain_.max.y) * side_ + step(point.x, domain_.min.x, domain_.max.x);
-  }
-
-  /// Every sector becomes four that remember what it did.
-  void grow() {
-    std::vector<mesh::Vertex> finer(4 * vertices_.size());
-    for (std::size_t y = 0; y < 2 * side_; ++y) {
-      for (std::size_t x = 0; x < 2 * side_; ++x) finer[y * 2 * side_ + x] = vertices_[y / 2 * side_ + x / 2];
+  struct Found {
+    std::size_t index;
+    int shift;  ///< keys that agree above this bit are in the same sector
+  };
+  [[nodiscard]] Found find(Curve::Key key) const {
+    int shift = whole_shift_;
+    std::size_t index = static_cast<std::size_t>(key >> shift);
+    while ((sectors_[index] & kDivided) != 0) {
+      shift -= 2;
+      index = (sectors_[index] & ~kDivided) + static_cast<std::size_t>(key >> shift & 3);
     }
-    vertices_ = std::move(finer);
-    side_ *= 2;
+    return {index, shift};
   }
+  [[nodiscard]] std::size_t whole_count() const { return std::size_t{1} << (kKeyBits - whole_shift_); }
+  [[nodiscard]] Cell any_vertex(Cell cell) const;
+  void grow();
+  void fill_sector(std::size_t index, int shift, std::span<const Curve::Key> keys, std::uint32_t first);
 
-  Box domain_;
-  std::size_t side_ = kSmallestSide;
-  std::vector<mesh::Vertex> vertices_;
+  Curve curve_;
+  int whole_shift_ = kKeyBits - 2;
+  std::vector<Cell> sectors_;  ///< the whole ones along the curve, then quarters, four by four
 };
 
 }  // namespace waywright::locate

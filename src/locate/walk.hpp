@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -16,6 +17,7 @@ enum class Spot : std::uint8_t { vertex, edge, face };
 struct Located {
   Spot spot = Spot::face;
   mesh::HalfEdge h = mesh::kNoHalfEdge;
+  std::size_t steps = 0;  ///< faces that a walk left to get there
 };
 
 namespace detail {
@@ -27,10 +29,10 @@ inline Located spot_in_face(mesh::Face f, const std::array<exact::Sign, 3>& sign
   const std::array<mesh::HalfEdge, 3> sides = {ab, mesh::next(ab), mesh::previous(ab)};
   for (std::size_t i = 0; i < 3; ++i) {
     if (signs[i] != Sign::zero) continue;
-    if (signs[(i + 2) % 3] == Sign::zero) return {Spot::vertex, sides[i]};
-    if (signs[(i + 1) % 3] != Sign::zero) return {Spot::edge, sides[i]};
+    if (signs[(i + 2) % 3] == Sign::zero) return {Spot::vertex, sides[i], 0};
+    if (signs[(i + 1) % 3] != Sign::zero) return {Spot::edge, sides[i], 0};
   }
-  return {Spot::face, ab};
+  return {Spot::face, ab, 0};
 }
 
 }  // namespace detail
@@ -96,7 +98,9 @@ template <class Geometry>
         signs[number(entry) % 3] = entry_side;
         signs[number(one) % 3] = one_side;
         signs[number(other) % 3] = other_side;
-        return detail::spot_in_face(mesh::face(entry), signs);
+        Located located = detail::spot_in_face(mesh::face(entry), signs);
+        located.steps = steps;
+        return located;
       }
       exit = other;
     }

@@ -1,0 +1,100 @@
+#include "locate/sectors.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace waywright::locate {
+
+bool Sectors::are_in_one(const Point& p, const Point& q) const {
+  const Curve::Key key = curve_.key(p);
+  const int shift = find(key).shift;
+  return key >> shift == curve_.key(q) >> shift;
+}
+
+void Sectors::remember(const Point& point, mesh::Vertex v, std::size_t vertex_count) {
+  if (vertex_count > kVerticesPerSector * whole_count()) grow();
+  sectors_[find(curve_.key(point)).index] = number(v);
+}
+
+void Sectors::forget(const Point& point, mesh::Vertex v, mesh::Vertex other) {
+  Cell& cell = sectors_[find(curve_.key(point)).index];
+  if (cell == number(v)) cell = number(other);
+}
+
+// Sectors that have been divided stay so when the crowd has gone. Where there are more quarters than vertices, most
+// are such: then all sectors are whole again, and those still crowded will show.
+void Sectors::divide(const Point& point, std::size_t vertex_count) {
+  const std::size_t quarters = sectors_.size() - whole_count();
+  if (quarters > 4 * vertex_count + whole_count()) {
+    for (std::size_t i = 0; i < whole_count(); ++i) sectors_[i] = any_vertex(sectors_[i]);
+    sectors_.resize(whole_count());
+  }
+  const auto [index, shift] = find(curve_.key(point));
+  if (shift == 0) return;
+  const Cell cell = sectors_[index];
+  const auto first = static_cast<Cell>(sectors_.size());
+  sectors_.insert(sectors_.end(), 4, cell);
+  sectors_[index] = first | kDivided;
+}
+
+Sectors::Cell Sectors::any_vertex(Cell cell) const {
+  while ((cell & kDivided) != 0) cell = sectors_[cell & ~kDivided];
+  return cell;
+}
+
+// Every whole sector becomes four: its quarters, or else ones that remember what it did.
+void Sectors::grow() {
+  std::vector<Cell> finer;
+  finer.reserve(4 * sectors_.size());
+  const std::size_t count = whole_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+      const bool is_divided = (sectors_[i] & kDivided) != 0;
+      finer.push_back(is_divided ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
+    }
+  }
+  // The quarters' own follow, found anew from each new whole sector.
+  for (std::size_t i = 0; i < finer.size(); ++i) {
+    if ((finer[i] & kDivided) == 0) continue;
+    const std::size_t old = finer[i] & ~kDivided;
+    finer[i] = static_cast<Cell>(finer.size()) | kDivided;
+    for (std::size_t quarter = 0; quarter < 4; ++quarter) finer.push_back(sectors_[old + quarter]);
+  }
+  sectors_ = std::move(finer);
+  whole_shift_ -= 2;
+}
+
+void Sectors::fill(std::span<const Curve::Key> keys, std::uint32_t first) {
+  int shift = kKeyBits - 2;
+  while (shift > 2 && keys.size() > kVerticesPerSector << (kKeyBits - shift)) shift -= 2;
+  whole_shift_ = shift;
+  sectors_.assign(whole_count(), kNone);
+  auto begin = keys.begin();
+  for (std::size_t i = 0; i < whole_count(); ++i) {
+    const auto end = std::find_if(begin, keys.end(), [&](Curve::Key key) { return key >> shift != i; });
+    const auto passed = static_cast<std::size_t>(begin - keys.begin());
+    fill_sector(i, shift, {begin, end}, first + static_cast<std::uint32_t>(passed));
+    begin = end;
+  }
+}
+
+// An empty sector remembers the vertex before it along the curve.
+void Sectors::fill_sector(std::size_t index, int shift, std::span<const Curve::Key> keys, std::uint32_t first) {
+  if (keys.size() <= kCrowd || shift == 0) {
+    sectors_[index] = first + static_cast<Cell>(keys.size() / 2) - (keys.empty() ? 1 : 0);
+    return;
+  }
+  const std::size_t quarters = sectors_.size();
+  sectors_.resize(quarters + 4);
+  sectors_[index] = static_cast<Cell>(quarters) | kDivided;
+  auto begin = keys.begin();
+  for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+    const auto end =
+        std::find_if(begin, keys.end(), [&](Curve::Key key) { return (key >> (shift - 2) & 3) != quarter; });
+    const auto passed = static_cast<std::size_t>(begin - keys.begin());
+    fill_sector(quarters + quarter, shift - 2, {begin, end}, first + static_cast<std::uint32_t>(passed));
+    begin = end;
+  }
+}
+
+}  // namespace waywright::locate
