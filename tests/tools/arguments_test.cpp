@@ -67,10 +67,11 @@ INSTANTIATE_TEST_SUITE_P(
         Arguments{"convert", "WORLD"}, Arguments{"convert", "WORLD", "NEW.png"}, Arguments{"convert", "WORLD", "NEW"},
         Arguments{"convert", "WORLD", "LOST.wws"}, Arguments{"convert", "WORLD", "LOST.svg"},
         Arguments{"convert", "NEW.wws", "NEW.svg"}, Arguments{"convert", "NEW.txt", "NEW.wws"},
-        Arguments{"convert", "WORLD", "NEW.wws", "NEW.svg"}));
+        Arguments{"convert", "WORLD", "NEW.wws", "NEW.svg"}, Arguments{"scenario"}, Arguments{"scenario", "WORLD"},
+        Arguments{"scenario", "WORLD", "NEW.scen"}, Arguments{"scenario", "NEW.wws", "WORLD"}));
 
 TEST(Help, IsPrintedWithExamplesForTheCommandAndEachOfItsSubcommands) {
-  for (const std::string command : {"", "run", "path", "convert"}) {
+  for (const std::string command : {"", "run", "path", "scenario", "convert"}) {
     std::vector<std::string> arguments{"--help"};
     if (!command.empty()) arguments.insert(arguments.begin(), command);
     const auto result = run_command(arguments);

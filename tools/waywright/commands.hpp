@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
+
+#include "waywright/path.hpp"
 
 #include "exit_status.hpp"
 
@@ -21,7 +24,19 @@ struct PathOptions {
   std::string map;
   std::vector<std::string> from;  ///< x, y
   std::vector<std::string> to;    ///< x, y
-  std::string svg;                ///< empty: none
+  PathAlgorithm algorithm = PathAlgorithm::optimal;
+  std::string svg;  ///< empty: none
+  bool no_mesh = false;
+};
+
+/// `waywright scenario`
+struct ScenarioOptions {
+  std::string map;
+  std::string scenario;
+  PathAlgorithm algorithm = PathAlgorithm::optimal;
+  std::string csv;                   ///< empty: none
+  std::string svg;                   ///< empty: none
+  std::vector<std::size_t> queries;  ///< to draw, from 1
   bool no_mesh = false;
 };
 
@@ -35,6 +50,7 @@ struct ConvertOptions {
 /// The subcommands. Each throws Failure for what ends in status 2.
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus path(const PathOptions& options);
+[[nodiscard]] ExitStatus scenario(const ScenarioOptions& options);
 [[nodiscard]] ExitStatus convert(const ConvertOptions& options);
 
 }  // namespace waywright::command

@@ -23,6 +23,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  waywright run world.wws                                run a world script, answers on standard output\n"
     "  waywright path map.wws --from 3 4 --to 90 60           one path through a map\n"
+    "  waywright scenario arena.map arena.map.scen            every query of a scenario, and how long it took\n"
     "  waywright convert arena.map arena.svg                  draw a map\n"
     "\nwaywright COMMAND --help says more. Exit status: 0 done, 1 a check failed or (--strict) an operation\n"
     "was refused, 2 bad arguments, a file that cannot be read or written, or malformed input.\n";
@@ -36,8 +37,16 @@ constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --svg way.svg --no-mesh\n"
+    "  waywright path field.wws --from -3 4 --to 20 -7.5 --algorithm ta\n"
     "\nPrints one JSON line: the path's length and pieces, or why there is none. Maps: .wws, .map (Moving AI),\n"
     ".poly and .node (Triangle).\n";
+constexpr const char* kScenarioExamples =
+    "Examples:\n"
+    "  waywright scenario arena.map arena.map.scen\n"
+    "  waywright scenario arena.map arena.map.scen --algorithm ta --csv arena.csv\n"
+    "  waywright scenario arena.map arena.map.scen --svg arena.svg --query 17 --query 160\n"
+    "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
+    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"
@@ -49,9 +58,11 @@ struct CommandLine {
   CLI::App app{kAbout, "waywright"};
   RunOptions run_options;
   PathOptions path_options;
+  ScenarioOptions scenario_options;
   ConvertOptions convert_options;
   CLI::App* run = nullptr;
   CLI::App* path = nullptr;
+  CLI::App* scenario = nullptr;
   CLI::App* convert = nullptr;
 };
 
@@ -59,6 +70,15 @@ struct CommandLine {
 void add_file(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
   const auto named = [](const std::string& text) { return std::string(text.empty() ? "the file has no name" : ""); };
   command.add_option(name, value, about)->type_name("FILE")->check(named);
+}
+
+void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
+  const auto read = [&algorithm](const std::string& word) {
+    const auto named = path_algorithm(word);
+    if (!named) throw CLI::ValidationError("--algorithm", "'" + word + "' is none of optimal, ta and tra");
+    algorithm = *named;
+  };
+  command.add_option_function<std::string>("--algorithm", read, "optimal (the default), ta or tra")->type_name("NAME");
 }
 
 void add_run(CommandLine& line) {
@@ -87,9 +107,23 @@ void add_path(CommandLine& line) {
       ->allow_extra_args(false)
       ->type_name("X Y")
       ->required();
+  add_algorithm(*line.path, options.algorithm);
   add_file(*line.path, "--svg", options.svg, "Draw the map and the path");
   line.path->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
   line.path->footer(kPathExamples);
+}
+
+void add_scenario(CommandLine& line) {
+  ScenarioOptions& options = line.scenario_options;
+  line.scenario = line.app.add_subcommand("scenario", "Find all paths of a scenario and sum them up");
+  line.scenario->add_option("MAP", options.map, "The map, in any format that convert reads")->required();
+  line.scenario->add_option("SCENARIO", options.scenario, "The queries (.scen); - is standard input")->required();
+  add_algorithm(*line.scenario, options.algorithm);
+  add_file(*line.scenario, "--csv", options.csv, "Write a line for each query");
+  add_file(*line.scenario, "--svg", options.svg, "Draw the map and the paths of the queries named by --query");
+  line.scenario->add_option("--query", options.queries, "A query to draw")->type_name("N")->allow_extra_args(false);
+  line.scenario->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
+  line.scenario->footer(kScenarioExamples);
 }
 
 void add_convert(CommandLine& line) {
@@ -108,6 +142,7 @@ std::unique_ptr<CommandLine> make_command_line() {
   line->app.footer(kExamples);
   add_run(*line);
   add_path(*line);
+  add_scenario(*line);
   add_convert(*line);
   return line;
 }
@@ -140,8 +175,9 @@ ExitStatus dispatch(int argc, const char* const* argv) {
   }
   if (line->run->parsed()) return run(line->run_options);
   if (line->path->parsed()) return path(line->path_options);
+  if (line->scenario->parsed()) return scenario(line->scenario_options);
   if (line->convert->parsed()) return convert(line->convert_options);
-  throw Failure("waywright: expected a command: run, path or convert (see waywright --help)");
+  throw Failure("waywright: expected a command: run, path, scenario or convert (see waywright --help)");
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ ExitStatus path(const PathOptions& options) {
   PathQuery query;
   query.start = parse_point("--from", options.from);
   query.goal = parse_point("--to", options.to);
+  query.algorithm = options.algorithm;
   const Scene scene = load_scene(options.map);
   OutputFile svg(options.svg);
   const World world = build_world(scene, options.map);

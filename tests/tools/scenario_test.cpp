@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/command.hpp"
+
+namespace waywright::test {
+namespace {
+
+/// Free but for a column of two cells below the upper side: the way round it leads through (1, 2) and (2, 2).
+const std::string kMap = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n";
+
+std::string query(const std::string& ends, const std::string& length) {
+  return "0\tu.map\t3\t3\t" + ends + "\t" + length + "\n";
+}
+
+/// 1 + 2 sqrt 5 is 5.472135954999579...
+const std::string kScenario = "version 1\n" + query("0\t0\t3\t0", "5.472136") + query("0\t0\t0\t3", "3.5") +
+                              query("0\t0\t0\t2", "1.9") + query("1 2 1 2", "0") + query("0\t1\t3\t1", "-1") +
+                              query("1.5\t0.5\t0\t1", "1");
+
+struct Files {
+  TemporaryFolder folder;
+  std::string map = folder.file("u.map", kMap);
+  std::string scenario = folder.file("u.map.scen", kScenario);
+};
+
+/// The number after a line's name.
+std::string number_after(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find("\n" + name);
+  if (at == std::string::npos) return "no such line";
+  std::istringstream rest(text.substr(at + 1 + name.size()));
+  std::string word;
+  rest >> word;
+  return word;
+}
+
+TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
+  for (const std::string algorithm : {"optimal", "ta"}) {
+    const Files files;
+    const auto result = run_command({"scenario", files.map, files.scenario, "--algorithm", algorithm});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out.substr(0, result.out.find('\n')),
+              "6 queries of u.map.scen through u.map, algorithm " + algorithm);
+    EXPECT_EQ(number_after(result.out, "as given"), "2");
+    EXPECT_EQ(number_after(result.out, "shorter than given"), "1");
+    EXPECT_EQ(number_after(result.out, "longer than given"), "1");
+    EXPECT_EQ(number_after(result.out, "no path where one is given"), "1");
+    EXPECT_EQ(number_after(result.out, "a path where none is given"), "1");
+    // Of three lengths above 0: 1, 3 / 3.5 and 2 / 1.9.
+    EXPECT_NEAR(std::stod(number_after(result.out, "length / given")), (1 + 3 / 3.5 + 2 / 1.9) / 3, 1e-6);
+  }
+}
+
+TEST(ScenarioCommand, WritesALineForEachQuery) {
+  const Files files;
+  const std::string csv = files.folder.file("u.csv");
+  EXPECT_EQ(run_command({"scenario", files.map, files.scenario, "--csv", csv}).status, 0);
+  std::istringstream text(read_file(csv));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 7U);
+  EXPECT_EQ(lines[0], "query,start_x,start_y,goal_x,goal_y,given,status,length,ratio,expansions,microseconds");
+  EXPECT_EQ(lines[2].substr(0, lines[2].find("3,0.857")), "2,0,0,0,3,3.5,found,");
+  EXPECT_EQ(lines[5].substr(0, 25), "5,0,1,3,1,-1,found,3.8284");  // 1 + 2 sqrt 2
+  EXPECT_EQ(lines[6].substr(0, 32), "6,1.5,0.5,0,1,1,start-blocked,,,");
+}
+
+TEST(ScenarioCommand, DrawsTheQueriesAskedFor) {
+  const Files files;
+  const std::string svg = files.folder.file("u.svg");
+  EXPECT_EQ(
+      run_command({"scenario", files.map, files.scenario, "--svg", svg, "--query", "1", "--query", "2", "--no-mesh"})
+          .status,
+      0);
+  const std::string picture = read_file(svg);
+  EXPECT_EQ(picture.substr(0, 4), "<svg");
+  EXPECT_NE(picture.find("u.map.scen"), std::string::npos);
+  EXPECT_EQ(files.folder.file_count(), 3U);
+}
+
+TEST(ScenarioCommand, TakesBlanksCarriageReturnsAndStandardInput) {
+  const Files files;
+  const auto result = run_command({"scenario", files.map, "-"}, "version 1.0\r\n0 u.map 3 3 0 0 0 3 3.0\r\n\r\n");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(number_after(result.out, "as given"), "1");
+}
+
+struct BadScenario {
+  std::string text;
+  std::string message;  ///< after the file's name
+};
+
+void PrintTo(const BadScenario& bad, std::ostream* out) { *out << bad.message; }
+
+class BadScenarios : public testing::TestWithParam<BadScenario> {};
+
+TEST_P(BadScenarios, AreToldByTheirLineAndLeaveNothing) {
+  const Files files;
+  const std::string scenario = files.folder.file("bad.scen", GetParam().text);
+  const auto result = run_command({"scenario", files.map, scenario, "--csv", files.folder.file("out.csv")});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, scenario + GetParam().message + "\n");
+  EXPECT_EQ(files.folder.file_count(), 3U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadScenarios,
+    testing::Values(BadScenario{"", ": holds no queries"}, BadScenario{"version 1\n\n", ": holds no queries"},
+                    BadScenario{"version 2\n", ":1: expected 'version 1', as scenarios of Moving AI begin"},
+                    BadScenario{"version 1\n0 u.map 3 3 0 0 0 3\n",
+                                ":2: expected 9 fields (bucket, map, width, height, start, goal, length), not 8"},
+                    BadScenario{"version 1\n\n0 u.map 3 3 0 x 0 3 3\n", ":3: field 6: 'x' is not a number"},
+                    BadScenario{"version 1\n0 u.map 3 3 0 0 nan 3 3\n", ":2: field 7: 'nan' is not a number"},
+                    BadScenario{"version 1\n0 u.map 9 9 0 0 0 9 9\n",
+                                ":2: point 1 lies outside the domain; is this the scenario of another map?"}));
+
+class BadScenarioArguments : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(BadScenarioArguments, EndInOneLineAndStatus2) {
+  const Files files;
+  std::vector<std::string> arguments{"scenario", files.map, files.scenario};
+  for (const std::string& argument : GetParam()) {
+    arguments.push_back(argument.starts_with("NEW") ? files.folder.file(argument) : argument);
+  }
+  const auto result = run_command(arguments);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_EQ(files.folder.file_count(), 2U);
+}
+
+using Arguments = std::vector<std::string>;
+
+INSTANTIATE_TEST_SUITE_P(All, BadScenarioArguments,
+                         testing::Values(Arguments{"--algorithm", "best"}, Arguments{"--algorithm"},
+                                         Arguments{"--svg", "NEW.svg"}, Arguments{"--query", "1"},
+                                         Arguments{"--svg", "NEW.svg", "--query", "0"},
+                                         Arguments{"--svg", "NEW.svg", "--query", "7"},
+                                         Arguments{"--svg", "NEW.svg", "--query", "one"},
+                                         Arguments{"--svg", "NEW", "--csv", "NEW", "--query", "1"}, Arguments{"more"}));
+
+TEST(PathCommand, TakesTheNameOfAnAlgorithm) {
+  const Files files;
+  for (const std::string algorithm : {"optimal", "ta"}) {
+    const auto lines = json_lines(
+        run_command({"path", files.map, "--from", "0", "0", "--to", "3", "0", "--algorithm", algorithm}).out);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_NEAR(lines[0].at("length").get<double>(), 1 + 2 * std::sqrt(5.0), 1e-12);
+  }
+  EXPECT_EQ(run_command({"path", files.map, "--from", "0", "0", "--to", "3", "0", "--algorithm", "best"}).err,
+            "waywright: --algorithm: 'best' is none of optimal, ta and tra (see waywright --help)\n");
+}
+
+}  // namespace
+}  // namespace waywright::test

@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "waywright/path.hpp"
+#include "waywright/scene.hpp"
+#include "waywright/svg.hpp"
+#include "waywright/world.hpp"
+
+#include "commands.hpp"
+#include "failure.hpp"
+#include "input.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "scenario_file.hpp"
+
+namespace waywright::command {
+
+namespace {
+
+/// How an answer compares with the length that the scenario gives.
+enum class Verdict : unsigned char { same, shorter, longer, missing, surprising };
+
+struct Answer {
+  PathStatus status = PathStatus::no_path;
+  double length = 0.0;
+  std::size_t expansions = 0;
+  double microseconds = 0.0;
+  Verdict verdict = Verdict::same;
+};
+
+double ratio_of(const ScenarioQuery& query, const Answer& answer) {
+  return query.length > 0.0 ? answer.length / query.length : 1.0;
+}
+
+/// Lengths are the same within the given one's own digits, and what doubles round.
+Verdict verdict_of(const ScenarioQuery& query, const Path& path) {
+  const bool is_found = path.status == PathStatus::found;
+  if (query.length < 0.0) return is_found ? Verdict::surprising : Verdict::same;
+  if (!is_found) return Verdict::missing;
+  if (std::fabs(path.length - query.length) <= 1e-9 * query.length + query.precision) return Verdict::same;
+  return path.length < query.length ? Verdict::shorter : Verdict::longer;
+}
+
+/// The queries to be drawn, as positions. Throws Failure.
+std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::size_t count) {
+  if (options.svg.empty() != options.queries.empty()) {
+    throw Failure("waywright: --svg and --query go together: the file, and the queries to draw");
+  }
+  std::vector<std::size_t> chosen;
+  for (const std::size_t number : options.queries) {
+    if (number < 1 || number > count) {
+      throw Failure(
+          fmt::format("waywright: --query {}: the queries of {} are 1 to {}", number, options.scenario, count));
+    }
+    chosen.push_back(number - 1);
+  }
+  return chosen;
+}
+
+class ScenarioRun {
+ public:
+  ScenarioRun(const ScenarioOptions& options, const World& world, std::vector<ScenarioQuery> queries)
+      : options_(options), world_(world), queries_(std::move(queries)) {}
+
+  /// Asks every query. Throws Failure where the world refuses one.
+  void ask_all() {
+    Progress progress("query", queries_.size());
+    QueryContext context;
+    Path path;
+    for (const ScenarioQuery& query : queries_) {
+      progress.advance();
+      ask(query, context, path);
+      const std::chrono::duration<double, std::micro> time = path.time;
+      answers_.push_back({path.status, path.length, path.expansions, time.count(), verdict_of(query, path)});
+    }
+  }
+
+  [[nodiscard]] std::vector<Path> paths_of(const std::vector<std::size_t>& chosen) const {
+    std::vector<Path> paths;
+    QueryContext context;
+    for (const std::size_t i : chosen) {
+      Path path;
+      ask(queries_[i], context, path);
+      if (path.status == PathStatus::found) paths.push_back(std::move(path));
+    }
+    return paths;
+  }
+
+  /// A line for each query, after a line of names.
+  [[nodiscard]] std::string csv() const {
+    std::string out = "query,start_x,start_y,goal_x,goal_y,given,status,length,ratio,expansions,microseconds\n";
+    for (std::size_t i = 0; i < queries_.size(); ++i) {
+      const ScenarioQuery& query = queries_[i];
+      const Answer& answer = answers_[i];
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},", i + 1, query.start.x, query.start.y,
+                     query.goal.x, query.goal.y, query.length, to_string(answer.status));
+      if (answer.status == PathStatus::found) {
+        fmt::format_to(std::back_inserter(out), "{},{}", answer.length, ratio_of(query, answer));
+      } else {
+        out += ',';
+      }
+      fmt::format_to(std::back_inserter(out), ",{},{:.3f}\n", answer.expansions, answer.microseconds);
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string summary() const {
+    std::string out = fmt::format("{} queries of {} through {}, algorithm {}\n", queries_.size(),
+                                  title_of(options_.scenario), title_of(options_.map), to_string(options_.algorithm));
+    const auto line = [&](std::string_view name, Verdict verdict) {
+      const auto count = std::count_if(answers_.begin(), answers_.end(),
+                                       [&](const Answer& answer) { return answer.verdict == verdict; });
+      fmt::format_to(std::back_inserter(out), "{:<28}{:>9}\n", name, count);
+    };
+    line("as given", Verdict::same);
+    line("shorter than given", Verdict::shorter);
+    line("longer than given", Verdict::longer);
+    line("no path where one is given", Verdict::missing);
+    line("a path where none is given", Verdict::surprising);
+    append_percentiles(out);
+    out.pop_back();
+    return out;
+  }
+
+ private:
+  void ask(const ScenarioQuery& query, QueryContext& context, Path& path) const {
+    PathQuery asked{query.start, query.goal};
+    asked.algorithm = options_.algorithm;
+    asked.wants_time = true;
+    const Result<void> done = world_.find_path(asked, context, path);
+    if (done.ok()) return;
+    const char* const hint =
+        done.error().code == ErrorCode::out_of_domain ? "; is this the scenario of another map?" : "";
+    throw Failure(fmt::format("{}:{}: {}{}", options_.scenario, query.line, done.error().message, hint));
+  }
+
+  void append_percentiles(std::string& out) const {
+    std::vector<double> times;
+    std::vector<double> expansions;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      times.push_back(answers_[i].microseconds);
+      expansions.push_back(static_cast<double>(answers_[i].expansions));
+      const bool comparable = answers_[i].status == PathStatus::found && queries_[i].length > 0.0;
+      if (comparable) ratios.push_back(ratio_of(queries_[i], answers_[i]));
+    }
+    fmt::format_to(std::back_inserter(out), "{:<28}{:>9}{:>11}{:>11}{:>11}{:>11}\n", "", "mean", "median", "90 %",
+                   "99 %", "max");
+    append_row(out, "microseconds", times, 1);
+    append_row(out, "expansions", expansions, 1);
+    append_row(out, "length / given", ratios, 6);
+  }
+
+  /// Percentiles are values that occur: the least that so many of a hundred do not exceed.
+  static void append_row(std::string& out, const char* name, std::vector<double> values, int digits) {
+    if (values.empty()) return;
+    std::sort(values.begin(), values.end());
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    const auto at = [&](std::size_t percent) { return values[(values.size() * percent + 99) / 100 - 1]; };
+    fmt::format_to(std::back_inserter(out), "{0:<28}{2:>9.{1}f}{3:>11.{1}f}{4:>11.{1}f}{5:>11.{1}f}{6:>11.{1}f}\n",
+                   name, digits, sum / static_cast<double>(values.size()), at(50), at(90), at(99), values.back());
+  }
+
+  const ScenarioOptions& options_;
+  const World& world_;
+  std::vector<ScenarioQuery> queries_;
+  std::vector<Answer> answers_;
+};
+
+}  // namespace
+
+ExitStatus scenario(const ScenarioOptions& options) {
+  if (same_file(options.csv, options.svg)) throw Failure("waywright: --csv and --svg name the same file");
+  std::vector<ScenarioQuery> queries = load_scenario(options.scenario);
+  const std::vector<std::size_t> chosen = chosen_queries(options, queries.size());
+  const Scene scene = load_scene(options.map);
+  OutputFile csv(options.csv);
+  OutputFile svg(options.svg);
+  const World world = build_world(scene, options.map);
+
+  ScenarioRun run(options, world, std::move(queries));
+  run.ask_all();
+  StandardOutput output;
+  output.write_line(run.summary());
+  output.flush();
+  if (csv.wanted()) csv.write(run.csv());
+  if (svg.wanted()) {
+    SvgOptions picture;
+    picture.mesh = !options.no_mesh;
+    picture.y_down = scene.y_down;
+    picture.title = title_of(options.scenario);
+    svg.write(to_svg(world, run.paths_of(chosen), picture));
+  }
+  csv.commit();
+  svg.commit();
+  return kDone;
+}
+
+}  // namespace waywright::command
