@@ -79,7 +79,7 @@ void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
 }
 
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex end, bool is_star) {
+mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex end) {
   const auto last = static_cast<std::uint32_t>(chain.size());
   const auto vertex = [&](std::uint32_t i) { return i == last ? end : chain[i].from; };
   mesh::HalfEdge result = mesh::kNoHalfEdge;
@@ -88,7 +88,7 @@ mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex e
   while (!bases_.empty()) {
     const Base base = bases_.back();
     bases_.pop_back();
-    const std::uint32_t apex = delaunay_apex(chain, end, base, is_star);
+    const std::uint32_t apex = delaunay_apex(chain, end, base);
     const mesh::Face f = mesh_.add_face();
     const mesh::HalfEdge h = mesh::first(f);
     mesh_.set_corners(f, vertex(base.from), vertex(base.to), vertex(apex));
@@ -110,21 +110,16 @@ mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex e
   return result;
 }
 
-// The chain vertex whose circle with the base's ends holds no other vertex of the chain between them. Between the ends
-// of a base that has crossed edges, or the removed vertex, beyond it, the chain lies on its left (Anglada). Around a
-// removed vertex on the left of the base, the chain may turn back behind the base; what does is no candidate, and no
-// candidate in the circle can be hidden behind an edge of the chain, for the removed vertex lies in the circle and saw
-// them all.
+// The chain vertex whose circle with the base's ends holds no other vertex of the chain between them. The chain lies on
+// the left of the base, for the edges that it crossed went there from beyond it (Anglada).
 template <class Geometry>
-std::uint32_t Triangulation<Geometry>::delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base,
-                                                     bool is_star) const {
+std::uint32_t Triangulation<Geometry>::delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base) const {
   if (base.to == base.from + 2) return base.from + 1;
   const mesh::Vertex from = chain[base.from].from;
   const mesh::Vertex to = base.to == chain.size() ? end : chain[base.to].from;
   std::uint32_t apex = base.to;
   for (std::uint32_t i = base.from + 1; i < base.to; ++i) {
     const mesh::Vertex v = chain[i].from;
-    if (is_star && orientation(from, to, v) != exact::Sign::positive) continue;
     if (apex == base.to || circle_holds(from, to, chain[apex].from, v)) apex = i;
   }
   return apex;

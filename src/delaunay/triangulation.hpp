@@ -108,6 +108,8 @@ class Triangulation {
   [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
 
  private:
+  using Triangle = mesh::TriangleMesh::Triangle;
+
   static constexpr std::size_t kLongWalk = 16;
   static constexpr std::uint32_t kPlacesBetweenLogs = 1024;
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
@@ -140,16 +142,18 @@ class Triangulation {
 
   mesh::HalfEdge remove_free_vertex(mesh::Vertex v);
   mesh::HalfEdge remove_vertex_on_line(mesh::Vertex v, mesh::HalfEdge to_p, mesh::HalfEdge to_q);
+  void collect_hole(mesh::HalfEdge from, mesh::HalfEdge to);
+  mesh::HalfEdge refill_hole();
+  [[nodiscard]] Triangle triangle_over(std::uint32_t from, std::uint32_t to) const;
   void forget(mesh::Vertex v, mesh::HalfEdge near);
 
   void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
   void append_to(Chain& chain, mesh::HalfEdge inner);
   void pair_dangling_edges(Chain& chain);
   /// Triangulates the polygon on the left of the way from the chain's first vertex to its last, `end`. Returns the
-  /// half-edge of that way. A chain of which parts may lie on the right of a base (`is_star`) must be what was around
-  /// one Delaunay vertex.
-  mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end, bool is_star = false);
-  [[nodiscard]] std::uint32_t delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base, bool is_star) const;
+  /// half-edge of that way.
+  mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end);
+  [[nodiscard]] std::uint32_t delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base) const;
   void close(Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
   /// Whether the circle through `a`, `b`, `c` (counter-clockwise) holds `d`, ties broken.
   [[nodiscard]] bool circle_holds(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d) const;
@@ -165,6 +169,9 @@ class Triangulation {
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> stack_;
   std::vector<mesh::HalfEdge> freed_;
+  std::vector<mesh::HalfEdge> hole_sides_;
+  std::vector<View> hole_places_;
+  std::vector<Triangle> triangles_;
   Chain left_chain_, right_chain_;
   std::vector<std::uint32_t> dangling_;
   std::vector<mesh::Face> cavity_;

@@ -74,11 +74,17 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
   return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(start), ghost_);
 }
 
-/// A half-edge of a face in the box, as near to the point as is known at no cost.
+/// A half-edge of a face in the box, as near to the point as is known at no cost: where the last change was, or where
+/// the point's sector says.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const mesh::Vertex v = sectors_.near(point);
   if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return recent_;
+  const auto squared_distance = [&](mesh::Vertex from) {
+    const Point place = geometry_.nearest(number(from));
+    return (place.x - point.x) * (place.x - point.x) + (place.y - point.y) * (place.y - point.y);
+  };
+  if (squared_distance(mesh_.origin(recent_)) < squared_distance(v)) return recent_;
   const mesh::HalfEdge h = mesh_.outgoing(v);
   return is_ghost_face(h) ? inner_side(h) : h;
 }

@@ -62,14 +62,24 @@ Face TriangleMesh::add_face() {
 }
 
 void TriangleMesh::free_face(Face f) {
-  SavedFace saved{};
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    saved.corners[i] = corners_[number(first(f)) + i];
-    saved.labels[i] = labels_[number(first(f)) + i];
-  }
+  save(f);
+  drop(f);
+}
+
+/// Logs all of a face that is about to change.
+void TriangleMesh::save(Face f) {
+  SavedFace& saved = saved_faces_.emplace_back();
+  const auto corners = corners_.begin() + number(first(f));
+  std::copy_n(corners, 3, saved.corners.begin());
+  const bool is_labelled = ((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0;
+  if (is_labelled) std::copy_n(labels_.begin() + number(first(f)), 3, saved.labels.begin());
+  log(ChangeKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
+}
+
+/// Frees a face that has been saved.
+void TriangleMesh::drop(Face f) {
   touch(f, Touch::freed);
-  saved_faces_.push_back(saved);
-  log(ChangeKind::free_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
+  log(ChangeKind::free_face, number(f));
   push_free_face(f);
 }
 
@@ -199,6 +209,55 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   set_outgoing(b, t);
   link(diagonal, next(t), 0);
   return {diagonal, previous(t)};
+}
+
+//            apex             A new triangle is built where one of its two sides is, so that this side's twin needn't
+//           /    \            hear of it; the side's face has no other use. Of two sides one moves, and its face is
+//      one /      \ other     spare: triangles between two that are new themselves take those.
+//         /        \          Sides that a new triangle leaves open stand for those that it used up.
+//    from -------- to
+//           base
+HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles) {
+  for (const HalfEdge side : sides) {
+    touch(face(side), Touch::rebuilt);
+    save(face(side));
+  }
+  HalfEdge base = kNoHalfEdge;
+  for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
+    const HalfEdge one = sides[triangle->from];
+    const HalfEdge other = sides[triangle->apex];
+    const Vertex from = is_open(one) ? target(one) : origin(one);
+    const Vertex apex = is_open(one) ? origin(one) : target(one);
+    const Vertex to = is_open(other) ? origin(other) : target(other);
+    const HalfEdge h = !is_open(one) ? one : !is_open(other) ? previous(other) : first(add_face());
+    set_origin(h, from);
+    set_origin(next(h), apex);
+    set_origin(previous(h), to);
+    join(h, one);
+    join(next(h), other);
+    base = previous(h);
+    corners_[number(base)].twin = number(kNoHalfEdge);
+    sides[triangle->from] = base;
+  }
+  return base;
+}
+
+void TriangleMesh::close(HalfEdge base, HalfEdge side) {
+  touch(face(side), Touch::rebuilt);
+  save(face(side));
+  join(base, side);
+}
+
+/// Makes `h` the other half of `side` where that is open, else puts it in the place of `side`.
+void TriangleMesh::join(HalfEdge h, HalfEdge side) {
+  if (is_open(side)) {
+    link(h, side, 0);
+    return;
+  }
+  set_outgoing(origin(h), h);
+  if (h == side) return;
+  take_over(h, side);
+  drop(face(side));
 }
 
 }  // namespace waywright::mesh

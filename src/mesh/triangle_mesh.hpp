@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,20 @@ class TriangleMesh {
   };
   Flipped flip(HalfEdge h);
 
+  /// A triangle of a polygon, by the positions of its corners, counter-clockwise, among the polygon's.
+  struct Triangle {
+    std::uint32_t from, apex, to;
+  };
+  /// Refills a hole with the faces that it was made of: those of `sides`, which run in a row along its border, the hole
+  /// on their left. `triangles` are one fewer than `sides`: the first stands on the hole's base, from the end of the
+  /// last side back to the start of the first, and each comes before those on its edges from - apex and apex - to.
+  /// Returns the base's half-edge; it has no twin until link() or close() gives it one. Uses up `sides`.
+  /// Requires: no two of `sides` are of one face; the faces' other half-edges lie inside the hole.
+  HalfEdge refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles);
+  /// Closes a hole whose base is a side of it as well: `base`, from refill(), takes the place of `side`, whose face
+  /// goes.
+  void close(HalfEdge base, HalfEdge side);
+
   /// Starts the log anew.
   void begin();
   /// Takes back everything since begin(), the last change first. Allocates nothing. Afterwards the log is empty.
@@ -141,6 +156,7 @@ class TriangleMesh {
     free_vertex,
     add_face,
     free_face,
+    rebuild_face,
     split_face,
     split_edge,
     flip,
@@ -150,7 +166,7 @@ class TriangleMesh {
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;
-    std::uint32_t saved;  ///< of set_label, the label before; of free_face, the position in `saved_faces_`
+    std::uint32_t saved;  ///< of set_label, the label before; of rebuild_face, the position in `saved_faces_`
   };
   struct SavedFace {
     std::array<Corner, 3> corners;
@@ -167,7 +183,11 @@ class TriangleMesh {
   void undo_split_face(Face f);
   void undo_split_edge(HalfEdge h);
   void undo_flip(HalfEdge h);
-  void restore_freed_face(const SavedFace& saved);
+  void save(Face f);
+  void restore(Face f, const SavedFace& saved);
+  void drop(Face f);
+  void join(HalfEdge h, HalfEdge side);
+  [[nodiscard]] bool is_open(HalfEdge h) const { return corners_[number(h)].twin == number(kNoHalfEdge); }
   void push_free_face(Face f);
   [[nodiscard]] Face pop_free_face();
   void push_free_vertex(Vertex v);

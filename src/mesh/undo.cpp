@@ -32,7 +32,10 @@ void TriangleMesh::undo(const Undo& change) {
       push_free_face(Face{change.index});
       break;
     case ChangeKind::free_face:
-      restore_freed_face(saved_faces_[change.saved]);
+      (void)pop_free_face();
+      break;
+    case ChangeKind::rebuild_face:
+      restore(Face{change.index}, saved_faces_[change.saved]);
       break;
     case ChangeKind::split_face:
       undo_split_face(Face{change.index});
@@ -89,9 +92,9 @@ void TriangleMesh::undo_flip(HalfEdge h) {
 }
 
 // The neighbours that live learn of their old twins again; those that are still to be restored will do so themselves,
-// and must not be written to: a free face's slots hold the list of free faces.
-void TriangleMesh::restore_freed_face(const SavedFace& saved) {
-  HalfEdge h = first(pop_free_face());
+// and those still free must not be written to: their slots hold the list of free faces.
+void TriangleMesh::restore(Face f, const SavedFace& saved) {
+  HalfEdge h = first(f);
   for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
     corners_[number(h)] = saved.corners[i];
     labels_[number(h)] = saved.labels[i];

@@ -76,13 +76,52 @@ void remove_vertex(TriangleMesh& mesh, Vertex v) {
   mesh.free_vertex(v);
 }
 
+using Triangles = std::vector<TriangleMesh::Triangle>;
+
+/// A random triangulation of a polygon, each triangle before those on its sides.
+Triangles random_triangles(std::uint32_t corner_count, Random& random) {
+  const auto over = [&](std::uint32_t from, std::uint32_t to) {
+    return TriangleMesh::Triangle{from, from + 1 + static_cast<std::uint32_t>(random.below(to - from - 1)), to};
+  };
+  Triangles triangles = {over(0, corner_count - 1)};
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto [from, apex, to] = triangles[i];
+    if (apex - from > 1) triangles.push_back(over(from, apex));
+    if (to - apex > 1) triangles.push_back(over(apex, to));
+  }
+  return triangles;
+}
+
+/// Refills the hole of a vertex in a random way, if that makes no edge that is there already.
+void refill(TriangleMesh& mesh, Vertex v, Random& random) {
+  std::vector<Vertex> link;
+  std::vector<HalfEdge> sides;
+  mesh.for_each_outgoing(v, [&](HalfEdge h) {
+    link.push_back(mesh.target(h));
+    sides.push_back(mesh::next(h));
+  });
+  if (mesh.vertex_count() <= 8 || std::set<Vertex>(link.begin(), link.end()).size() != link.size()) return;
+  const Triangles triangles = random_triangles(static_cast<std::uint32_t>(link.size()), random);
+  for (const auto& [from, apex, to] : triangles) {
+    if (apex - from > 1 && mesh.find(link[from], link[apex]) != kNoHalfEdge) return;
+    if (to - apex > 1 && mesh.find(link[apex], link[to]) != kNoHalfEdge) return;
+  }
+  const HalfEdge last = sides.back();
+  sides.pop_back();
+  const HalfEdge base = mesh.refill(sides, triangles);
+  EXPECT_EQ(mesh.origin(base), link.back());
+  EXPECT_EQ(mesh.target(base), link.front());
+  mesh.close(base, last);
+  mesh.free_vertex(v);
+}
+
 /// One change of a random kind, where it is possible.
 void change(TriangleMesh& mesh, Random& random) {
   HalfEdge h{};
   do {
     h = HalfEdge{static_cast<std::uint32_t>(random.below(mesh.face_slots() * std::size_t{3}))};
   } while (!mesh.is_alive(mesh::face(h)));
-  switch (random.below(6)) {
+  switch (random.below(7)) {
     case 0:
       mesh.split_face(mesh::face(h), mesh.add_vertex());
       break;
@@ -95,6 +134,9 @@ void change(TriangleMesh& mesh, Random& random) {
       break;
     case 4:
       mesh.set_label(h, static_cast<mesh::Label>(random.below(4)));
+      break;
+    case 5:
+      refill(mesh, mesh.origin(h), random);
       break;
     default: {
       // Only where the fan makes no edge that is there already.
