@@ -294,13 +294,15 @@ std::vector<ItemId> World::item_ids() const { return impl_->triangulation.items(
 Result<Shape> World::shape(ItemId id) const {
   const constraint::ItemTable& items = impl_->triangulation.items();
   if (!items.contains(id)) return unknown_id(id);
-  const constraint::ItemRecord& item = items.item(items.slot(id));
+  const std::uint32_t slot = items.slot(id);
+  constraint::Outline outline;
+  items.outline(slot, outline);
   const auto& geometry = impl_->triangulation.triangulation().geometry();
-  Shape shape{item.kind, {}};
+  Shape shape{items.item(slot).kind, {}};
   std::size_t i = 0;
-  for (const std::uint32_t end : item.ring_ends) {
+  for (const std::uint32_t end : outline.ring_ends) {
     std::vector<Point>& ring = shape.rings.emplace_back();
-    for (; i < end; ++i) ring.push_back(geometry.nearest(number(item.corners[i])));
+    for (; i < end; ++i) ring.push_back(geometry.nearest(number(outline.corners[i])));
   }
   if (shape.kind == ItemKind::segment && shape.rings[0].size() == 1) shape.rings[0].push_back(shape.rings[0][0]);
   return shape;

@@ -52,8 +52,8 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::add_domain() {
   for (const mesh::Vertex corner : triangulation_.box_corners()) add_corner(corner, ItemTable::kDomain);
-  end_ring(ItemTable::kDomain);
-  count_hash(ItemTable::kDomain);
+  end_ring();
+  end_item(ItemTable::kDomain);
 }
 
 template <class Geometry>
@@ -80,13 +80,14 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
     const ItemKind kind = batch.kind(i);
     const std::uint32_t slot = items_.add_item(batch.id(i), kind);
     const std::uint32_t first_rank = ranks[corner];
+    outline_.clear();
     for (const auto& ring : batch.rings(i)) {
       for_each_corner(ring, kind == ItemKind::polygon,
                       [&](const Point&) { add_corner(vertex_of(ranks[corner++]), slot); });
-      end_ring(slot);
+      end_ring();
     }
-    count_hash(slot);
-    if (!items_.item(slot).sides.empty()) rank_and_slot.emplace_back(first_rank, slot);
+    end_item(slot);
+    if (kind != ItemKind::point) rank_and_slot.emplace_back(first_rank, slot);
     after_item();
   }
   std::sort(rank_and_slot.begin(), rank_and_slot.end());
@@ -100,7 +101,7 @@ template <class Geometry>
 template <class AfterItem>
 void ConstrainedTriangulation<Geometry>::insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item) {
   for (const std::uint32_t slot : items) {
-    for (const std::uint32_t side : items_.item(slot).sides) insert_side(side);
+    items_.for_each_side(slot, [&](std::uint32_t side) { insert_side(side); });
     after_item();
   }
 }

@@ -113,10 +113,12 @@ class ConstrainedTriangulation {
   template <class AfterItem>
   void insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item);
 
-  void count_hash(std::uint32_t slot);
+  [[nodiscard]] ItemHash::Words hash_of(std::uint32_t slot, const Outline& outline) const;
   void insert_ring(const std::vector<Point>& ring, std::uint32_t slot);
   void add_corner(mesh::Vertex v, std::uint32_t item);
-  void end_ring(std::uint32_t item);
+  void end_ring();
+  /// Gives an item its corners, those in `outline_`, and its sides, and counts its hash in.
+  void end_item(std::uint32_t item);
   /// Accounts for a vertex that came in as a corner, and for the fixed edge that it may have parted.
   mesh::Vertex insert_vertex(const typename Triangulation::Inserted& inserted);
   void insert_side(std::uint32_t slot);
@@ -163,6 +165,7 @@ class ConstrainedTriangulation {
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::Vertex> touched_;
+  Outline outline_;  ///< of the item that comes or goes
 };
 
 }  // namespace waywright::constraint

@@ -82,11 +82,12 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_use_fault() 
     uses_.for_each(mesh.label(h), [&](std::uint32_t) { ++uses_by_edges; });
   }
   std::size_t uses_by_sides = 0;
-  std::vector<std::uint32_t> slots = items_.item(ItemTable::kDomain).sides;
-  for (const ItemId id : items_.ids()) {
-    const std::vector<std::uint32_t>& sides = items_.item(items_.slot(id)).sides;
-    slots.insert(slots.end(), sides.begin(), sides.end());
-  }
+  std::vector<std::uint32_t> slots;
+  const auto append = [&](std::uint32_t item) {
+    items_.for_each_side(item, [&](std::uint32_t side) { slots.push_back(side); });
+  };
+  append(ItemTable::kDomain);
+  for (const ItemId id : items_.ids()) append(items_.slot(id));
   for (const std::uint32_t slot : slots) {
     const Side& side = items_.side(slot);
     const std::size_t edges = count_edges(slot);
@@ -125,12 +126,13 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_vertex_fault
   const mesh::TriangleMesh& mesh = topology();
   using Corner = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<Corner> by_items;
-  for (const mesh::Vertex v : items_.item(ItemTable::kDomain).corners)
-    by_items.emplace_back(number(v), ItemTable::kDomain);
-  for (const ItemId id : items_.ids()) {
-    const std::uint32_t slot = items_.slot(id);
-    for (const mesh::Vertex v : items_.item(slot).corners) by_items.emplace_back(number(v), slot);
-  }
+  Outline outline;
+  const auto append = [&](std::uint32_t item) {
+    items_.outline(item, outline);
+    for (const mesh::Vertex v : outline.corners) by_items.emplace_back(number(v), item);
+  };
+  append(ItemTable::kDomain);
+  for (const ItemId id : items_.ids()) append(items_.slot(id));
   std::vector<Corner> by_vertices;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const mesh::Vertex v{i};

@@ -10,29 +10,30 @@ namespace waywright::constraint {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   const std::uint32_t slot = items_.add_item(id, shape.kind);
+  outline_.clear();
   for (const std::vector<Point>& ring : shape.rings) insert_ring(ring, slot);
-  for (const std::uint32_t side : items_.item(slot).sides) insert_side(side);
-  count_hash(slot);
+  end_item(slot);
+  items_.for_each_side(slot, [&](std::uint32_t side) { insert_side(side); });
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::count_hash(std::uint32_t slot) {
+ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, const Outline& outline) const {
   const ItemRecord& record = items_.item(slot);
-  ItemHash hash(record.id, record.kind, record.ring_ends.size());
+  ItemHash hash(record.id, record.kind, outline.ring_ends.size());
   std::uint32_t i = 0;
-  for (const std::uint32_t end : record.ring_ends) {
+  for (const std::uint32_t end : outline.ring_ends) {
     hash.begin_ring(end - i);
-    for (; i < end; ++i) hash.add(triangulation_.geometry().nearest(number(record.corners[i])));
+    for (; i < end; ++i) hash.add(triangulation_.geometry().nearest(number(outline.corners[i])));
   }
-  items_.set_hash(slot, hash.words());
+  return hash.words();
 }
 
-/// The corners of a ring, and a record of each of its sides; the sides themselves come later.
+/// The corners of a ring; its sides come later.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_ring(const std::vector<Point>& ring, std::uint32_t slot) {
   for_each_corner(ring, items_.item(slot).kind == ItemKind::polygon,
                   [&](const Point& point) { add_corner(insert_vertex(triangulation_.insert(point)), slot); });
-  end_ring(slot);
+  end_ring();
 }
 
 template <class Geometry>
@@ -42,25 +43,24 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::insert_vertex(const typename Tr
   return inserted.vertex;
 }
 
-// Piece by piece: up to the next vertex on the way, or to a new one on the fixed edge that comes first.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::add_corner(mesh::Vertex v, std::uint32_t item) {
-  items_.item(item).corners.push_back(v);
+  outline_.corners.push_back(v);
   set_corner_uses(v, uses_.add(corner_uses_[number(v)], item));
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::end_ring(std::uint32_t item) {
-  ItemRecord& record = items_.item(item);
-  const std::size_t begin = record.ring_ends.empty() ? 0 : record.ring_ends.back();
-  const std::size_t count = record.corners.size() - begin;
-  record.ring_ends.push_back(static_cast<std::uint32_t>(record.corners.size()));
-  const std::size_t side_count = record.kind == ItemKind::polygon && count > 1 ? count : count - 1;
-  for (std::size_t i = 0; i < side_count; ++i) {
-    items_.add_side({item, record.corners[begin + i], record.corners[begin + (i + 1) % count]});
-  }
+void ConstrainedTriangulation<Geometry>::end_ring() {
+  outline_.ring_ends.push_back(static_cast<std::uint32_t>(outline_.corners.size()));
 }
 
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
+  items_.set_outline(item, outline_);
+  items_.add_hash(hash_of(item, outline_));
+}
+
+// Piece by piece: up to the next vertex on the way, or to a new one on the fixed edge that comes first.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   const Side side = items_.side(slot);

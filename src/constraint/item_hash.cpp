@@ -2,19 +2,9 @@
 
 #include <bit>
 
+#include "constraint/mix.hpp"
+
 namespace waywright::constraint {
-
-namespace {
-
-// The finaliser of SplitMix64 (Steele, Lea and Flood 2014): a bijection under which every bit depends on every other.
-std::uint64_t mix(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
 
 ItemHash::ItemHash(ItemId id, ItemKind kind, std::size_t ring_count) : words_{0, 1} {
   add(id.value);

@@ -2,61 +2,99 @@
 
 #include <algorithm>
 
+#include "constraint/mix.hpp"
+
 namespace waywright::constraint {
 
 namespace {
 
-/// Adds a free slot to a table. The list of free slots always has room for all of the table's.
-template <class Entry>
-void make_room(std::vector<Entry>& table, std::vector<std::uint32_t>& free_slots) {
-  if (table.size() == table.capacity()) table.reserve(2 * table.size() + 1);
-  free_slots.reserve(table.capacity());
-  table.push_back({});
-  free_slots.push_back(static_cast<std::uint32_t>(table.size() - 1));
-}
+constexpr std::size_t kSmallestIndex = 16;
 
 }  // namespace
 
-ItemTable::ItemTable() { items_.push_back({{}, ItemKind::polygon, {}, {}, {}, {}}); }
+ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({{}, kNone, ItemKind::polygon}); }
 
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
-  if (free_items_.empty()) make_room(items_, free_items_);
-  const std::uint32_t slot = free_items_.back();
-  log_.push_back({slot, {}});
-  free_items_.pop_back();
-  items_[slot].id = id;
-  items_[slot].kind = kind;
-  slots_.emplace(id, slot);
+  make_room_in_index();
+  if (first_free_item_ == kNone) {
+    items_.push_back({{}, kNone, kind});
+    first_free_item_ = static_cast<std::uint32_t>(items_.size() - 1);
+  }
+  const std::uint32_t slot = first_free_item_;
+  log_.push_back({slot, false});
+  first_free_item_ = items_[slot].place;
+  items_[slot] = {id, kNone, kind};
+  index_[position(id)] = slot;
+  ++size_;
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
   return slot;
 }
 
-std::uint32_t ItemTable::add_side(const Side& side) {
-  if (free_sides_.empty()) make_room(sides_, free_sides_);
-  const std::uint32_t slot = free_sides_.back();
-  items_[side.item].sides.push_back(slot);
-  free_sides_.pop_back();
-  sides_[slot] = side;
-  return slot;
+void ItemTable::set_outline(std::uint32_t item, const Outline& outline) {
+  const ItemKind kind = items_[item].kind;
+  const auto& corners = outline.corners;
+  if (kind == ItemKind::point) {
+    items_[item].place = number(corners[0]);
+    return;
+  }
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : outline.ring_ends) {
+    const bool returns = kind == ItemKind::polygon || end - begin == 1;
+    for (std::uint32_t i = begin; i + 1 < end; ++i)
+      add_side(item, corners[i], corners[i + 1], !returns && i + 2 == end);
+    if (returns) add_side(item, corners[end - 1], corners[begin], true);
+    begin = end;
+  }
 }
 
-void ItemTable::set_hash(std::uint32_t slot, const ItemHash::Words& hash) {
-  items_[slot].hash = hash;
-  ItemHash::add_to(hash_, hash);
+void ItemTable::add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring) {
+  if (first_free_side_ == kNone) {
+    sides_.push_back({{}, kNone});
+    first_free_side_ = static_cast<std::uint32_t>(sides_.size() - 1);
+  }
+  const std::uint32_t slot = first_free_side_;
+  first_free_side_ = sides_[slot].next & ~kEndsRing;
+  std::uint32_t& last = items_[item].place;
+  std::uint32_t next = slot;
+  if (last != kNone) {
+    std::uint32_t& link = sides_[last].next;
+    next = link & ~kEndsRing;
+    link = slot | (link & kEndsRing);
+  }
+  sides_[slot] = {{item, from, to}, ends_ring ? next | kEndsRing : next};
+  last = slot;
 }
 
-void ItemTable::remove_item(std::uint32_t slot) {
-  log_.push_back({slot, {}});
-  log_.back().removed = slots_.extract(items_[slot].id);
-  ItemHash::subtract_from(hash_, items_[slot].hash);
+void ItemTable::outline(std::uint32_t item, Outline& outline) const {
+  outline.clear();
+  const ItemKind kind = items_[item].kind;
+  if (kind == ItemKind::point) {
+    outline.corners.push_back(mesh::Vertex{items_[item].place});
+    outline.ring_ends.push_back(1);
+    return;
+  }
+  for_each_link(item, [&](std::uint32_t slot) {
+    const auto& [side, next] = sides_[slot];
+    outline.corners.push_back(side.from);
+    if ((next & kEndsRing) == 0) return;
+    if (kind != ItemKind::polygon && side.from != side.to) outline.corners.push_back(side.to);
+    outline.ring_ends.push_back(static_cast<std::uint32_t>(outline.corners.size()));
+  });
+}
+
+void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
+  log_.push_back({slot, true});
+  erase_from_index(items_[slot].id);
+  --size_;
+  ItemHash::subtract_from(hash_, hash);
   polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
 }
 
 void ItemTable::begin() {
   for (const Undo& change : log_) {
-    if (!change.removed.empty()) recycle(change.slot);
+    if (change.is_removal) recycle(change.slot);
   }
   log_.clear();
   largest_id_before_ = largest_id_seen_;
@@ -64,15 +102,17 @@ void ItemTable::begin() {
   polygon_count_before_ = polygon_count_;
 }
 
-// An entry that goes back into the table finds room there: the table has held as many before.
+// An id that goes back into the index finds room there: it has held as many before.
 void ItemTable::roll_back() {
   for (; !log_.empty(); log_.pop_back()) {
-    Undo& change = log_.back();
-    if (!change.removed.empty()) {
-      slots_.insert(std::move(change.removed));
+    const auto [slot, is_removal] = log_.back();
+    if (is_removal) {
+      index_[position(items_[slot].id)] = slot;
+      ++size_;
     } else {
-      slots_.erase(items_[change.slot].id);
-      recycle(change.slot);
+      erase_from_index(items_[slot].id);
+      --size_;
+      recycle(slot);
     }
   }
   largest_id_seen_ = largest_id_before_;
@@ -80,21 +120,57 @@ void ItemTable::roll_back() {
   polygon_count_ = polygon_count_before_;
 }
 
+/// Frees a slot and the ring of its sides.
 void ItemTable::recycle(std::uint32_t slot) {
   ItemRecord& record = items_[slot];
-  for (const std::uint32_t side : record.sides) free_sides_.push_back(side);
-  record.corners.clear();
-  record.ring_ends.clear();
-  record.sides.clear();
-  free_items_.push_back(slot);
+  if (record.kind != ItemKind::point && record.place != kNone) {
+    const std::uint32_t first = sides_[record.place].next & ~kEndsRing;
+    sides_[record.place].next = first_free_side_;
+    first_free_side_ = first;
+  }
+  record.place = first_free_item_;
+  first_free_item_ = slot;
 }
 
 std::vector<ItemId> ItemTable::ids() const {
   std::vector<ItemId> result;
-  result.reserve(slots_.size());
-  for (const auto& [id, slot] : slots_) result.push_back(id);
+  result.reserve(size_);
+  for (const std::uint32_t slot : index_) {
+    if (slot != kEmpty) result.push_back(items_[slot].id);
+  }
   std::sort(result.begin(), result.end());
   return result;
+}
+
+// Linear probing; a removal moves later entries up, so that no search meets a gap.
+// Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithms L and R.
+std::size_t ItemTable::home(ItemId id) const { return mix(id.value) & (index_.size() - 1); }
+
+std::size_t ItemTable::position(ItemId id) const {
+  std::size_t at = home(id);
+  while (index_[at] != kEmpty && items_[index_[at]].id != id) at = (at + 1) & (index_.size() - 1);
+  return at;
+}
+
+void ItemTable::make_room_in_index() {
+  if (3 * (size_ + 1) <= 2 * index_.size()) return;
+  std::vector<std::uint32_t> larger(2 * index_.size(), kEmpty);
+  index_.swap(larger);
+  for (const std::uint32_t slot : larger) {
+    if (slot != kEmpty) index_[position(items_[slot].id)] = slot;
+  }
+}
+
+void ItemTable::erase_from_index(ItemId id) {
+  const std::size_t mask = index_.size() - 1;
+  std::size_t gap = position(id);
+  for (std::size_t at = (gap + 1) & mask; index_[at] != kEmpty; at = (at + 1) & mask) {
+    const std::size_t way_from_home = (at - home(items_[index_[at]].id)) & mask;
+    if (way_from_home < ((at - gap) & mask)) continue;
+    index_[gap] = index_[at];
+    gap = at;
+  }
+  index_[gap] = kEmpty;
 }
 
 }  // namespace waywright::constraint

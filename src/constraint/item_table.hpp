@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "waywright/id.hpp"
@@ -21,43 +20,65 @@ struct Side {
   mesh::Vertex to{};
 };
 
-/// An item as the mesh holds it.
+/// An item as the mesh holds it. What more it has is asked of the table.
 struct ItemRecord {
   ItemId id;
+  /// Of a point, its corner; of anything else, its last side, by slot; of a free slot, the next free one.
+  std::uint32_t place = 0;
   ItemKind kind = ItemKind::point;
-  std::vector<mesh::Vertex> corners;     ///< ring after ring, points that repeat their predecessor merged
-  std::vector<std::uint32_t> ring_ends;  ///< where each ring's corners end
-  std::vector<std::uint32_t> sides;      ///< slots in the side table
-  ItemHash::Words hash{};
+};
+
+/// An item's corners, ring after ring, points that repeat their predecessor merged; and where each ring's corners end.
+struct Outline {
+  std::vector<mesh::Vertex> corners;
+  std::vector<std::uint32_t> ring_ends;
+
+  void clear() {
+    corners.clear();
+    ring_ends.clear();
+  }
 };
 
 /// The live items by id and by slot, and their sides. Slot 0 is the domain itself, under the null id. Items that come
 /// and go are logged and can be taken back to the last begin().
+///
+/// Worlds of a million points are why this is lean: an item owns no memory of its own. Its sides run in a ring through
+/// the table of sides, from the last, which the item knows, to the first; the slots are found by id in an open table.
 class ItemTable {
  public:
   static constexpr std::uint32_t kDomain = 0;
 
   ItemTable();
 
-  [[nodiscard]] bool contains(ItemId id) const { return slots_.contains(id); }
+  [[nodiscard]] bool contains(ItemId id) const { return index_[position(id)] != kEmpty; }
   /// The slot of a live item. Requires: contains(id).
-  [[nodiscard]] std::uint32_t slot(ItemId id) const { return slots_.find(id)->second; }
+  [[nodiscard]] std::uint32_t slot(ItemId id) const { return index_[position(id)]; }
   [[nodiscard]] const ItemRecord& item(std::uint32_t slot) const { return items_[slot]; }
-  [[nodiscard]] ItemRecord& item(std::uint32_t slot) { return items_[slot]; }
-  [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot]; }
+  [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot].side; }
   /// The sum of the hashes of the live items and the domain.
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }
   /// Live items, the domain left out.
-  [[nodiscard]] std::size_t size() const { return slots_.size(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool has_polygons() const { return polygon_count_ != 0; }
 
+  /// Calls visit(side slot) for each of an item's sides that has a length, in order. No side may be added meanwhile.
+  template <class Visit>
+  void for_each_side(std::uint32_t item, Visit&& visit) const {
+    for_each_link(item, [&](std::uint32_t slot) {
+      if (side(slot).from != side(slot).to) visit(slot);
+    });
+  }
+
+  /// Fills `outline`, for its memory.
+  void outline(std::uint32_t item, Outline& outline) const;
+
   std::uint32_t add_item(ItemId id, ItemKind kind);
-  /// Appends a side to its item.
-  std::uint32_t add_side(const Side& side);
+  /// Gives an item its corners and sides. To be called once.
+  void set_outline(std::uint32_t item, const Outline& outline);
   /// Counts an item's hash in. To be called once, when its corners are known.
-  void set_hash(std::uint32_t slot, const ItemHash::Words& hash);
-  /// Forgets an item. Its slot and its sides' are reused from the next begin() on.
-  void remove_item(std::uint32_t slot);
+  void add_hash(const ItemHash::Words& hash) { ItemHash::add_to(hash_, hash); }
+  /// Forgets an item and its hash. Its slot and its sides' are reused from the next begin() on.
+  void remove_item(std::uint32_t slot, const ItemHash::Words& hash);
 
   /// Starts the log anew.
   void begin();
@@ -69,20 +90,44 @@ class ItemTable {
   void see(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
 
  private:
-  using Slots = std::unordered_map<ItemId, std::uint32_t>;
+  static constexpr std::uint32_t kEmpty = 0;  ///< in the index, where the domain never is
+  static constexpr std::uint32_t kNone = 0x7fffffff;
+  static constexpr std::uint32_t kEndsRing = 0x80000000;
 
+  struct Link {
+    Side side;                   ///< of no length where a ring has one corner
+    std::uint32_t next = kNone;  ///< the item's next side, after the last the first; with kEndsRing, the last of a ring
+  };
   struct Undo {
     std::uint32_t slot;
-    Slots::node_type removed;  ///< of a removal, the item's entry in `slots_`; of an insertion, empty
+    bool is_removal;
   };
 
+  template <class Visit>
+  void for_each_link(std::uint32_t item, Visit&& visit) const {
+    if (items_[item].kind == ItemKind::point) return;
+    const std::uint32_t last = items_[item].place;
+    std::uint32_t slot = last;
+    do {
+      slot = sides_[slot].next & ~kEndsRing;
+      visit(slot);
+    } while (slot != last);
+  }
+  void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
   void recycle(std::uint32_t slot);
 
+  /// Where the index has an id, or would put it.
+  [[nodiscard]] std::size_t position(ItemId id) const;
+  [[nodiscard]] std::size_t home(ItemId id) const;
+  void make_room_in_index();
+  void erase_from_index(ItemId id);
+
   std::vector<ItemRecord> items_;
-  std::vector<Side> sides_;
-  std::vector<std::uint32_t> free_items_;  ///< has room for all
-  std::vector<std::uint32_t> free_sides_;  ///< has room for all
-  Slots slots_;
+  std::vector<Link> sides_;
+  std::uint32_t first_free_item_ = kNone;
+  std::uint32_t first_free_side_ = kNone;
+  std::vector<std::uint32_t> index_;  ///< slots, a power of two of them, at most two thirds in use
+  std::size_t size_ = 0;
   ItemId largest_id_seen_;
   ItemHash::Words hash_{};
   std::size_t polygon_count_ = 0;

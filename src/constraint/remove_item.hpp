@@ -11,14 +11,15 @@ namespace waywright::constraint {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   const std::uint32_t slot = items_.slot(id);
+  items_.outline(slot, outline_);
+  items_.remove_item(slot, hash_of(slot, outline_));
   touched_.clear();
-  for (const std::uint32_t side : items_.item(slot).sides) strip_side(side);
-  for (const mesh::Vertex v : items_.item(slot).corners) strip_corner(v, slot);
+  items_.for_each_side(slot, [&](std::uint32_t side) { strip_side(side); });
+  for (const mesh::Vertex v : outline_.corners) strip_corner(v, slot);
   triangulation_.legalise_freed();
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   for (const mesh::Vertex v : touched_) drop_if_unneeded(v);
-  items_.remove_item(slot);
 }
 
 template <class Geometry>
