@@ -7,7 +7,8 @@ Each FILE is what `./dev bench --benchmark_out=FILE --benchmark_out_format=json`
 `--benchmark_repetitions=5 --benchmark_enable_random_interleaving`, so that all contenders share the machine's good and bad
 minutes. Several files count as one longer run. Prints a Markdown table: for each workload and contender the median time
 of an operation in microseconds, how far the repetitions spread (the middle half of them, against the median), the
-vertices, and for rivals the ratio ours / rival (below 1: we are faster).
+vertices, and for rivals the ratio ours / rival (below 1: we are faster). A contender that failed at a workload has a row
+that says how.
 """
 
 import json
@@ -16,6 +17,7 @@ import sys
 from collections import defaultdict
 
 OURS = "waywright"
+FAILED = "failed: "
 
 
 def is_ours(contender):
@@ -23,19 +25,33 @@ def is_ours(contender):
 
 
 def read_runs(file_names):
-    """Returns {workload: {contender: [(microseconds, vertices), ...]}} in the order of their registration."""
+    """Returns {workload: {contender: [(microseconds, vertices), ...]}} in the order of their registration.
+
+    Of a contender that failed, the list holds what it failed of, a string, instead.
+    """
     runs = defaultdict(lambda: defaultdict(list))
     for file_name in file_names:
         with open(file_name, encoding="utf-8") as file:
             report = json.load(file)
         # Interleaving shuffles the runs.
         for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
-            if run.get("run_type") == "aggregate" or run.get("error_occurred"):
+            if run.get("run_type") == "aggregate":
                 continue
             parts = [part for part in run["run_name"].split("/") if ":" not in part and part != "manual_time"]
             workload, contender = "/".join(parts[:-1]), parts[-1]
-            runs[workload][contender].append((run["per_op"] * 1e6, round(run["vertices"])))
+            if not run.get("error_occurred"):
+                runs[workload][contender].append((run["per_op"] * 1e6, round(run["vertices"])))
+            elif run["error_message"].startswith(FAILED):
+                runs[workload][contender] = [run["error_message"]]
     return runs
+
+
+def has_failed(runs):
+    return isinstance(runs[0], str)
+
+
+def median_time(runs):
+    return statistics.median(time for time, _ in runs)
 
 
 def spread(times):
@@ -53,20 +69,22 @@ def number(value):
 
 
 def rows_of(workload, contenders):
-    medians = {name: statistics.median(time for time, _ in runs) for name, runs in contenders.items()}
     ours = [name for name in contenders if is_ours(name)]
     rivals = [name for name in contenders if not is_ours(name)]
     for name in ours + rivals:
-        times = [time for time, _ in contenders[name]]
-        width = spread(times)
+        if has_failed(contenders[name]):
+            yield [workload, name, contenders[name][0], "", "", ""]
+            continue
+        median = median_time(contenders[name])
+        width = spread([time for time, _ in contenders[name]])
         ratio = ""
-        if OURS in medians and not is_ours(name):
-            ratio = f"{medians[OURS] / medians[name]:.2f}"
+        if OURS in contenders and not has_failed(contenders[OURS]) and not is_ours(name):
+            ratio = f"{median_time(contenders[OURS]) / median:.2f}"
         vertices = {count for _, count in contenders[name]}
         yield [
             workload,
             name,
-            number(medians[name]),
+            number(median),
             "" if width is None else f"{width:.0f} %",
             " or ".join(f"{count:,}" for count in sorted(vertices)),
             ratio,

@@ -119,7 +119,6 @@ void register_case(const std::string& workload, std::size_t size, Make make) {
   const std::string name = workload + '/' + std::to_string(size) + '/';
   register_contender<exact::Geometry>(name + "waywright", work, kOfDoubles);
   register_contender<DoubleGeometry>(name + "double", work, kOfDoubles);
-  register_contender<TunedDoubleGeometry>(name + "double_tuned", work, kOfDoubles);
   register_contender<IntervalGeometry>(name + "interval_exact", work, kOfRationals);
   register_contender<RationalGeometry>(name + "rational", work, kOfRationals);
 }

@@ -9,20 +9,7 @@
 
 namespace waywright::bench {
 
-/// How near to 0 a determinant counts as 0.
-struct ThesisTolerance {
-  static constexpr double kOrientation = 1e-14;
-  static constexpr double kInCircle = 1e-14;
-};
-/// What the rounding of crossings calls for in the worlds of the benchmarks, with coordinates of up to 2^20. It was
-/// found by trying: nothing tells it beforehand.
-struct TunedTolerance {
-  static constexpr double kOrientation = 1e-5;
-  static constexpr double kInCircle = 1e-14;
-};
-
-/// Chen 2009's "double": plain doubles, crossings rounded.
-template <class Tolerance>
+/// Chen 2009's "double": plain doubles, crossings rounded, and a determinant within 1e-14 of 0 counts as 0.
 struct DoubleArithmetic {
   struct Place {
     Point rounded;
@@ -41,7 +28,7 @@ struct DoubleArithmetic {
   [[nodiscard]] static View view(const Point& point) { return point; }
 
   [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {
-    return sign((a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x), Tolerance::kOrientation);
+    return sign((a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x));
   }
   [[nodiscard]] static exact::Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
     const Point ad = difference(a, d);
@@ -51,8 +38,7 @@ struct DoubleArithmetic {
     const double b_lift = bd.x * bd.x + bd.y * bd.y;
     const double c_lift = cd.x * cd.x + cd.y * cd.y;
     return sign(a_lift * (bd.x * cd.y - cd.x * bd.y) + b_lift * (cd.x * ad.y - ad.x * cd.y) +
-                    c_lift * (ad.x * bd.y - bd.x * ad.y),
-                Tolerance::kInCircle);
+                c_lift * (ad.x * bd.y - bd.x * ad.y));
   }
   [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) {
     if (p.x != q.x) return p.x < q.x ? std::strong_ordering::less : std::strong_ordering::greater;
@@ -62,13 +48,13 @@ struct DoubleArithmetic {
 
  private:
   [[nodiscard]] static Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
-  [[nodiscard]] static exact::Sign sign(double determinant, double tolerance) {
-    if (determinant > tolerance) return exact::Sign::positive;
-    return determinant < -tolerance ? exact::Sign::negative : exact::Sign::zero;
+  [[nodiscard]] static exact::Sign sign(double determinant) {
+    constexpr double kTolerance = 1e-14;
+    if (determinant > kTolerance) return exact::Sign::positive;
+    return determinant < -kTolerance ? exact::Sign::negative : exact::Sign::zero;
   }
 };
 
-using DoubleGeometry = RivalGeometry<DoubleArithmetic<ThesisTolerance>>;
-using TunedDoubleGeometry = RivalGeometry<DoubleArithmetic<TunedTolerance>>;
+using DoubleGeometry = RivalGeometry<DoubleArithmetic>;
 
 }  // namespace waywright::bench

@@ -11,6 +11,7 @@
 namespace {
 
 constexpr std::size_t kThesisTrials = 1'000'000;
+constexpr std::size_t kScenes = 1000;
 
 // Benchmarks are named WORKLOAD/SIZE/CONTENDER.
 int run_benchmarks(int argc, char** argv) {
@@ -25,11 +26,16 @@ int run_benchmarks(int argc, char** argv) {
 
 }  // namespace
 
-// usage: waywright_thesis in_circle [TRIALS] | evaluations | [BENCHMARK-ARGUMENT...]
+// usage: waywright_thesis in_circle [TRIALS] | survival [SCENES] | evaluations | [BENCHMARK-ARGUMENT...]
 int main(int argc, char** argv) {
   const std::string_view experiment = argc > 1 ? argv[1] : "";
+  const auto count_or = [&](std::size_t usual) { return argc > 2 ? std::strtoul(argv[2], nullptr, 10) : usual; };
   if (experiment == "in_circle") {
-    waywright::bench::print_in_circle_table(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : kThesisTrials);
+    waywright::bench::print_in_circle_table(count_or(kThesisTrials));
+    return 0;
+  }
+  if (experiment == "survival") {
+    waywright::bench::print_survival_table(count_or(kScenes));
     return 0;
   }
   if (experiment == "evaluations") {

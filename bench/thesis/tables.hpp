@@ -10,6 +10,9 @@ namespace waywright::bench {
 /// a row.
 void print_in_circle_table(std::size_t trials);
 
+/// What comes of many small scenes full of degeneracies under each arithmetic.
+void print_survival_table(std::size_t scenes);
+
 /// Experiment 5, Table 5.2: how often each kind of arithmetic is asked for random constraints.
 void print_evaluations_table();
 

@@ -6,17 +6,14 @@
 #include "thesis/rational_arithmetic.hpp"
 
 static_assert(waywright::exact::AnyGeometry<waywright::bench::DoubleGeometry>);
-static_assert(waywright::exact::AnyGeometry<waywright::bench::TunedDoubleGeometry>);
 static_assert(waywright::exact::AnyGeometry<waywright::bench::IntervalGeometry>);
 static_assert(waywright::exact::AnyGeometry<waywright::bench::RationalGeometry>);
 
 // What the library does for its own geometry in constraint/exact_triangulation.hpp.
 
 extern template class waywright::delaunay::Triangulation<waywright::bench::DoubleGeometry>;
-extern template class waywright::delaunay::Triangulation<waywright::bench::TunedDoubleGeometry>;
 extern template class waywright::delaunay::Triangulation<waywright::bench::IntervalGeometry>;
 extern template class waywright::delaunay::Triangulation<waywright::bench::RationalGeometry>;
 extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::DoubleGeometry>;
-extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::TunedDoubleGeometry>;
 extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::IntervalGeometry>;
 extern template class waywright::constraint::ConstrainedTriangulation<waywright::bench::RationalGeometry>;
