@@ -131,6 +131,7 @@ class PathCaseCheck {
     if (const Fault fault = oracle_.check_path(oracle::to_oracle(path_.points))) return fault;
     const std::string lengths = std::to_string(path_.length) + ", the shortest is " + std::to_string(shortest.length);
     if (path_.length < shortest.length - slack) return "the path is too short to be true: " + lengths;
+    if (path_.lower_bound > shortest.length + slack) return "the lower bound is above the shortest: " + lengths;
     if (query.algorithm == PathAlgorithm::optimal && path_.length > shortest.length + slack) {
       return "the path is not the shortest: " + lengths;
     }

@@ -50,8 +50,8 @@ using PathFinder = std::function<Result<void>(const World&, const PathQuery&, Qu
 
 /// Builds the world, asks for every path by every algorithm, and holds the answers against the oracle: blocked ends are
 /// those strictly inside a polygon; a path is found exactly when there is one, leads from start to goal, is as long as
-/// it says, can be walked by a point agent, and is no shorter than the shortest; `optimal` is no longer either. Between
-/// the same ends, rays hit the first wall.
+/// it says, can be walked by a point agent, and is no shorter than the shortest, which is above its lower bound;
+/// `optimal` is no longer either. Between the same ends, rays hit the first wall.
 [[nodiscard]] PathReport check_paths(const PathCase& path_case, const PathFinder& find = world_finder());
 
 /// Shrinks a case that fails to the one query that shows it and to the items that it takes, and writes it as a world
