@@ -1,7 +1,7 @@
 #pragma once
 
 #include <compare>
-#include <cstdint>
+#include <cstddef>
 
 #include "waywright/point.hpp"
 
@@ -14,8 +14,8 @@ namespace waywright::bench {
 
 /// How often each kind of arithmetic was asked.
 struct Evaluations {
-  std::uint64_t interval = 0;
-  std::uint64_t exact = 0;
+  std::size_t interval = 0;
+  std::size_t exact = 0;
 };
 
 /// Chen 2009, section 4.3.2, "interval + exact": intervals of doubles, kept with each vertex, answer where they can;
