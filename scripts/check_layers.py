@@ -25,7 +25,7 @@ LAYERS = {
 # headers stand on the whole library.
 VALUES = {"point.hpp", "id.hpp", "error.hpp"}
 PUBLIC = {
-    "exact": VALUES,
+    "exact": VALUES | {"predicate_counts.hpp"},
     "mesh": {"id.hpp", "error.hpp"},
     "locate": VALUES,
     "delaunay": VALUES,

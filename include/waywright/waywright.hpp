@@ -7,6 +7,7 @@
 #include "waywright/path.hpp"
 #include "waywright/path_search.hpp"
 #include "waywright/point.hpp"
+#include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
 #include "waywright/scene.hpp"

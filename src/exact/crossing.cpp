@@ -1,10 +1,15 @@
 #include "exact/crossing.hpp"
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
+#include "exact/counts.hpp"
 #include "exact/homogeneous.hpp"
+#include "exact/lattice_point.hpp"
+#include "exact/offsets.hpp"
+#include "exact/power_of_two.hpp"
+#include "exact/wide_integer.hpp"
 
 namespace waywright::exact {
 
@@ -15,12 +20,29 @@ struct RoundedNumber {
   bool is_exact = true;
 };
 
-// A quotient of at least 55 bits, its last bit set where the division left a remainder, rounds as the true value does:
+/// A quotient's leading bits: 55 or 56 of them, or all.
+struct Quotient {
+  std::uint64_t bits;
+  bool has_remainder;
+};
+
+// Of at least 55 bits, the last set where the division left a remainder, the conversion rounds as the true value does:
 // the 53 bits kept, the one that decides, and a sticky one. Results are at least 2^-700, so none is subnormal.
+RoundedNumber round(const Quotient& quotient, int exponent, bool is_negative) {
+  const std::uint64_t bits = quotient.bits | (quotient.has_remainder ? 1 : 0);
+  const auto rounded = static_cast<double>(bits);
+  const bool is_exact = !quotient.has_remainder && static_cast<std::uint64_t>(rounded) == bits;
+  const double nearest = rounded * power_of_two(exponent);
+  return {is_negative ? -nearest : nearest, is_exact};
+}
+
+/// For a quotient of 55 or 56 bits: what to shift a numerator of so many bits by, or if negative the denominator.
+int shift_for(int numerator_bits, int denominator_bits) { return 55 + denominator_bits - numerator_bits; }
+
 RoundedNumber round_quotient(const Integer& numerator, const Integer& denominator, int exponent) {
   if (numerator == 0) return {};
   const Integer magnitude = abs(numerator);
-  const int shift = 55 + static_cast<int>(msb(denominator)) - static_cast<int>(msb(magnitude));
+  const int shift = shift_for(static_cast<int>(msb(magnitude)), static_cast<int>(msb(denominator)));
   Integer quotient;
   Integer remainder;
   if (shift >= 0) {
@@ -28,12 +50,50 @@ RoundedNumber round_quotient(const Integer& numerator, const Integer& denominato
   } else {
     divide_qr(magnitude, Integer(denominator << static_cast<unsigned>(-shift)), quotient, remainder);
   }
-  auto bits = static_cast<std::uint64_t>(quotient);
-  if (remainder != 0) bits |= 1;
-  const auto rounded = static_cast<double>(bits);
-  const bool is_exact = remainder == 0 && static_cast<std::uint64_t>(rounded) == bits;
-  const double nearest = std::ldexp(rounded, exponent - shift);
-  return {numerator < 0 ? -nearest : nearest, is_exact};
+  return round({static_cast<std::uint64_t>(quotient), remainder != 0}, exponent - shift, numerator < 0);
+}
+
+/// Requires: neither is negative, the quotient is less than 2^57. Guessed in doubles, and put right by what remains.
+template <std::size_t kLimbs>
+Quotient divide(const WideInteger<kLimbs>& numerator, const WideInteger<kLimbs>& denominator) {
+  const double divisor = denominator.approximate();
+  auto quotient = static_cast<std::int64_t>(numerator.approximate() / divisor);
+  const auto times = [&](std::int64_t factor) {
+    return (WideInteger<1>(factor) * denominator).template resize<kLimbs>();
+  };
+  WideInteger<kLimbs> remainder = numerator - times(quotient);
+  const auto missed = static_cast<std::int64_t>(remainder.approximate() / divisor);
+  quotient += missed;
+  remainder -= times(missed);
+  for (; remainder.is_negative(); --quotient) remainder += denominator;
+  for (; !(remainder - denominator).is_negative(); ++quotient) remainder -= denominator;
+  return {static_cast<std::uint64_t>(quotient), remainder.sign() != Sign::zero};
+}
+
+// A dividend of 56 bits more than a denominator has fits the limb that coordinates have more than denominators.
+template <std::size_t kW>
+RoundedNumber round_quotient(const WideInteger<kW + 1>& numerator, const WideInteger<kW>& denominator, int exponent) {
+  if (numerator.sign() == Sign::zero) return {};
+  const WideInteger<kW + 1> magnitude = numerator.is_negative() ? -numerator : numerator;
+  const auto divisor = denominator.template resize<kW + 1>();
+  const int shift = shift_for(magnitude.bit_width(), denominator.bit_width());
+  const Quotient quotient = shift >= 0 ? divide(magnitude << shift, divisor) : divide(magnitude, divisor << -shift);
+  return round(quotient, exponent - shift, numerator.is_negative());
+}
+
+/// Of numerators and denominators of any kind.
+template <class Number, class Denominator>
+RoundedCrossing round_both(const Number& x, const Number& y, const Denominator& w, int exponent) {
+  const RoundedNumber rounded_x = round_quotient(x, w, exponent);
+  const RoundedNumber rounded_y = round_quotient(y, w, exponent);
+  const Point nearest{rounded_x.nearest, rounded_y.nearest};
+  return {nearest, rounded_x.is_exact && rounded_y.is_exact && in_range(nearest)};
+}
+
+template <std::size_t kW>
+RoundedCrossing round_on(const Offsets<4>& corners) {
+  const LatticePoint<kW> point = lattice_crossing<kW>(corners[0], corners[1], corners[2], corners[3]);
+  return round_both(point.x, point.y, point.w, corners.unit_exponent());
 }
 
 std::string to_fraction(Integer numerator, Integer denominator, int exponent) {
@@ -48,14 +108,50 @@ std::string to_fraction(Integer numerator, Integer denominator, int exponent) {
 
 }  // namespace
 
+namespace by_construction {
+
+std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
+  const auto& [a, b, c, d] = crossing;
+  if (a.x == b.x && c.y == d.y) return RoundedCrossing{{a.x, c.y}, true};
+  if (a.y == b.y && c.x == d.x) return RoundedCrossing{{c.x, a.y}, true};
+  return std::nullopt;
+}
+
+}  // namespace by_construction
+
+namespace lattice {
+
+std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
+  Offsets<4> corners({0.0, 0.0});
+  for (const Point& corner : {crossing.a, crossing.b, crossing.c, crossing.d}) corners.add(corner);
+  if (!corners.find_lattice()) return std::nullopt;
+  return corners.bits() <= kNarrowBits ? round_on<1>(corners) : round_on<2>(corners);
+}
+
+}  // namespace lattice
+
+namespace integers {
+
 RoundedCrossing round_to_nearest(const Crossing& crossing) {
   LatticeExponent lattice;
   lattice.include(crossing);
   const Homogeneous point = to_homogeneous(crossing, lattice.value());
-  const RoundedNumber x = round_quotient(point.x, point.w, lattice.value());
-  const RoundedNumber y = round_quotient(point.y, point.w, lattice.value());
-  const Point nearest{x.nearest, y.nearest};
-  return {nearest, x.is_exact && y.is_exact && in_range(nearest)};
+  return round_both(point.x, point.y, point.w, lattice.value());
+}
+
+}  // namespace integers
+
+RoundedCrossing round_to_nearest(const Crossing& crossing) {
+  if (const auto rounded = by_construction::round_to_nearest(crossing)) {
+    ++counts.crossing.doubles;
+    return *rounded;
+  }
+  if (const auto rounded = lattice::round_to_nearest(crossing)) {
+    ++counts.crossing.lattice;
+    return *rounded;
+  }
+  ++counts.crossing.integers;
+  return integers::round_to_nearest(crossing);
 }
 
 std::string to_fractions(const ExactPoint& point) {

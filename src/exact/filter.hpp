@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/predicates.hpp"
@@ -15,13 +16,16 @@
 //
 // Constructed points. Their coordinates are rounded to nearest, so a true coordinate differs from the one at hand by at
 // most u m, where m is the largest magnitude among the coordinates at hand. A true difference is then d^ (1 + e) + n
-// with |n| <= 2 u m. Let L be the largest |d^|. A determinant of k monomials of degree g in the differences moves, on
-// account of the n alone, by at most k ((L(1+u) + 2um)^g - (L(1+u))^g) <= k g (2 u m) (L(1+u) + 2um)^(g-1):
-//   orientation: k = 2, g = 2:    8 u m (L(1+u) + 2um)
-//   in-circle:   k = 12, g = 4:  96 u m (L(1+u) + 2um)^3
-// to be added to the bound above. The constants in the code are a few per cent larger, which covers the rounding of the
-// bounds themselves. A crossing can lie much nearer to 0 than any explicit coordinate, so that products may underflow;
-// each such loss is below 2^-1022, and a sign is only trusted when the determinant exceeds 2^-1000.
+// with |n| <= 2 u m. Let S be the sum of all |d^|, and L the largest. On account of the n alone, the determinants move
+// by no more than
+//   orientation: 2 u m (1 + u) S + 2 (2 u m)^2, for each of its two products moves by |n1 d2| + |n2 d1| + |n1 n2|;
+//   in-circle:   96 u m (L (1 + u) + 2 u m)^3, for each of its 12 monomials of degree 4 moves by at most
+//                (L (1 + u) + 2 u m)^4 - (L (1 + u))^4 <= 4 (2 u m) (L (1 + u) + 2 u m)^3,
+// to be added to the bounds above. A coordinate is at most as far from 0 as the last point's in its axis and the two's
+// difference are together, so m is no larger than the sum of the last point's coordinates' magnitudes and S, or L. The
+// constants in the code are a few per cent larger, which covers the rounding of the bounds themselves. A crossing can
+// lie much nearer to 0 than any explicit coordinate, so that products may underflow; each such loss is below 2^-1022,
+// and a sign is only trusted when the determinant exceeds 2^-1000.
 
 namespace waywright::exact::filter {
 
@@ -30,11 +34,6 @@ inline constexpr double kOrientationBound = (3.0 + 16.0 * kHalfUlp) * kHalfUlp;
 inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
 inline constexpr double kUnderflow = 0x1p-1000;
 
-/// What constructed points among the arguments add to the error.
-[[nodiscard]] double orientation_rounding(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-[[nodiscard]] double in_circle_rounding(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                        const ExactPoint& d);
-
 [[nodiscard]] inline std::optional<Sign> sign_beyond(double determinant, double error) {
   if (determinant > error) return Sign::positive;
   if (-determinant > error) return Sign::negative;
@@ -42,11 +41,17 @@ inline constexpr double kUnderflow = 0x1p-1000;
 }
 
 inline std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  const double left = (a.x - c.x) * (b.y - c.y);
-  const double right = (a.y - c.y) * (b.x - c.x);
+  const double acx = a.x - c.x;
+  const double acy = a.y - c.y;
+  const double bcx = b.x - c.x;
+  const double bcy = b.y - c.y;
+  const double left = acx * bcy;
+  const double right = acy * bcx;
   double error = kOrientationBound * (std::abs(left) + std::abs(right));
   if (!a.is_explicit() || !b.is_explicit() || !c.is_explicit()) {
-    error += orientation_rounding(a, b, c);
+    const double sum = std::abs(acx) + std::abs(acy) + std::abs(bcx) + std::abs(bcy);
+    const double rounding = kHalfUlp * (std::abs(c.x) + std::abs(c.y) + sum);  // u m
+    error += 2.1 * rounding * (sum + 5.0 * rounding) + kUnderflow;
   } else if (left == 0.0 && right == 0.0) {
     return Sign::zero;  // differences of doubles vanish only where they are 0, and nothing underflows
   }
@@ -71,7 +76,12 @@ inline std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, c
                            c_lift * (std::abs(adx * bdy) + std::abs(bdx * ady));
   double error = kInCircleBound * permanent;
   if (!a.is_explicit() || !b.is_explicit() || !c.is_explicit() || !d.is_explicit()) {
-    error += in_circle_rounding(a, b, c, d);
+    const double largest =
+        std::max(std::max(std::max(std::abs(adx), std::abs(ady)), std::max(std::abs(bdx), std::abs(bdy))),
+                 std::max(std::abs(cdx), std::abs(cdy)));
+    const double rounding = kHalfUlp * (std::abs(d.x) + std::abs(d.y) + largest);  // u m
+    const double reach = largest + 3.0 * rounding;
+    error += 100.0 * rounding * reach * reach * reach + kUnderflow;
   }
   return sign_beyond(determinant, error);
 }

@@ -2,7 +2,40 @@
 
 #include "exact/homogeneous.hpp"
 
-namespace waywright::exact::integers {
+namespace waywright::exact {
+
+namespace detail {
+
+namespace {
+
+/// The lattice's answer, or that of integers of any size where it has none, counted.
+template <class Answer, class AnyInteger>
+Answer decide(StageCounts& stages, const std::optional<Answer>& on_lattice, AnyInteger&& any_integer) {
+  if (on_lattice) {
+    ++stages.lattice;
+    return *on_lattice;
+  }
+  ++stages.integers;
+  return any_integer();
+}
+
+}  // namespace
+
+Sign orientation_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  return decide(counts.orientation, lattice::orientation(a, b, c), [&] { return integers::orientation(a, b, c); });
+}
+
+Sign in_circle_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  return decide(counts.in_circle, lattice::in_circle(a, b, c, d), [&] { return integers::in_circle(a, b, c, d); });
+}
+
+std::strong_ordering compare_beyond_doubles(const ExactPoint& p, const ExactPoint& q) {
+  return decide(counts.order, lattice::compare(p, q), [&] { return integers::compare(p, q); });
+}
+
+}  // namespace detail
+
+namespace integers {
 
 namespace {
 
@@ -11,12 +44,6 @@ int common_lattice(const Points&... points) {
   LatticeExponent lattice;
   (lattice.include(points), ...);
   return lattice.value();
-}
-
-std::strong_ordering order_of(Sign sign) {
-  return sign == Sign::negative ? std::strong_ordering::less
-         : sign == Sign::zero   ? std::strong_ordering::equal
-                                : std::strong_ordering::greater;
 }
 
 }  // namespace
@@ -64,4 +91,6 @@ std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
   return order_of(by_x != Sign::zero ? by_x : sign_of(Integer(a.y * b.w - b.y * a.w)));
 }
 
-}  // namespace waywright::exact::integers
+}  // namespace integers
+
+}  // namespace waywright::exact

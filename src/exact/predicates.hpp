@@ -3,15 +3,16 @@
 #include <compare>
 #include <optional>
 
+#include "exact/counts.hpp"
 #include "exact/exact_point.hpp"
+#include "exact/lattice.hpp"
 #include "exact/sign.hpp"
-#include "exact/small_integers.hpp"
 
 namespace waywright::exact {
 
 // The three questions about existing points. Each is answered in stages, the cheapest first: a filter in doubles with a
-// proven error bound; integers of 64 and 128 bits, where they do; integers of any size. The stages are named so that
-// tests can hold one against the other.
+// proven error bound; integers of fixed width, where all coordinates lie on one lattice; integers of any size. The
+// stages are named so that tests can hold one against the other.
 //
 // Identities, for all points: orientation changes sign when two arguments are swapped; so does in_circle, and it keeps
 // its sign when (a, b, c) turn round; compare(p, q) is the reverse of compare(q, p).
@@ -30,20 +31,32 @@ namespace integers {
 [[nodiscard]] std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q);
 }  // namespace integers
 
+namespace detail {
+/// The stages after the first, one after the other.
+[[nodiscard]] Sign orientation_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
+[[nodiscard]] Sign in_circle_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                            const ExactPoint& d);
+[[nodiscard]] std::strong_ordering compare_beyond_doubles(const ExactPoint& p, const ExactPoint& q);
+}  // namespace detail
+
 /// Which side of the line from `a` to `b` the point `c` lies on: positive on the left (a, b, c counter-clockwise).
 [[nodiscard]] inline Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  if (const auto sign = filter::orientation(a, b, c)) return *sign;
-  if (const auto sign = small_integers::orientation(a, b, c)) return *sign;
-  return integers::orientation(a, b, c);
+  if (const auto sign = filter::orientation(a, b, c)) {
+    ++counts.orientation.doubles;
+    return *sign;
+  }
+  return detail::orientation_beyond_doubles(a, b, c);
 }
 
 /// Where `d` lies to the circle through `a`, `b`, `c`, these counter-clockwise: positive inside, zero on it. The sign
 /// is reversed where a, b, c are clockwise.
 [[nodiscard]] inline Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                     const ExactPoint& d) {
-  if (const auto sign = filter::in_circle(a, b, c, d)) return *sign;
-  if (const auto sign = small_integers::in_circle(a, b, c, d)) return *sign;
-  return integers::in_circle(a, b, c, d);
+  if (const auto sign = filter::in_circle(a, b, c, d)) {
+    ++counts.in_circle.doubles;
+    return *sign;
+  }
+  return detail::in_circle_beyond_doubles(a, b, c, d);
 }
 
 /// Lexicographic order by (x, y).
@@ -51,12 +64,14 @@ namespace integers {
 /// Rounding to nearest is monotone: where two rounded coordinates differ, the true ones differ the same way. So
 /// integers are only needed where rounded coordinates agree and one of them may have been rounded.
 [[nodiscard]] inline std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
-  if (p.x < q.x) return std::strong_ordering::less;
-  if (p.x > q.x) return std::strong_ordering::greater;
-  if (!p.is_explicit() || !q.is_explicit()) return integers::compare(p, q);
-  if (p.y < q.y) return std::strong_ordering::less;
-  if (p.y > q.y) return std::strong_ordering::greater;
-  return std::strong_ordering::equal;
+  if (p.x == q.x && !(p.is_explicit() && q.is_explicit())) return detail::compare_beyond_doubles(p, q);
+  ++counts.order.doubles;
+  const bool by_x = p.x != q.x;
+  const double one = by_x ? p.x : p.y;
+  const double other = by_x ? q.x : q.y;
+  return one < other   ? std::strong_ordering::less
+         : one > other ? std::strong_ordering::greater
+                       : std::strong_ordering::equal;
 }
 
 }  // namespace waywright::exact

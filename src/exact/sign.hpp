@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+
 namespace waywright::exact {
 
 enum class Sign : signed char { negative = -1, zero = 0, positive = 1 };
@@ -10,5 +12,9 @@ template <class Number>
 }
 
 [[nodiscard]] constexpr Sign operator-(Sign sign) { return static_cast<Sign>(-static_cast<signed char>(sign)); }
+
+[[nodiscard]] constexpr std::strong_ordering order_of(Sign sign) {
+  return static_cast<signed char>(sign) <=> static_cast<signed char>(0);
+}
 
 }  // namespace waywright::exact

@@ -111,46 +111,6 @@ TEST(Filter, DecidesPlainCasesAlone) {
   EXPECT_EQ(exact::filter::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
 }
 
-// Integers of up to 2^29 apart, many of them cocircular or collinear: this stage answers them all, and nothing else.
-TEST(SmallIntegers, AgreeWithRationalsUpToTheirLargestDifference) {
-  Random random(6);
-  for (int i = 0; i < 3000; ++i) {
-    const std::int64_t reach = std::int64_t{1} << (i % 29);
-    const double far = random.chance(50) ? 0x1p51 : 0.0;
-    const auto point = [&] {
-      return ExactPoint{far + static_cast<double>(random.between(-reach / 2, reach / 2)),
-                        static_cast<double>(random.between(-reach / 2, reach / 2)) - far};
-    };
-    const ExactPoint a = point(), b = point(), c = point(), d = point();
-    const auto sign = exact::small_integers::in_circle(a, b, c, d);
-    ASSERT_TRUE(sign.has_value());
-    ASSERT_EQ(*sign, rational_in_circle(rational(a), rational(b), rational(c), rational(d))) << "call " << i;
-    const auto turn = exact::small_integers::orientation(a, b, c);
-    ASSERT_TRUE(turn.has_value());
-    ASSERT_EQ(*turn, rational_orientation(rational(a), rational(b), rational(c))) << "call " << i;
-  }
-  // The corners of a square of the largest size: on one circle; a unit further in or out, inside and outside.
-  const double side = 0x1p29;
-  const ExactPoint a{0, 0}, b{side, 0}, c{side, side};
-  EXPECT_EQ(exact::small_integers::in_circle(a, b, c, ExactPoint{0, side}), Sign::zero);
-  EXPECT_EQ(exact::small_integers::in_circle(a, b, c, ExactPoint{1, side}), Sign::positive);
-  EXPECT_EQ(exact::small_integers::in_circle(b, c, ExactPoint{0, side}, ExactPoint{0, 0}), Sign::zero);
-  EXPECT_EQ(exact::small_integers::in_circle(b, c, ExactPoint{0, side - 1}, ExactPoint{0, 0}), Sign::negative);
-}
-
-TEST(SmallIntegers, LeaveTheRestToOthers) {
-  const ExactPoint a{0, 0}, b{4, 0}, c{4, 4}, d{0, 4};
-  EXPECT_EQ(exact::small_integers::in_circle(a, b, c, ExactPoint{0.5, 4}), std::nullopt);
-  EXPECT_EQ(exact::small_integers::in_circle(ExactPoint{-0x1p30, 0}, b, c, d), std::nullopt);
-  EXPECT_EQ(exact::small_integers::orientation(a, b, ExactPoint{0.5, 4}), std::nullopt);
-  EXPECT_EQ(exact::small_integers::orientation(ExactPoint{-0x1p30, 0}, b, c), std::nullopt);
-  EXPECT_EQ(exact::small_integers::orientation(a, ExactPoint{8, 0x1p-40}, b), std::nullopt);
-  EXPECT_EQ(exact::small_integers::orientation(a, ExactPoint{8, 0}, b), Sign::zero);
-  EXPECT_EQ(exact::small_integers::in_circle(ExactPoint{0x1p60, 0}, b, c, d), std::nullopt);
-  const exact::Crossing crossing{{0, 0}, {1, 1}, {0, 1}, {1, 0}};
-  EXPECT_EQ(exact::small_integers::in_circle(ExactPoint{0, 0, &crossing}, b, c, d), std::nullopt);
-}
-
 TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {
   // The lines y = x / 3 and y = 2 - 2 x / 7 meet in (42/13, 14/13).
   const Point a{0, 0}, b{9, 3}, c{0, 2}, d{7, 0};

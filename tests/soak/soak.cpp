@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "exact/stage_agreement.hpp"
 #include "support/changes_check.hpp"
 #include "support/path_scene_check.hpp"
 #include "support/random_changes.hpp"
@@ -26,9 +27,10 @@ struct Settings {
   std::uint64_t scripts = 1000;  ///< in all, dealt out evenly to the flavours
   std::size_t operations = 60;   ///< items of a scene
   std::uint64_t seed = 1;
-  std::string flavour;        ///< the only one, or the only obstacles; all of them when empty
-  std::uint64_t paths = 0;    ///< scenes to find paths in, in all; when above 0, instead of scenes
-  std::uint64_t changes = 0;  ///< steps of worlds that change, in all; when above 0, instead of scenes
+  std::string flavour;           ///< the only one, or the only obstacles; all of them when empty
+  std::uint64_t paths = 0;       ///< scenes to find paths in, in all; when above 0, instead of scenes
+  std::uint64_t predicates = 0;  ///< calls of each predicate, in all; when above 0, instead of scenes
+  std::uint64_t changes = 0;     ///< steps of worlds that change, in all; when above 0, instead of scenes
 };
 
 struct Totals {
@@ -216,6 +218,29 @@ int run_paths(const Settings& settings) {
   return all.faults == 0 ? 0 : 1;
 }
 
+/// The stages of the predicates against each other.
+int run_predicates(const Settings& settings) {
+  constexpr std::uint64_t kEveryNth = 50;
+  constexpr std::uint64_t kCallsOfDraw = 1'000'000;  // then other points are drawn
+  bool agree = true;
+  for (const NearMiss kind : kNearMisses) {
+    const auto start = std::chrono::steady_clock::now();
+    Agreement all;
+    for (std::uint64_t seed = settings.seed; all.calls < settings.predicates / kNearMisses.size() && agree; ++seed) {
+      const Agreement some = compare_stages(kind, seed, kCallsOfDraw, kEveryNth);
+      all += some;
+      if (some.fault.empty()) continue;
+      agree = false;
+      std::cout << to_string(kind) << ", seed " << seed << ": " << some.fault << std::endl;
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::cout << to_string(kind) << ": " << all.calls << " calls of each question, " << all.doubles
+              << " decided in doubles, " << all.on_lattice << " on a lattice, " << all.against_integers
+              << " held against integers of any size, " << seconds.count() << " s" << std::endl;
+  }
+  return agree ? 0 : 1;
+}
+
 int run(const Settings& settings) {
   const std::vector<Flavour> flavours = flavours_of(settings);
   Progress progress(settings.scripts);
@@ -245,6 +270,8 @@ int main(int argc, char** argv) {
   app.add_option("--changes", settings.changes,
                  "Count of insertions, removals, replacements and batches in worlds that change, instead of scenes");
   app.add_option("--seed", settings.seed, "Seed of the first scene; the others follow it")->capture_default_str();
+  app.add_option("--predicates", settings.predicates,
+                 "Count of calls of each predicate, stage against stage, instead of scenes");
   app.add_option("--paths", settings.paths, "Count of scenes to find paths in, instead of scenes");
   app.add_option(
          "--flavour", settings.flavour,
@@ -257,6 +284,7 @@ int main(int argc, char** argv) {
           },
           "FLAVOUR"));
   CLI11_PARSE(app, argc, argv);
+  if (settings.predicates > 0) return waywright::test::run_predicates(settings);
   if (settings.paths > 0) return waywright::test::run_paths(settings);
   if (waywright::test::obstacles_of(settings.flavour)) {
     std::cerr << "waywright_soak: '" << settings.flavour << "' is a flavour of --paths only\n";

@@ -17,6 +17,7 @@ struct RunOptions {
   std::string svg;     ///< empty: none
   bool check = false;
   bool strict = false;
+  bool stats = false;
 };
 
 /// `waywright path`

@@ -86,4 +86,13 @@ std::string json_line(const Request& request, const Error& error) {
          fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message));
 }
 
+std::string json_line(const PredicateCounts& counts) {
+  const auto stages = [](const StageCounts& stage) {
+    return fmt::format(R"({{"doubles":{},"lattice":{},"integers":{}}})", stage.doubles, stage.lattice, stage.integers);
+  };
+  return fmt::format(R"({{"op":"stats","orientation":{},"in_circle":{},"order":{},"crossing":{}}})",
+                     stages(counts.orientation), stages(counts.in_circle), stages(counts.order),
+                     stages(counts.crossing));
+}
+
 }  // namespace waywright::command

@@ -7,6 +7,7 @@
 
 #include "waywright/error.hpp"
 #include "waywright/path.hpp"
+#include "waywright/predicate_counts.hpp"
 #include "waywright/ray.hpp"
 #include "waywright/world.hpp"
 
@@ -25,5 +26,8 @@ struct Request {
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);
+
+/// The counts of a whole run.
+[[nodiscard]] std::string json_line(const PredicateCounts& counts);
 
 }  // namespace waywright::command

@@ -32,7 +32,9 @@ constexpr const char* kRunExamples =
     "  waywright run world.wws --svg world.svg                the final world, and the paths found in it\n"
     "  waywright run world.wws --dump world.dump --check      the final mesh; validated after every operation\n"
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
-    "\nThe files are written when the script has run to its end, whole or not at all.\n";
+    "\nThe files are written when the script has run to its end, whole or not at all. --stats prints one JSON line\n"
+    "on standard error: how many questions about points were decided in doubles (with a proven error bound), on a\n"
+    "lattice (integers of a fixed width) and in integers of any size, for each kind of question.\n";
 constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
@@ -89,6 +91,7 @@ void add_run(CommandLine& line) {
   add_file(*line.run, "--svg", options.svg, "Draw the final world");
   line.run->add_flag("--check", options.check, "Validate after every operation; stop at the first fault");
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
+  line.run->add_flag("--stats", options.stats, "Tell on standard error which stage of the arithmetic decided how much");
   line.run->footer(kRunExamples);
 }
 

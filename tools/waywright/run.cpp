@@ -1,8 +1,10 @@
+#include <cstdio>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "waywright/predicate_counts.hpp"
 #include "waywright/script.hpp"
 #include "waywright/svg.hpp"
 #include "waywright/world.hpp"
@@ -10,6 +12,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "input.hpp"
+#include "json_lines.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "runner.hpp"
@@ -62,6 +65,7 @@ ExitStatus run(const RunOptions& options) {
 
   const RunResult result = carry_out(script, options, runner);
   output.flush();
+  if (options.stats) fmt::print(stderr, "{}\n", json_line(predicate_counts()));
   if (!result.to_the_end) return result.status;
   if (dump.wanted()) dump.write(world.dump());
   if (svg.wanted()) {

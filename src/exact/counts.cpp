@@ -1,0 +1,7 @@
+#include "exact/counts.hpp"
+
+namespace waywright {
+
+PredicateCounts predicate_counts() { return exact::counts; }
+
+}  // namespace waywright

@@ -1,0 +1,159 @@
+#include "exact/lattice.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "exact/lattice_point.hpp"
+#include "exact/offsets.hpp"
+#include "exact/wide_integer.hpp"
+
+namespace waywright::exact::lattice {
+
+namespace {
+
+/// Offsets so small that products of two, and sums of two of those, fit 64 bits.
+constexpr int kSmallBits = 30;
+
+/// The given points as offsets from a point of the last one's.
+template <std::size_t kCount>
+class Gathered {
+ public:
+  explicit Gathered(const std::array<const ExactPoint*, kCount>& points)
+      : points_(points), offsets_(points.back()->is_explicit() ? nearest(*points.back()) : points.back()->crossing->a) {
+    for (const ExactPoint* const point : points) {
+      if (point->is_explicit()) {
+        offsets_.add(nearest(*point));
+      } else {
+        const auto& [a, b, c, d] = *point->crossing;
+        for (const Point& end : {a, b, c, d}) offsets_.add(end);
+      }
+    }
+  }
+
+  [[nodiscard]] bool find_lattice() { return offsets_.find_lattice(); }
+  [[nodiscard]] bool is_narrow() const { return offsets_.bits() <= kNarrowBits; }
+
+  template <std::size_t kW>
+  [[nodiscard]] std::array<LatticePoint<kW>, kCount> to_lattice() const {
+    std::array<LatticePoint<kW>, kCount> result;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      if (points_[i]->is_explicit()) {
+        result[i] = lattice_point<kW>(offsets_[next]);
+        next += 1;
+      } else {
+        result[i] = lattice_crossing<kW>(offsets_[next], offsets_[next + 1], offsets_[next + 2], offsets_[next + 3]);
+        next += 4;
+      }
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] static Point nearest(const ExactPoint& point) { return {point.x, point.y}; }
+
+  std::array<const ExactPoint*, kCount> points_;
+  Offsets<4 * kCount> offsets_;
+};
+
+// The sign of | a.x a.y a.w |
+//             | b.x b.y b.w |
+//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0.
+template <std::size_t kW>
+Sign orientation_of(const std::array<LatticePoint<kW>, 3>& points) {
+  const auto& [a, b, c] = points;
+  const auto determinant =
+      a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w) + a.w * (b.x * c.y - b.y * c.x);
+  return determinant.sign();
+}
+
+/// A row of the in-circle determinant | x y x^2 + y^2 1 |, times w^2.
+template <std::size_t kW>
+struct Row {
+  WideInteger<2 * kW + 1> x, y;
+  WideInteger<2 * kW + 2> lift;
+  WideInteger<2 * kW> one;
+};
+
+// By Laplace along the first two columns: minors of those times the complementary minors of the last two.
+template <std::size_t kW>
+Sign in_circle_of(const std::array<LatticePoint<kW>, 4>& points) {
+  std::array<Row<kW>, 4> row;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [x, y, w] = points[i];
+    row[i] = {x * w, y * w, x * x + y * y, w * w};
+  }
+  const auto area = [&](std::size_t i, std::size_t j) { return row[i].x * row[j].y - row[j].x * row[i].y; };
+  const auto rest = [&](std::size_t i, std::size_t j) { return row[i].lift * row[j].one - row[j].lift * row[i].one; };
+  const auto determinant = area(0, 1) * rest(2, 3) - area(0, 2) * rest(1, 3) + area(0, 3) * rest(1, 2) +
+                           area(1, 2) * rest(0, 3) - area(1, 3) * rest(0, 2) + area(2, 3) * rest(0, 1);
+  return determinant.sign();
+}
+
+template <std::size_t kW>
+std::strong_ordering compare_of(const std::array<LatticePoint<kW>, 2>& points) {
+  const auto& [p, q] = points;
+  const Sign by_x = (p.x * q.w - q.x * p.w).sign();
+  return order_of(by_x != Sign::zero ? by_x : (p.y * q.w - q.y * p.w).sign());
+}
+
+using Offset = WideInteger<1>;
+
+WideInteger<2> cross(const LatticeVector& p, const LatticeVector& q) {
+  return Offset(p.x) * Offset(q.y) - Offset(p.y) * Offset(q.x);
+}
+WideInteger<2> lift(const LatticeVector& p) { return Offset(p.x) * Offset(p.x) + Offset(p.y) * Offset(p.y); }
+
+std::int64_t small_cross(const LatticeVector& p, const LatticeVector& q) { return p.x * q.y - p.y * q.x; }
+std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; }
+
+std::optional<Sign> explicit_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  Offsets<2> offsets({c.x, c.y});
+  offsets.add({a.x, a.y});
+  offsets.add({b.x, b.y});
+  if (!offsets.find_lattice()) return std::nullopt;
+  if (offsets.bits() <= kSmallBits) return sign_of(small_cross(offsets[0], offsets[1]));
+  return cross(offsets[0], offsets[1]).sign();
+}
+
+std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                       const ExactPoint& d) {
+  Offsets<3> offsets({d.x, d.y});
+  for (const ExactPoint* const point : {&a, &b, &c}) offsets.add({point->x, point->y});
+  if (!offsets.find_lattice()) return std::nullopt;
+  const LatticeVector p = offsets[0];
+  const LatticeVector q = offsets[1];
+  const LatticeVector r = offsets[2];
+  if (offsets.bits() <= kSmallBits) {
+    const auto term = [](std::int64_t lift, std::int64_t cross) { return Offset(lift) * Offset(cross); };
+    return (term(small_lift(p), small_cross(q, r)) + term(small_lift(q), small_cross(r, p)) +
+            term(small_lift(r), small_cross(p, q)))
+        .sign();
+  }
+  return (lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q)).sign();
+}
+
+}  // namespace
+
+std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  if (a.is_explicit() && b.is_explicit() && c.is_explicit()) return explicit_orientation(a, b, c);
+  Gathered<3> points({&a, &b, &c});
+  if (!points.find_lattice()) return std::nullopt;
+  return points.is_narrow() ? orientation_of<1>(points.to_lattice<1>()) : orientation_of<2>(points.to_lattice<2>());
+}
+
+std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  if (a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit()) return explicit_in_circle(a, b, c, d);
+  Gathered<4> points({&a, &b, &c, &d});
+  if (!points.find_lattice()) return std::nullopt;
+  return points.is_narrow() ? in_circle_of<1>(points.to_lattice<1>()) : in_circle_of<2>(points.to_lattice<2>());
+}
+
+std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q) {
+  Gathered<2> points({&p, &q});
+  if (!points.find_lattice()) return std::nullopt;
+  return points.is_narrow() ? compare_of<1>(points.to_lattice<1>()) : compare_of<2>(points.to_lattice<2>());
+}
+
+}  // namespace waywright::exact::lattice

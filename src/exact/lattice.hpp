@@ -1,0 +1,26 @@
+#pragma once
+
+#include <compare>
+#include <optional>
+
+#include "exact/exact_point.hpp"
+#include "exact/sign.hpp"
+
+/// Stage 2 of the predicates: integers of a fixed width, on the stack, where all coordinates lie on one lattice. With
+/// the points' offsets from one of them in units of that lattice (see Offsets), the widest numbers are, in bits:
+///
+///   points        offsets    orientation    in-circle                                limbs of 64 bits
+///   explicit       up to 30             63          125    10 more would still fit      1 and 2
+///   explicit       up to 62            125          252                                 2 and 4
+///   constructed    up to 29            248          618    8 b + 8 and 20 b + 18        5 and 12
+///   constructed    up to 62            504        1,258    for differences of b bits    8 and 20
+///
+/// Empty where the points have no such lattice.
+namespace waywright::exact::lattice {
+
+[[nodiscard]] std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
+[[nodiscard]] std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                            const ExactPoint& d);
+[[nodiscard]] std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q);
+
+}  // namespace waywright::exact::lattice

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "waywright/point.hpp"
+
+#include "exact/power_of_two.hpp"
+
+namespace waywright::exact {
+
+/// A vector in units of a lattice.
+struct LatticeVector {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
+/// A few explicit points as vectors from a common origin, in whole units of the coarsest lattice on which all of them
+/// lie: a power of two, that need not be known before. So it serves integers, multiples of 1/8 and numbers with a few
+/// decimals alike, wherever in the plane they lie.
+///
+/// A difference of doubles is the sum of two: the rounded one, and its rounding error (Dekker 1971; Shewchuk 1997,
+/// theorem 7). Scaled by a power of two both are exact still, and are integers or not.
+template <std::size_t kMost>
+class Offsets {
+ public:
+  /// No offset is larger than 2^kLargestBits, so the difference of two is at most twice that.
+  static constexpr int kLargestBits = 61;
+
+  explicit Offsets(const Point& origin) : origin_(origin) {}
+
+  void add(const Point& point) {
+    parts_[count_] = part(point.x, origin_.x);
+    parts_[count_ + 1] = part(point.y, origin_.y);
+    count_ += 2;
+  }
+
+  /// Finds the lattice. False where the points have none on which their offsets are small enough.
+  [[nodiscard]] bool find_lattice() {
+    if (largest_ == 0.0) {
+      values_.fill(0);
+      return true;
+    }
+    const int shift = kLargestBits - 1 - exponent_of(largest_);
+    const double scale = power_of_two(shift);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double rounded = parts_[i].rounded * scale;
+      const double error = parts_[i].error * scale;
+      const auto whole = static_cast<std::int64_t>(rounded);
+      const auto rest = static_cast<std::int64_t>(error);
+      if (static_cast<double>(whole) != rounded || static_cast<double>(rest) != error) return false;
+      values_[i] = whole + rest;
+      bits |= static_cast<std::uint64_t>(values_[i] < 0 ? -values_[i] : values_[i]);
+    }
+    const int zeros = std::countr_zero(bits);
+    for (std::size_t i = 0; i < count_; ++i) values_[i] >>= zeros;
+    bits_ = static_cast<int>(std::bit_width(bits)) - zeros;
+    unit_exponent_ = zeros - shift;
+    return true;
+  }
+
+  /// Of the points in the order of add(). Requires: find_lattice() found one.
+  [[nodiscard]] LatticeVector operator[](std::size_t i) const { return {values_[2 * i], values_[2 * i + 1]}; }
+  /// Every offset is smaller than 2^bits(), which is at most kLargestBits + 1.
+  [[nodiscard]] int bits() const { return bits_; }
+  /// The lattice's unit is 2^unit_exponent().
+  [[nodiscard]] int unit_exponent() const { return unit_exponent_; }
+
+ private:
+  /// A difference, exactly.
+  struct Part {
+    double rounded = 0.0;
+    double error = 0.0;
+  };
+
+  [[nodiscard]] Part part(double a, double b) {
+    const double rounded = a - b;
+    const double b_virtual = a - rounded;
+    const double a_virtual = rounded + b_virtual;
+    largest_ = std::max(largest_, std::abs(rounded));
+    return {rounded, (b_virtual - b) + (a - a_virtual)};
+  }
+  Point origin_;
+  double largest_ = 0.0;
+  std::size_t count_ = 0;
+  int bits_ = 0;
+  int unit_exponent_ = 0;
+  std::array<Part, 2 * kMost> parts_;
+  std::array<std::int64_t, 2 * kMost> values_;
+};
+
+}  // namespace waywright::exact

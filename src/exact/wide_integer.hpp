@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "exact/sign.hpp"
+
+namespace waywright::exact {
+
+/// The product of two 64-bit numbers, in two halves.
+struct Product {
+  std::uint64_t low, high;
+};
+
+/// From four products of 32 bits each, for compilers that have no number of 128 bits.
+[[nodiscard]] constexpr Product multiply_by_halves(std::uint64_t a, std::uint64_t b) {
+  constexpr std::uint64_t kLow = 0xffffffff;
+  const std::uint64_t low = (a & kLow) * (b & kLow);
+  const std::uint64_t cross = (a >> 32) * (b & kLow) + (low >> 32);
+  const std::uint64_t other = (a & kLow) * (b >> 32) + (cross & kLow);
+  return {(other << 32) | (low & kLow), (a >> 32) * (b >> 32) + (cross >> 32) + (other >> 32)};
+}
+
+[[nodiscard]] constexpr Product multiply(std::uint64_t a, std::uint64_t b) {
+#if defined(__SIZEOF_INT128__)
+  const auto product = static_cast<unsigned __int128>(a) * b;
+  return {static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)};
+#else
+  return multiply_by_halves(a, b);
+#endif
+}
+
+/// An integer of a fixed number of 64-bit limbs in two's complement, on the stack. A product has as many limbs as its
+/// factors together, so it is always right; a sum has as many as its terms, so whoever adds sees to it that they do.
+template <std::size_t kLimbs>
+class WideInteger {
+ public:
+  constexpr WideInteger() = default;
+  constexpr WideInteger(std::int64_t value) {  // NOLINT(google-explicit-constructor): every int64 is one
+    limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
+    limbs_[0] = static_cast<std::uint64_t>(value);
+  }
+
+  [[nodiscard]] constexpr std::uint64_t limb(std::size_t i) const { return limbs_[i]; }
+  [[nodiscard]] constexpr bool is_negative() const { return limbs_[kLimbs - 1] >> 63 != 0; }
+  [[nodiscard]] constexpr Sign sign() const {
+    if (is_negative()) return Sign::negative;
+    std::uint64_t bits = 0;
+    for (const std::uint64_t limb : limbs_) bits |= limb;
+    return bits == 0 ? Sign::zero : Sign::positive;
+  }
+
+  /// The same number in another number of limbs. Requires: it fits.
+  template <std::size_t kOther>
+  [[nodiscard]] constexpr WideInteger<kOther> resize() const {
+    WideInteger<kOther> result(is_negative() ? -1 : 0);
+    for (std::size_t i = 0; i < kOther && i < kLimbs; ++i) result.limbs_[i] = limbs_[i];
+    return result;
+  }
+
+  /// The number of bits that it takes to write it down. Requires: it isn't negative.
+  [[nodiscard]] constexpr int bit_width() const {
+    std::size_t i = kLimbs - 1;
+    while (i > 0 && limbs_[i] == 0) --i;
+    return static_cast<int>(64 * i) + static_cast<int>(std::bit_width(limbs_[i]));
+  }
+
+  /// Near the number, for a first guess. Requires: it isn't beyond 2^1000.
+  [[nodiscard]] constexpr double approximate() const {
+    if (is_negative()) return -(WideInteger{} - *this).approximate();
+    double value = 0.0;
+    for (std::size_t i = kLimbs; i-- > 0;) value = value * 0x1p64 + static_cast<double>(limbs_[i]);
+    return value;
+  }
+
+  /// Times 2^bits. Requires: it fits.
+  [[nodiscard]] constexpr WideInteger operator<<(int bits) const {
+    const auto skipped = static_cast<std::size_t>(bits / 64);
+    const int within = bits % 64;
+    WideInteger result;
+    for (std::size_t i = skipped; i < kLimbs; ++i) {
+      result.limbs_[i] = limbs_[i - skipped] << within;
+      if (within != 0 && i > skipped) result.limbs_[i] |= limbs_[i - skipped - 1] >> (64 - within);
+    }
+    return result;
+  }
+
+  constexpr WideInteger& operator+=(const WideInteger& other) {
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+      const std::uint64_t sum = limbs_[i] + carry;
+      carry = sum < carry ? 1 : 0;
+      limbs_[i] = sum + other.limbs_[i];
+      carry += limbs_[i] < sum ? 1 : 0;
+    }
+    return *this;
+  }
+  constexpr WideInteger& operator-=(const WideInteger& other) {
+    subtract_from(0, other);
+    return *this;
+  }
+  [[nodiscard]] friend constexpr WideInteger operator+(WideInteger a, const WideInteger& b) { return a += b; }
+  [[nodiscard]] friend constexpr WideInteger operator-(WideInteger a, const WideInteger& b) { return a -= b; }
+  [[nodiscard]] friend constexpr WideInteger operator-(const WideInteger& a) { return WideInteger{} - a; }
+
+ private:
+  template <std::size_t kOther>
+  friend class WideInteger;
+  template <std::size_t kA, std::size_t kB>
+  friend constexpr WideInteger<kA + kB> operator*(const WideInteger<kA>& a, const WideInteger<kB>& b);
+
+  /// Takes `other` times 2^(64 position) off, modulo 2^(64 kLimbs).
+  template <std::size_t kOther>
+  constexpr void subtract_from(std::size_t position, const WideInteger<kOther>& other) {
+    std::uint64_t borrow = 0;
+    for (std::size_t i = position; i < kLimbs && i - position < kOther; ++i) {
+      const std::uint64_t limb = limbs_[i];
+      const std::uint64_t less = limb - borrow;
+      borrow = less > limb ? 1 : 0;
+      limbs_[i] = less - other.limbs_[i - position];
+      borrow += limbs_[i] > less ? 1 : 0;
+    }
+  }
+
+  std::array<std::uint64_t, kLimbs> limbs_{};
+};
+
+// The factors multiplied as if they had no sign: each negative one stood for 2^(64 n) more than it is, which comes off.
+template <std::size_t kA, std::size_t kB>
+[[nodiscard]] constexpr WideInteger<kA + kB> operator*(const WideInteger<kA>& a, const WideInteger<kB>& b) {
+  WideInteger<kA + kB> result;
+  for (std::size_t i = 0; i < kA; ++i) {
+    std::uint64_t carry = 0;
+    for (std::size_t j = 0; j < kB; ++j) {
+      const auto [low, high] = multiply(a.limbs_[i], b.limbs_[j]);
+      const std::uint64_t sum = low + carry;
+      std::uint64_t& limb = result.limbs_[i + j];
+      limb += sum;
+      carry = high + (sum < low ? 1 : 0) + (limb < sum ? 1 : 0);
+    }
+    result.limbs_[i + kB] = carry;
+  }
+  if (a.is_negative()) result.subtract_from(kA, b);
+  if (b.is_negative()) result.subtract_from(kB, a);
+  return result;
+}
+
+}  // namespace waywright::exact

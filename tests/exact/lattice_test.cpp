@@ -1,0 +1,241 @@
+#include "exact/lattice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <deque>
+
+#include <gtest/gtest.h>
+
+#include "exact/crossing.hpp"
+#include "exact/homogeneous.hpp"
+#include "exact/offsets.hpp"
+#include "exact/predicates.hpp"
+#include "exact/rational.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+using exact::Crossing;
+using exact::ExactPoint;
+using exact::Integer;
+using exact::Sign;
+
+/// Points on a lattice: offsets of up to 2^bits, on both sides of `centre`, in units of 2^unit. Often at the very ends
+/// of their range.
+struct LatticeKind {
+  int bits;
+  int unit;
+  double centre;
+};
+
+class LatticeSource {
+ public:
+  LatticeSource(const LatticeKind& kind, std::uint64_t seed) : kind_(kind), random_(seed) {}
+
+  double coordinate() {
+    const std::int64_t reach = (std::int64_t{1} << kind_.bits) - 1;
+    const std::int64_t offset = random_.chance(40) ? (random_.chance(50) ? reach : -reach) - random_.between(-3, 3)
+                                                   : random_.between(-reach, reach);
+    return kind_.centre + std::ldexp(static_cast<double>(std::clamp(offset, -reach, reach)), kind_.unit);
+  }
+  Point point() { return {coordinate(), coordinate()}; }
+
+  ExactPoint constructed() {
+    for (;;) {
+      const Crossing crossing{point(), point(), point(), point()};
+      const auto [a, b, c, d] = crossing;
+      const ExactPoint from{0, 0}, ab{b.x - a.x, b.y - a.y}, cd{d.x - c.x, d.y - c.y};
+      if (exact::integers::orientation(ab, cd, from) == Sign::zero) continue;
+      const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
+      if (rounded.is_exact) continue;
+      crossings_.push_back(crossing);
+      return {rounded.nearest.x, rounded.nearest.y, &crossings_.back()};
+    }
+  }
+  ExactPoint any() { return random_.chance(50) ? constructed() : exact::explicit_point(point()); }
+
+ private:
+  LatticeKind kind_;
+  Random random_;
+  std::deque<Crossing> crossings_;
+};
+
+class Lattice : public testing::TestWithParam<LatticeKind> {};
+
+// Differences of the points at hand have one bit more than offsets from the centre. Doubles around 2^20 leave 32 bits
+// above 2^-32, and so on; at 0 they leave all 53.
+INSTANTIATE_TEST_SUITE_P(Kinds, Lattice,
+                         testing::Values(LatticeKind{2, 0, 0}, LatticeKind{13, 0, 0}, LatticeKind{28, 0, 0},
+                                         LatticeKind{28, -60, 0}, LatticeKind{28, 72, 0}, LatticeKind{28, -24, 0x1p28},
+                                         LatticeKind{29, 0, 0}, LatticeKind{30, 0, 0}, LatticeKind{52, -40, 0}));
+
+TEST_P(Lattice, AgreesWithIntegersOfAnySize) {
+  LatticeSource source(GetParam(), 1);
+  for (int i = 0; i < 1500; ++i) {
+    const ExactPoint a = source.any(), b = source.any(), c = source.any(), d = source.any();
+    ASSERT_EQ(exact::lattice::orientation(a, b, c), exact::integers::orientation(a, b, c)) << "call " << i;
+    ASSERT_EQ(exact::lattice::in_circle(a, b, c, d), exact::integers::in_circle(a, b, c, d)) << "call " << i;
+    ASSERT_EQ(exact::lattice::compare(a, b), exact::integers::compare(a, b)) << "call " << i;
+    ASSERT_EQ(exact::lattice::compare(a, a), std::strong_ordering::equal);
+  }
+}
+
+TEST_P(Lattice, AgreesOnExplicitPoints) {
+  LatticeSource source(GetParam(), 2);
+  for (int i = 0; i < 3000; ++i) {
+    const Point p[] = {source.point(), source.point(), source.point(), source.point()};
+    const ExactPoint a{p[0].x, p[0].y}, b{p[1].x, p[1].y}, c{p[2].x, p[2].y}, d{p[3].x, p[3].y};
+    ASSERT_EQ(exact::lattice::orientation(a, b, c), exact::integers::orientation(a, b, c)) << "call " << i;
+    ASSERT_EQ(exact::lattice::in_circle(a, b, c, d), exact::integers::in_circle(a, b, c, d)) << "call " << i;
+  }
+}
+
+TEST_P(Lattice, RoundsCrossingsAsIntegersOfAnySizeDo) {
+  LatticeSource source(GetParam(), 3);
+  for (int i = 0; i < 3000; ++i) {
+    const ExactPoint p = source.constructed();
+    const auto rounded = exact::lattice::round_to_nearest(*p.crossing);
+    if (GetParam().centre != 0 && !rounded) continue;
+    ASSERT_TRUE(rounded.has_value());
+    ASSERT_EQ(rounded->nearest, (Point{p.x, p.y})) << "call " << i;
+    ASSERT_FALSE(rounded->is_exact);
+  }
+}
+
+// A thousand crossings on one line, and the line's ends: every answer is zero, and so is found by integers alone.
+TEST_P(Lattice, FindsPointsOnALine) {
+  LatticeSource source(GetParam(), 4);
+  const Point a = source.point(), b = source.point();
+  for (int i = 0; i < 300; ++i) {
+    ExactPoint p = source.constructed();
+    const Crossing on_line{a, b, p.crossing->c, p.crossing->d};
+    const ExactPoint from{0, 0}, ab{b.x - a.x, b.y - a.y};
+    const ExactPoint cd{on_line.d.x - on_line.c.x, on_line.d.y - on_line.c.y};
+    if (exact::integers::orientation(ab, cd, from) == Sign::zero) continue;
+    const Point nearest = exact::round_to_nearest(on_line).nearest;
+    p = {nearest.x, nearest.y, &on_line};
+    ASSERT_EQ(exact::lattice::orientation(exact::explicit_point(a), exact::explicit_point(b), p), Sign::zero);
+  }
+}
+
+TEST(LatticeStage, KnowsCirclesOfIntegersAndOfDecimals) {
+  // (±1, ±7), (±7, ±1), (±5, ±5) lie on one circle; one unit in the last place of 2^-40 further in or out, none does.
+  const ExactPoint a{7, 1}, b{-5, 5}, c{-1, -7}, d{5, -5};
+  EXPECT_EQ(exact::lattice::in_circle(a, b, c, d), Sign::zero);
+  EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPoint{5 - 0x1p-40, -5}), Sign::positive);
+  EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPoint{5 + 0x1p-40, -5}), Sign::negative);
+  // As doubles 0.1, 0.2 and 0.3 are none of them what they are called; still the square's corners lie on a circle.
+  const ExactPoint low{0.1, 0.2}, right{0.3, 0.2}, high{0.3, 0.7}, left{0.1, 0.7};
+  EXPECT_EQ(exact::lattice::in_circle(low, right, high, left), Sign::zero);
+  EXPECT_EQ(exact::lattice::orientation(ExactPoint{0.1, 0.1}, ExactPoint{0.2, 0.2}, ExactPoint{0.3, 0.3}), Sign::zero);
+  // 0.3 is below 3 times 0.1, so (0.3, 0.1 + 0.2) lies above the line on which x is y.
+  EXPECT_EQ(exact::lattice::orientation(ExactPoint{0.1, 0.1}, ExactPoint{0.2, 0.2}, ExactPoint{0.3, 0.1 + 0.2}),
+            Sign::positive);
+}
+
+TEST(LatticeStage, LeavesTheRestToIntegersOfAnySize) {
+  const ExactPoint a{0, 0}, b{4, 0}, c{4, 4};
+  const ExactPoint fine{0x1p-60, 1}, far{0x1p62, 0};
+  EXPECT_EQ(exact::lattice::orientation(a, b, fine), std::nullopt);
+  EXPECT_EQ(exact::lattice::in_circle(fine, b, c, a), std::nullopt);
+  EXPECT_EQ(exact::lattice::in_circle(a, b, ExactPoint{4.5, 4}, far), std::nullopt);
+  const Crossing crossing{{0, 0}, {9, 3}, {0, 0x1p-60}, {7, 0}};
+  EXPECT_EQ(exact::lattice::compare(ExactPoint{0, 0, &crossing}, a), std::nullopt);
+  EXPECT_EQ(exact::lattice::round_to_nearest(crossing), std::nullopt);
+}
+
+TEST(Offsets, FindTheCoarsestLattice) {
+  exact::Offsets<3> offsets({1000.5, -3});
+  offsets.add({1006.5, -3});
+  offsets.add({1000.5, 9});
+  ASSERT_TRUE(offsets.find_lattice());
+  EXPECT_EQ(offsets.unit_exponent(), 1);
+  EXPECT_EQ(offsets.bits(), 3);
+  EXPECT_EQ(offsets[0].x, 3);
+  EXPECT_EQ(offsets[0].y, 0);
+  EXPECT_EQ(offsets[1].x, 0);
+  EXPECT_EQ(offsets[1].y, 6);
+}
+
+TEST(Offsets, AreExactWhereTheDifferenceOfDoublesIsNot) {
+  exact::Offsets<1> offsets({0.1, 0});
+  offsets.add({1024, 0});
+  // 0.1 is 3602879701896397 / 2^55; 1024 is 2^65 of those.
+  ASSERT_FALSE(offsets.find_lattice());
+  exact::Offsets<1> nearer({0.1, 0});
+  nearer.add({16, 0});
+  ASSERT_TRUE(nearer.find_lattice());
+  EXPECT_EQ(nearer.unit_exponent(), -55);
+  EXPECT_EQ(nearer[0].x, (std::int64_t{1} << 59) - 3602879701896397);
+}
+
+TEST(Offsets, OfOnePlaceAreZero) {
+  exact::Offsets<2> offsets({0.1, 7});
+  offsets.add({0.1, 7});
+  offsets.add({0.1, 7});
+  ASSERT_TRUE(offsets.find_lattice());
+  EXPECT_EQ(offsets[1].x, 0);
+  EXPECT_EQ(offsets[1].y, 0);
+}
+
+/// The widest numbers that the determinants of constructed points take, in bits, over extreme draws.
+struct Widths {
+  unsigned denominator = 0, coordinate = 0, orientation = 0, in_circle = 0;
+};
+
+Widths worst_widths(int bits) {
+  LatticeSource source({bits - 1, 0, 0}, 5);
+  const auto width = [](const Integer& value) { return value == 0 ? 0 : msb(Integer(abs(value))) + 1; };
+  Widths worst;
+  for (int i = 0; i < 20000; ++i) {
+    std::array<exact::Homogeneous, 4> p;
+    for (exact::Homogeneous& point : p) {
+      point = exact::to_homogeneous(source.constructed(), 0);
+      worst.denominator = std::max(worst.denominator, width(point.w));
+      worst.coordinate = std::max({worst.coordinate, width(point.x), width(point.y)});
+    }
+    const auto minor = [&](std::size_t j, std::size_t k) { return Integer(p[j].x * p[k].y - p[k].x * p[j].y); };
+    const Integer turn = p[0].w * minor(1, 2) - p[1].w * minor(0, 2) + p[2].w * minor(0, 1);
+    worst.orientation = std::max(worst.orientation, width(turn));
+    Integer circle = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = j + 1; k < 4; ++k) {
+        const std::size_t m = j == 0 ? (k == 1 ? 2 : 1) : 0;
+        const std::size_t n = 6 - j - k - m;
+        const auto lift = [&](std::size_t v) { return Integer(p[v].x * p[v].x + p[v].y * p[v].y); };
+        const Integer rest = lift(m) * p[n].w * p[n].w - lift(n) * p[m].w * p[m].w;
+        circle += ((j + k) % 2 == 1 ? 1 : -1) * p[j].w * p[k].w * minor(j, k) * rest;
+      }
+    }
+    worst.in_circle = std::max(worst.in_circle, width(circle));
+  }
+  return worst;
+}
+
+// For differences of up to 2^b, lattice.hpp allows denominators of 2 b + 1 bits, coordinates of 3 b + 2, and
+// determinants of 8 b + 8 and 20 b + 18.
+TEST(LatticeStage, KeepsWithinItsBits) {
+  for (const int bits : {30, 53}) {
+    const Widths worst = worst_widths(bits);
+    const auto b = static_cast<unsigned>(bits);
+    EXPECT_LE(worst.denominator, 2 * b + 2);
+    EXPECT_LE(worst.coordinate, 3 * b + 2);
+    EXPECT_LE(worst.orientation, 8 * b + 8);
+    EXPECT_LE(worst.in_circle, 20 * b + 18);
+    // The draws are extreme: they come near to what is allowed.
+    EXPECT_GE(worst.denominator, 2 * b);
+    EXPECT_GE(worst.coordinate, 3 * b - 2);
+    EXPECT_GE(worst.orientation, 8 * b - 2);
+    EXPECT_GE(worst.in_circle, 20 * b - 6);
+  }
+  EXPECT_LT(8 * 30 + 8, 5 * 64);
+  EXPECT_LT(20 * 30 + 18, 12 * 64);
+  EXPECT_LT(8 * 62 + 8, 8 * 64);
+  EXPECT_LT(20 * 62 + 18, 20 * 64);
+}
+
+}  // namespace
+}  // namespace waywright::test

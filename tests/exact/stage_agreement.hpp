@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/crossing.hpp"
+#include "exact/predicates.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+
+/// Kinds of points that make determinants vanish, or all but vanish.
+enum class NearMiss : unsigned char {
+  small_lattice,  ///< of integers up to 8: lines and circles everywhere
+  decimals,       ///< multiples of 0.1
+  on_a_line,      ///< doubles next to a line
+  on_a_circle,    ///< doubles next to a circle
+  crossings,      ///< of walls between points of a small lattice, and such points
+  fine_crossings  ///< of walls between doubles that are nearly parallel
+};
+inline constexpr std::array kNearMisses = {NearMiss::small_lattice, NearMiss::decimals,  NearMiss::on_a_line,
+                                           NearMiss::on_a_circle,   NearMiss::crossings, NearMiss::fine_crossings};
+
+inline std::string_view to_string(NearMiss kind) {
+  constexpr std::array<std::string_view, 6> kNames = {"small_lattice", "decimals",  "on_a_line",
+                                                      "on_a_circle",   "crossings", "fine_crossings"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// A thousand points of one kind.
+class NearMisses {
+ public:
+  NearMisses(NearMiss kind, std::uint64_t seed) : random_(seed) {
+    while (points_.size() < 1000) add(kind);
+  }
+
+  [[nodiscard]] const exact::ExactPoint& any() { return points_[random_.below(points_.size())]; }
+
+ private:
+  double between(std::int64_t low, std::int64_t high) { return static_cast<double>(random_.between(low, high)); }
+  double fraction() { return between(0, std::int64_t{1} << 53) * 0x1p-53; }
+  double nudge() { return between(-2, 2) * 0x1p-52; }
+
+  void add(NearMiss kind) {
+    switch (kind) {
+      case NearMiss::small_lattice:
+        points_.push_back({between(-8, 8), between(-8, 8)});
+        break;
+      case NearMiss::decimals:
+        points_.push_back({between(0, 30) * 0.1, between(0, 30) * 0.1});
+        break;
+      case NearMiss::on_a_line: {
+        const double t = fraction();
+        points_.push_back({0.1 + 0.7 * t + nudge(), 0.3 + 0.6 * t + nudge()});
+        break;
+      }
+      case NearMiss::on_a_circle: {
+        const double t = fraction();
+        points_.push_back({(1 - t * t) / (1 + t * t) + nudge(), 2 * t / (1 + t * t) + nudge()});
+        break;
+      }
+      case NearMiss::crossings:
+        if (random_.chance(30)) points_.push_back({between(-4, 4), between(-4, 4)});
+        add_crossing({lattice_point(), lattice_point(), lattice_point(), lattice_point()});
+        break;
+      case NearMiss::fine_crossings:
+        add_crossing({{0.0, fraction()}, {1.0, fraction()}, {0.1, 0.5 + nudge()}, {0.9, 0.5 + nudge()}});
+        break;
+    }
+  }
+  Point lattice_point() { return {between(-4, 4), between(-4, 4)}; }
+
+  void add_crossing(const exact::Crossing& crossing) {
+    const auto [a, b, c, d] = crossing;
+    if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) return;
+    const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
+    if (rounded.is_exact) {
+      points_.push_back(exact::explicit_point(rounded.nearest));
+      return;
+    }
+    crossings_.push_back(crossing);
+    points_.push_back({rounded.nearest.x, rounded.nearest.y, &crossings_.back()});
+  }
+
+  Random random_;
+  std::deque<exact::Crossing> crossings_;
+  std::vector<exact::ExactPoint> points_;
+};
+
+struct Agreement {
+  std::uint64_t calls = 0;             ///< of orientation, and as many of in-circle and of order
+  std::uint64_t doubles = 0;           ///< of 3 calls: those of which the first stage decided all
+  std::uint64_t on_lattice = 0;        ///< of 3 calls: those of which the second stage could have decided all
+  std::uint64_t against_integers = 0;  ///< calls held against the last stage too
+  std::string fault;                   ///< the first disagreement, or empty
+
+  Agreement& operator+=(const Agreement& other) {
+    calls += other.calls;
+    doubles += other.doubles;
+    on_lattice += other.on_lattice;
+    against_integers += other.against_integers;
+    return *this;
+  }
+};
+
+/// Holds the first stage against the second in all calls, and both against the last in every n-th, and checks that
+/// swapped arguments give swapped signs.
+inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t calls, std::uint64_t every_nth) {
+  NearMisses source(kind, seed);
+  Agreement result;
+  const auto differ = [](const auto& one, const auto& other) { return one && other && *one != *other; };
+  for (; result.calls < calls && result.fault.empty(); ++result.calls) {
+    const exact::ExactPoint &a = source.any(), &b = source.any(), &c = source.any(), &d = source.any();
+    const auto turn = exact::filter::orientation(a, b, c);
+    const auto lattice_turn = exact::lattice::orientation(a, b, c);
+    const auto circle = exact::filter::in_circle(a, b, c, d);
+    const auto lattice_circle = exact::lattice::in_circle(a, b, c, d);
+    const auto order = exact::lattice::compare(a, b);
+    result.doubles += turn && circle ? 1 : 0;
+    result.on_lattice += lattice_turn && lattice_circle && order ? 1 : 0;
+    if (differ(turn, lattice_turn)) result.fault = "orientation: doubles against lattice";
+    if (differ(circle, lattice_circle)) result.fault = "in-circle: doubles against lattice";
+    if (order && *order != exact::compare(a, b)) result.fault = "order: doubles against lattice";
+    const auto swapped_turn = exact::lattice::orientation(b, a, c);
+    const auto swapped_circle = exact::lattice::in_circle(a, b, d, c);
+    // Which of the points is the origin may decide whether there is a lattice that will do.
+    if (lattice_turn && swapped_turn && *lattice_turn != -*swapped_turn) result.fault = "orientation: swapped";
+    if (lattice_circle && swapped_circle && *lattice_circle != -*swapped_circle) result.fault = "in-circle: swapped";
+    if (result.calls % every_nth != 0) continue;
+    ++result.against_integers;
+    if (exact::orientation(a, b, c) != exact::integers::orientation(a, b, c)) result.fault = "orientation: integers";
+    if (exact::in_circle(a, b, c, d) != exact::integers::in_circle(a, b, c, d)) result.fault = "in-circle: integers";
+    if (exact::compare(a, b) != exact::integers::compare(a, b)) result.fault = "order: integers";
+  }
+  if (!result.fault.empty()) result.fault += ", call " + std::to_string(result.calls);
+  return result;
+}
+
+}  // namespace waywright::test

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "waywright/predicate_counts.hpp"
+
+#include "exact/crossing.hpp"
+#include "exact/predicates.hpp"
+#include "exact/stage_agreement.hpp"
+
+namespace waywright::test {
+namespace {
+
+using exact::Crossing;
+using exact::ExactPoint;
+
+/// What a call adds to the counts of one question.
+template <class Call>
+StageCounts added(StageCounts PredicateCounts::*question, Call&& call) {
+  const StageCounts before = predicate_counts().*question;
+  call();
+  const StageCounts after = predicate_counts().*question;
+  return {after.doubles - before.doubles, after.lattice - before.lattice, after.integers - before.integers};
+}
+
+constexpr StageCounts kDoubles{1, 0, 0};
+constexpr StageCounts kLattice{0, 1, 0};
+constexpr StageCounts kIntegers{0, 0, 1};
+
+// The lines y = x / 3 and y = 2 - 2 x / 7 meet in (42/13, 14/13).
+const Crossing kPlain{{0, 0}, {9, 3}, {0, 2}, {7, 0}};
+// As before, but for an end that no common lattice has within 2^62.
+const Crossing kFine{{0x1p-60, 0}, {9, 3}, {0, 2}, {7, 0}};
+
+ExactPoint at(const Crossing& crossing) {
+  const Point nearest = exact::integers::round_to_nearest(crossing).nearest;
+  return {nearest.x, nearest.y, &crossing};
+}
+
+TEST(Stages, OfOrientations) {
+  const auto asks = [](const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+    return added(&PredicateCounts::orientation, [&] { static_cast<void>(exact::orientation(a, b, c)); });
+  };
+  EXPECT_EQ(asks({0, 0}, {4, 0}, {0, 4}), kDoubles);
+  EXPECT_EQ(asks({0, 0}, {4, 0}, {9, 0}), kDoubles);  // along an axis: nothing is rounded
+  EXPECT_EQ(asks({0, 0}, {4, 4}, {9, 9}), kLattice);
+  EXPECT_EQ(asks({0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}), kLattice);
+  EXPECT_EQ(asks({0, 0}, {0x1p-60, 0x1p-60}, {9, 9}), kIntegers);
+  EXPECT_EQ(asks({0, 0}, {9, 3}, at(kPlain)), kLattice);
+  EXPECT_EQ(asks({0, 0}, {9, 4}, at(kPlain)), kDoubles);
+  EXPECT_EQ(asks({0x1p-60, 0}, {9, 3}, at(kFine)), kIntegers);
+}
+
+TEST(Stages, OfInCircles) {
+  const auto asks = [](const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+    return added(&PredicateCounts::in_circle, [&] { static_cast<void>(exact::in_circle(a, b, c, d)); });
+  };
+  EXPECT_EQ(asks({0, 0}, {4, 0}, {0, 4}, {1, 1}), kDoubles);
+  EXPECT_EQ(asks({0, 0}, {4, 0}, {4, 4}, {0, 4}), kLattice);
+  EXPECT_EQ(asks({0.1, 0.1}, {0.4, 0.1}, {0.4, 0.4}, {0.1, 0.4}), kLattice);
+  EXPECT_EQ(asks({0x1p-60, 0}, {4, 0}, {4, 4}, {0x1p-60, 4}), kIntegers);
+  EXPECT_EQ(asks({0, 0}, {9, 3}, {9, 9}, at(kPlain)), kDoubles);
+}
+
+TEST(Stages, OfOrders) {
+  const auto asks = [](const ExactPoint& p, const ExactPoint& q) {
+    return added(&PredicateCounts::order, [&] { static_cast<void>(exact::compare(p, q)); });
+  };
+  const ExactPoint p = at(kPlain);
+  EXPECT_EQ(asks({0, 0}, {0, 4}), kDoubles);
+  EXPECT_EQ(asks({1, 0}, p), kDoubles);
+  EXPECT_EQ(asks({p.x, 0}, p), kLattice);  // nearest doubles agree, which leaves open what is nearer to the left
+  EXPECT_EQ(asks(p, p), kLattice);
+  EXPECT_EQ(asks(at(kFine), at(kFine)), kIntegers);
+}
+
+TEST(Stages, OfCrossings) {
+  const auto asks = [](const Crossing& crossing) {
+    return added(&PredicateCounts::crossing, [&] { static_cast<void>(exact::round_to_nearest(crossing)); });
+  };
+  EXPECT_EQ(asks({{0.1, 0}, {0.1, 3}, {0, 0x1p-60}, {7, 0x1p-60}}), kDoubles);
+  EXPECT_EQ(asks({{0, 0.3}, {1, 0.3}, {0.7, 0}, {0.7, 1}}), kDoubles);
+  EXPECT_EQ(asks(kPlain), kLattice);
+  EXPECT_EQ(asks(kFine), kIntegers);
+}
+
+// A walk over a few of what `waywright_soak --predicates` goes through by the hundred million.
+TEST(Stages, AgreeWithEachOther) {
+  for (const NearMiss kind : kNearMisses) {
+    const Agreement agreement = compare_stages(kind, 7, 20000, 20);
+    EXPECT_EQ(agreement.fault, "") << to_string(kind);
+    EXPECT_EQ(agreement.calls, 20000U);
+    // Draws near to zero are there for the later stages: most kinds leave many calls to them.
+    EXPECT_LT(agreement.doubles, agreement.calls) << to_string(kind);
+    EXPECT_GT(agreement.against_integers, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace waywright::test
