@@ -1,11 +1,9 @@
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "waywright/world.hpp"
-
+#include "apply_all.hpp"
 #include "constraint_benchmarks.hpp"
 #include "harness.hpp"
 #include "point_benchmarks.hpp"
@@ -14,29 +12,6 @@
 #include "workloads.hpp"
 
 namespace waywright::bench {
-namespace {
-
-/// All insertions as one operation.
-void time_apply(benchmark::State& state, const Workload& workload) {
-  std::vector<Change> changes;
-  for (const Update& update : workload.updates) {
-    changes.push_back({Change::Kind::insert, update.inserted.id, update.inserted.shape});
-  }
-  for ([[maybe_unused]] const auto iteration : state) {
-    state.PauseTiming();
-    {
-      World world = World::create(workload.domain).value();
-      state.ResumeTiming();
-      benchmark::DoNotOptimize(world.apply(changes).value());
-      state.PauseTiming();
-      state.counters["vertices"] = static_cast<double>(world.vertex_count());
-    }
-    state.ResumeTiming();
-  }
-  report_time_per_operation(state, changes.size());
-}
-
-}  // namespace
 
 void register_insertions() {
   for (const std::size_t count : kThesisPointCounts) {

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   waywright::bench::register_insertions();
   waywright::bench::register_updates();
+  waywright::bench::register_degenerate();
   waywright::bench::register_paths();
   waywright::bench::register_maps();
 #ifdef WAYWRIGHT_BENCH_WITH_CGAL

@@ -6,6 +6,7 @@ namespace waywright::bench {
 
 void register_insertions();
 void register_updates();
+void register_degenerate();
 void register_paths();
 void register_maps();
 

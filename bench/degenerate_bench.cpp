@@ -1,0 +1,98 @@
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "apply_all.hpp"
+#include "harness.hpp"
+#include "random.hpp"
+#include "real_scenes.hpp"
+#include "registers.hpp"
+#include "waywright_contender.hpp"
+#include "workloads.hpp"
+
+// What degenerate data costs against data of which no filter despairs: lattices of points against random points, all in
+// random order; the obstacles of a map against as many rectangles anywhere.
+
+namespace waywright::bench {
+namespace {
+
+constexpr const char* kMap = "grid/random/random512-20-0.map";
+
+Workload shuffled(Workload workload) {
+  Random random(300);
+  std::vector<Update>& updates = workload.updates;
+  for (std::size_t i = updates.size(); i > 1; --i) std::swap(updates[i - 1], updates[random.below(i)]);
+  return workload;
+}
+
+/// The lattice, every coordinate times `unit` as doubles have it.
+Workload scaled_lattice(std::size_t side, double unit) {
+  Workload workload = shuffled(lattice_points(side));
+  workload.domain.max = {workload.domain.max.x * unit, workload.domain.max.y * unit};
+  for (Update& update : workload.updates) {
+    Point& point = update.inserted.shape.rings.front().front();
+    point = {point.x * unit, point.y * unit};
+  }
+  return workload;
+}
+
+/// As many rectangles as the scene has items, in its domain, a little smaller than a cell of it: few touch another.
+Workload random_rectangles(const Workload& scene) {
+  Random random(301);
+  Workload workload{scene.domain, {}, {}};
+  const Point size{scene.domain.max.x - scene.domain.min.x - 1.0, scene.domain.max.y - scene.domain.min.y - 1.0};
+  for (const Update& update : scene.updates) {
+    const Point low{scene.domain.min.x + size.x * random.unit(), scene.domain.min.y + size.y * random.unit()};
+    const Point high{low.x + 0.1 + 0.8 * random.unit(), low.y + 0.1 + 0.8 * random.unit()};
+    Item item;
+    item.id = update.inserted.id;
+    item.shape.kind = ItemKind::polygon;
+    item.shape.rings = {{low, {high.x, low.y}, high, {low.x, high.y}}};
+    workload.updates.push_back({{}, std::move(item)});
+  }
+  return workload;
+}
+
+/// Both one at a time and all at once.
+template <class Make>
+void register_points(const std::string& name, const std::string& size, Make make) {
+  register_updates<Waywright>(name + size, "waywright", make);
+  benchmark::RegisterBenchmark((name + "_at_once" + size + "/waywright").c_str(),
+                               [make](benchmark::State& state) { time_apply(state, make()); })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+
+/// The map's obstacles, or rectangles in their place; in random order both.
+void register_obstacles(const std::string& name, bool are_real) {
+  benchmark::RegisterBenchmark((name + "/waywright").c_str(),
+                               [are_real, is_checked = std::make_shared<bool>(false)](benchmark::State& state) {
+                                 const auto scene = read_real_scene(kMap);
+                                 if (!scene) return skip_without_data(state, kMap);
+                                 const Workload workload = are_real ? *scene : random_rectangles(*scene);
+                                 time_updates<Waywright>(state, shuffled(workload), *is_checked);
+                               })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+void register_degenerate() {
+  for (const std::size_t side : {100U, 1000U}) {
+    const std::string prefix = side == 100 ? "degenerate/" : "large/degenerate/";
+    const std::string size = '/' + std::to_string(side * side);
+    register_points(prefix + "random", size, [side] { return uniform_points(side * side); });
+    register_points(prefix + "lattice", size, [side] { return scaled_lattice(side, 1.0); });
+    register_points(prefix + "decimals", size, [side] { return scaled_lattice(side, 0.1); });
+  }
+  register_obstacles("degenerate/map", true);
+  register_obstacles("degenerate/rectangles", false);
+}
+
+}  // namespace waywright::bench
