@@ -5,7 +5,7 @@ namespace waywright::constraint {
 /// The exit edge has the segment's end beyond it, or on it; otherwise the segment ends in the face.
 SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
   const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to_);
-  return {mesh::kNoVertex, exit, end_side == Sign::positive};
+  return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero};
 }
 
 // Around the vertex: along an edge whose far end lies ahead on the line, or into the face whose first corner lies on

@@ -33,7 +33,8 @@ class SegmentWalk {
   struct Stand {
     mesh::Vertex vertex = mesh::kNoVertex;
     mesh::HalfEdge exit = mesh::kNoHalfEdge;
-    bool has_ended = false;
+    bool has_ended = false;  ///< before it gets there
+    bool ends_on_exit = false;
   };
 
   [[nodiscard]] Sign side(mesh::Vertex v) const {
@@ -80,10 +81,8 @@ void SegmentWalk::run(Visitor&& visitor) {
       stand = leave_vertex(stand.vertex);
     } else {
       if (!visitor.at_edge(stand.exit)) return;
-      const mesh::HalfEdge h = stand.exit;
-      const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to_);
-      if (end_side == Sign::zero) return;
-      stand = enter_face(mesh_.twin(h));
+      if (stand.ends_on_exit) return;
+      stand = enter_face(mesh_.twin(stand.exit));
     }
   }
 }
