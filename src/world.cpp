@@ -29,8 +29,6 @@ World::~World() = default;
 
 namespace {
 
-using Operation = constraint::ExactTriangulation::Operation;
-
 /// A mesh may not outgrow its 31-bit half-edge indices: 2^31 / 6 vertices. This keeps half of that for crossings, which
 /// nobody can count before they are made.
 constexpr std::size_t kLargestPointCount = std::size_t{1} << 27;
@@ -154,7 +152,7 @@ Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
 
 }  // namespace
 
-Result<World> World::create(const Box& domain) {
+Result<World> World::create(const Box& domain, const WorldOptions& options) {
   std::size_t index = 0;
   for (const Point& point : {domain.min, domain.max}) {
     if (!exact::in_range(point)) return range_error(point, index);
@@ -164,7 +162,7 @@ Result<World> World::create(const Box& domain) {
     return Error{ErrorCode::bad_domain, "a domain needs min.x < max.x and min.y < max.y", {}, 0};
   }
   const Box normalised{{domain.min.x + 0.0, domain.min.y + 0.0}, {domain.max.x + 0.0, domain.max.y + 0.0}};
-  return World(std::make_unique<Impl>(normalised));
+  return World(std::make_unique<Impl>(normalised, options));
 }
 
 const Box& World::domain() const { return impl_->triangulation.domain(); }
@@ -175,10 +173,9 @@ Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   if (id.value > ItemId::kLargest) return bad_id(id);
   if (items.contains(id)) return id_in_use(id);
   if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
-  Operation operation(impl_->triangulation);
-  impl_->triangulation.insert(shape, id);
+  Operation operation(*impl_);
+  operation.insert(shape, id);
   operation.commit();
-  ++impl_->version;
   return id;
 }
 
@@ -205,21 +202,19 @@ Result<ItemId> World::insert_polygon(std::span<const std::vector<Point>> rings, 
 
 Result<void> World::remove(ItemId id) {
   if (!contains(id)) return unknown_id(id);
-  Operation operation(impl_->triangulation);
-  impl_->triangulation.remove(id);
+  Operation operation(*impl_);
+  operation.remove(id);
   operation.commit();
-  ++impl_->version;
   return {};
 }
 
 Result<void> World::replace(ItemId id, const Shape& shape) {
   if (!contains(id)) return unknown_id(id);
   if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
-  Operation operation(impl_->triangulation);
-  impl_->triangulation.remove(id);
-  impl_->triangulation.insert(shape, id);
+  Operation operation(*impl_);
+  operation.remove(id);
+  operation.insert(shape, id);
   operation.commit();
-  ++impl_->version;
   return {};
 }
 
@@ -239,21 +234,19 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     impl_->insert_all(constraint::ShapeBatch<Change>{changes, ids});
     return check.take_ids();
   }
-  Operation operation(impl_->triangulation);
+  Operation operation(*impl_);
   for (std::size_t i = 0; i < changes.size(); ++i) {
     std::size_t end = i;
     while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
     if (end > i + 1) {
-      impl_->triangulation.insert_all(
-          constraint::ShapeBatch<Change>{changes.subspan(i, end - i), ids.subspan(i, end - i)});
+      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), ids.subspan(i, end - i)});
       i = end - 1;
       continue;
     }
-    if (changes[i].kind != Change::Kind::insert) impl_->triangulation.remove(ids[i]);
-    if (changes[i].kind != Change::Kind::remove) impl_->triangulation.insert(changes[i].shape, ids[i]);
+    if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
+    if (changes[i].kind != Change::Kind::remove) operation.insert(changes[i].shape, ids[i]);
   }
   operation.commit();
-  ++impl_->version;
   return check.take_ids();
 }
 
@@ -390,6 +383,7 @@ Result<std::vector<ItemId>> World::items_in(const Box& box) const {
 
 Validation World::validate() const {
   auto fault = impl_->triangulation.find_fault();
+  if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
   if (!fault) return {};
   return {false, *std::move(fault)};
 }

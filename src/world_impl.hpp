@@ -1,34 +1,81 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "waywright/world.hpp"
 
 #include "constraint/exact_triangulation.hpp"
+#include "path/abstraction.hpp"
 
 namespace waywright {
 
 struct World::Impl {
-  explicit Impl(const Box& domain) : triangulation(domain) {}
-
-  /// A world without items is made anew: a batch then needs no operation to be all or nothing.
-  template <class Batch>
-  void insert_all(const Batch& batch) {
-    if (triangulation.items().size() == 0) {
-      constraint::ExactTriangulation made(triangulation.domain(), batch);
-      made.see(triangulation.items().largest_id_seen());
-      triangulation = std::move(made);
-    } else {
-      constraint::ExactTriangulation::Operation operation(triangulation);
-      triangulation.insert_all(batch);
-      operation.commit();
-    }
-    ++version;
+  Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
+    if (options.keep_abstraction) abstraction.emplace(triangulation);
   }
 
+  /// Inserts a batch as one operation.
+  template <class Batch>
+  void insert_all(const Batch& batch);
+
   constraint::ExactTriangulation triangulation;
+  std::optional<path::Abstraction> abstraction;
   std::uint64_t version = 0;
 };
+
+/// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.
+class World::Operation {
+ public:
+  explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
+    if (impl_.abstraction) impl_.abstraction->begin();
+  }
+
+  void insert(const Shape& shape, ItemId id) {
+    impl_.triangulation.insert(shape, id);
+    if (shape.kind == ItemKind::polygon) note_inserted(id);
+  }
+  template <class Batch>
+  void insert_all(const Batch& batch) {
+    impl_.triangulation.insert_all(batch);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (batch.kind(i) == ItemKind::polygon) note_inserted(batch.id(i));
+    }
+  }
+  void remove(ItemId id) {
+    const std::uint32_t slot = impl_.triangulation.items().slot(id);
+    if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
+    impl_.triangulation.remove(id);
+  }
+  void commit() {
+    if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation);
+    operation_.commit();
+    ++impl_.version;
+  }
+
+ private:
+  void note_inserted(ItemId id) {
+    if (impl_.abstraction) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  }
+
+  Impl& impl_;
+  constraint::ExactTriangulation::Operation operation_;
+};
+
+/// A world without items is made anew: a batch then needs no operation to be all or nothing.
+template <class Batch>
+void World::Impl::insert_all(const Batch& batch) {
+  if (triangulation.items().size() != 0) {
+    Operation operation(*this);
+    operation.insert_all(batch);
+    return operation.commit();
+  }
+  constraint::ExactTriangulation made(triangulation.domain(), batch);
+  made.see(triangulation.items().largest_id_seen());
+  if (abstraction) abstraction = path::Abstraction(made);
+  triangulation = std::move(made);
+  ++version;
+}
 
 }  // namespace waywright

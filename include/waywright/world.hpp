@@ -77,6 +77,14 @@ struct Validation {
   std::string fault;  ///< the first fault; empty when ok
 };
 
+/// What a world keeps besides its mesh.
+struct WorldOptions {
+  /// What searches for paths live on: which faces are joined, by which polygons they are covered, which lie in dead
+  /// ends. Without it an operation is a little cheaper and a world takes a tenth less memory, but many a query looks at
+  /// far more of the mesh, and PathAlgorithm::tra is not supported.
+  bool keep_abstraction = true;
+};
+
 /// A world of obstacles that changes while agents find their way through it: a dynamic constrained Delaunay
 /// triangulation of a closed box, exact in every decision. The live items alone fix the mesh, in whatever order they
 /// came. Geometry is never an error: crossing, overlapping, duplicate, collinear, zero-length and self-crossing items
@@ -88,7 +96,7 @@ class World {
  public:
   /// An empty world over the closed box `domain`: four vertices, two triangles, four constrained edges of id 0.
   /// Errors: coordinate_range, bad_domain.
-  [[nodiscard]] static Result<World> create(const Box& domain);
+  [[nodiscard]] static Result<World> create(const Box& domain, const WorldOptions& options = {});
 
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -197,7 +205,8 @@ class World {
   [[nodiscard]] std::uint64_t version() const;
 
   /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the
-  /// empty circle and its ties on every free edge. Cost: linear in the mesh, with exact arithmetic throughout.
+  /// empty circle and its ties on every free edge, what is kept for paths against a rebuild. Cost: linear in the mesh,
+  /// with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
   /// The mesh in canonical order. Cost: O(n log n).
@@ -213,6 +222,7 @@ class World {
  private:
   friend class PathSearch;
   struct Impl;
+  class Operation;
   explicit World(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

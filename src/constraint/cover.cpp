@@ -10,10 +10,6 @@ void insert_once(std::vector<std::uint32_t>& set, std::uint32_t value) {
   if (std::find(set.begin(), set.end(), value) == set.end()) set.push_back(value);
 }
 
-bool is_polygon(const ExactTriangulation& triangulation, std::uint32_t item) {
-  return item != ItemTable::kDomain && triangulation.items().item(item).kind == ItemKind::polygon;
-}
-
 /// The neighbour of `v` that comes first in (x, y) order, as the half-edge to it.
 mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Vertex v) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -77,7 +73,7 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
 
 void Cover::toggle(const ExactTriangulation& triangulation, mesh::HalfEdge crossed) {
   triangulation.for_each_side(crossed, [&](const Side& side) {
-    if (!is_polygon(triangulation, side.item)) return;
+    if (!triangulation.items().is_polygon(side.item)) return;
     const auto found = std::find(odd_.begin(), odd_.end(), side.item);
     if (found == odd_.end()) {
       odd_.push_back(side.item);
@@ -91,7 +87,7 @@ void Cover::toggle(const ExactTriangulation& triangulation, mesh::HalfEdge cross
 void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& place) {
   touching_.clear();
   const auto collect_side = [&](const Side& side) {
-    if (is_polygon(triangulation, side.item)) insert_once(touching_, side.item);
+    if (triangulation.items().is_polygon(side.item)) insert_once(touching_, side.item);
   };
   if (place.spot == locate::Spot::edge) triangulation.for_each_side(place.h, collect_side);
   if (place.spot != locate::Spot::vertex) return;
@@ -99,7 +95,7 @@ void Cover::collect_touching(const ExactTriangulation& triangulation, const loca
   const mesh::Vertex v = mesh.origin(place.h);
   mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) { triangulation.for_each_side(h, collect_side); });
   triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) {
-    if (is_polygon(triangulation, item)) insert_once(touching_, item);
+    if (triangulation.items().is_polygon(item)) insert_once(touching_, item);
   });
 }
 

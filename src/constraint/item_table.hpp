@@ -54,6 +54,9 @@ class ItemTable {
   /// The slot of a live item. Requires: contains(id).
   [[nodiscard]] std::uint32_t slot(ItemId id) const { return index_[position(id)]; }
   [[nodiscard]] const ItemRecord& item(std::uint32_t slot) const { return items_[slot]; }
+  [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
+    return slot != kDomain && items_[slot].kind == ItemKind::polygon;
+  }
   [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot].side; }
   /// The sum of the hashes of the live items and the domain.
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }

@@ -1,0 +1,107 @@
+#include "path/abstraction.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace waywright::path {
+
+using mesh::Face;
+
+/// Takes everything back unless it is told that all went well.
+class Abstraction::Guard {
+ public:
+  explicit Guard(Abstraction& abstraction) : abstraction_(abstraction) {
+    abstraction_.components_.begin();
+    abstraction_.core_.begin();
+  }
+  ~Guard() {
+    if (is_done_) return;
+    abstraction_.components_.roll_back();
+    abstraction_.core_.roll_back();
+  }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+
+  void done() { is_done_ = true; }
+
+ private:
+  Abstraction& abstraction_;
+  bool is_done_ = false;
+};
+
+Abstraction::Abstraction(const Triangulation& triangulation) {
+  Guard guard(*this);
+  collect_all(triangulation);
+  bring_up_to_date(triangulation, {gone_, made_, {}, {}});
+  guard.done();
+}
+
+void Abstraction::begin() {
+  inserted_.clear();
+  removed_.clear();
+}
+
+// Where most faces changed, a rebuild is cheaper.
+void Abstraction::update(const Triangulation& triangulation) {
+  Guard guard(*this);
+  collect_touched(triangulation);
+  if (2 * gone_.size() > triangulation.topology().face_slots()) {
+    collect_all(triangulation);
+    bring_up_to_date(triangulation, {gone_, made_, {}, {}});
+  } else {
+    bring_up_to_date(triangulation, {gone_, made_, removed_, inserted_});
+  }
+  guard.done();
+}
+
+void Abstraction::bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes) {
+  components_.update(triangulation, changes);
+  core_.update(triangulation.topology(), changes.gone, changes.made);
+}
+
+/// The faces that the operation touched, each once, and which polygons it is that came or went for good.
+void Abstraction::collect_touched(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
+  for (const Face f : gone_) is_touched_[number(f)] = false;
+  gone_.clear();
+  mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
+    if (is_touched_[number(f)]) return;
+    gone_.push_back(f);
+    is_touched_[number(f)] = true;
+  });
+  collect_made(triangulation);
+
+  std::sort(inserted_.begin(), inserted_.end());
+  std::sort(removed_.begin(), removed_.end());
+  common_.clear();
+  std::set_intersection(inserted_.begin(), inserted_.end(), removed_.begin(), removed_.end(),
+                        std::back_inserter(common_));
+  const auto is_common = [&](std::uint32_t item) { return std::binary_search(common_.begin(), common_.end(), item); };
+  std::erase_if(inserted_, is_common);
+  std::erase_if(removed_, is_common);
+}
+
+/// All faces, as if none had been there before.
+void Abstraction::collect_all(const Triangulation& triangulation) {
+  gone_.clear();
+  for (std::uint32_t i = 0; i < triangulation.topology().face_slots(); ++i) gone_.push_back(Face{i});
+  collect_made(triangulation);
+}
+
+void Abstraction::collect_made(const Triangulation& triangulation) {
+  made_.clear();
+  for (const Face f : gone_) {
+    const bool is_in_box =
+        triangulation.topology().is_alive(f) && !triangulation.triangulation().is_ghost_face(mesh::first(f));
+    if (is_in_box) made_.push_back(f);
+  }
+}
+
+std::optional<std::string> Abstraction::find_fault(const Triangulation& triangulation) const {
+  const Abstraction rebuilt(triangulation);
+  if (auto fault = components_.find_difference(rebuilt.components_, rebuilt.made_)) return fault;
+  return core_.find_difference(triangulation.topology(), rebuilt.core_, rebuilt.made_);
+}
+
+}  // namespace waywright::path

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "constraint/exact_triangulation.hpp"
+#include "path/components.hpp"
+#include "path/two_core.hpp"
+
+namespace waywright::path {
+
+/// What the searches know about a world's faces before they start: which are joined at all, which polygons cover them,
+/// which lie in dead ends. Kept up from operation to operation, never rebuilt; equal to a rebuild at any time.
+///
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: theirs is rebuilt after
+/// a change, in time linear in the mesh.
+class Abstraction {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  /// Of a triangulation; it is told of the same one, or a copy of it, from then on.
+  explicit Abstraction(const Triangulation& triangulation);
+
+  [[nodiscard]] const Components& components() const { return components_; }
+  [[nodiscard]] const TwoCore& core() const { return core_; }
+
+  /// Whether no way through the face comes from anywhere or leads anywhere: whoever neither starts nor ends in this
+  /// face's tree need not enter it.
+  [[nodiscard]] bool is_dead_end(mesh::Face f) const { return !core_.is_core(f); }
+
+  /// Starts an operation. To be told of every polygon that comes or goes, by slot.
+  void begin();
+  void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
+  void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }
+  /// Brings everything up to the triangulation, whose operation must still be open: either everything or, if memory
+  /// runs out, nothing. Cost: what changed, however large the world.
+  void update(const Triangulation& triangulation);
+
+  /// The first difference from a rebuild, or nothing. Cost: linear.
+  [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
+
+ private:
+  class Guard;
+
+  void bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes);
+  void collect_touched(const Triangulation& triangulation);
+  void collect_all(const Triangulation& triangulation);
+  void collect_made(const Triangulation& triangulation);
+
+  Components components_;
+  TwoCore core_;
+
+  std::vector<std::uint32_t> inserted_;  ///< polygons, by slot
+  std::vector<std::uint32_t> removed_;
+
+  // Scratch, kept for its memory.
+  std::vector<bool> is_touched_;  ///< by face
+  std::vector<mesh::Face> gone_;
+  std::vector<mesh::Face> made_;
+  std::vector<std::uint32_t> common_;
+};
+
+}  // namespace waywright::path

@@ -1,0 +1,205 @@
+#include <algorithm>
+
+#include "path/components.hpp"
+
+// Which polygons cover a component. A polygon covers one of two faces on an edge when it covers the other and an even
+// number of its sides lie on the edge, or else an odd number.
+
+namespace waywright::path {
+
+using constraint::Side;
+using constraint::UseLists;
+using mesh::Face;
+using mesh::HalfEdge;
+
+namespace {
+
+bool contains(std::span<const std::uint32_t> slots, std::uint32_t slot) {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+void keep_one_of_each(std::vector<std::uint32_t>& labels) {
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+}
+
+/// Whether an odd number of the polygon's sides lie on the edge.
+bool crosses(const constraint::ExactTriangulation& triangulation, HalfEdge h, std::uint32_t polygon) {
+  bool is_odd = false;
+  triangulation.for_each_side(h, [&](const Side& side) { is_odd ^= side.item == polygon; });
+  return is_odd;
+}
+
+/// The vertex of the ring that comes first in (x, y) order, by its position.
+std::size_t first_corner(const constraint::ExactTriangulation& triangulation, std::span<const mesh::Vertex> ring) {
+  const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return triangulation.triangulation().comes_before(p, q); };
+  return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), before) - ring.begin());
+}
+
+/// Goes along the edges of one side of a polygon and calls visit(face) for each face on an edge that the polygon covers
+/// on that side only. `h` starts at the side's first corner, `is_inside` says whether the polygon covers its face; both
+/// are then so for the side's last corner.
+template <class Visit>
+void visit_inner_faces(const constraint::ExactTriangulation& triangulation, std::uint32_t slot, HalfEdge& h,
+                       bool& is_inside, Visit&& visit) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const Side side = triangulation.items().side(slot);
+  HalfEdge came = mesh::kNoHalfEdge;
+  while (mesh.origin(h) != side.to) {
+    HalfEdge on = mesh::kNoHalfEdge;
+    bool is_on_inside = false;
+    const HalfEdge start = h;
+    do {
+      if (crosses(triangulation, h, side.item)) visit(mesh::face(is_inside ? h : mesh.twin(h)));
+      if (h != came && triangulation.uses().contains(mesh.label(h), slot)) {
+        on = h;
+        is_on_inside = is_inside;
+      }
+      h = mesh.next_around(h);
+      is_inside ^= crosses(triangulation, h, side.item);
+    } while (h != start);
+    came = mesh.twin(on);
+    h = mesh::next(on);
+    is_inside = is_on_inside;
+  }
+}
+
+}  // namespace
+
+/// What went covers nothing any more.
+void Components::drop_removed(const Triangulation& triangulation, const Changes& changes) {
+  for (const std::uint32_t polygon : changes.removed) {
+    find_covered(triangulation.topology(), changes.made, polygon);
+    for (const Label label : flooded_) set_cover(label, covers_.remove(records_[label].cover, polygon));
+  }
+}
+
+/// Finds the components of old faces that the polygon covered. They are reached from the new faces: all along its sides
+/// faces have changed.
+void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Face> made, std::uint32_t polygon) {
+  const std::uint32_t mark = next_mark_++;
+  stack_.clear();
+  flooded_.clear();
+  const auto visit_neighbours = [&](Face f) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const Face other = mesh::face(mesh.twin(HalfEdge{3 * number(f) + side}));
+      const Label label = labels_[number(other)];
+      if (label == kNone || marks_[number(other)] == mark) continue;
+      if (!covers_.contains(records_[label].cover, polygon)) continue;
+      marks_[number(other)] = mark;
+      stack_.push_back(other);
+      if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);
+    }
+  };
+  for (const Face f : made) visit_neighbours(f);
+  while (!stack_.empty()) {
+    const Face f = stack_.back();
+    stack_.pop_back();
+    visit_neighbours(f);
+  }
+  keep_one_of_each(flooded_);
+}
+
+void Components::set_cover(Label component, Uses cover) { write_record(component, {records_[component].size, cover}); }
+
+/// A half-edge from a vertex, in a face of the box, with nothing but what comes before the vertex on its right, or what
+/// is beyond the box.
+HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::Vertex v) {
+  constraint::faces_at(triangulation, {locate::Spot::vertex, triangulation.topology().outgoing(v)}, around_);
+  return around_.front();
+}
+
+/// Gives components of their own to the groups that no old face is joined to.
+void Components::cover_new_groups(const Triangulation& triangulation, const Changes& changes) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
+    if (groups_[i].label != kNone || !cover_from_beyond(triangulation, changes, i)) continue;
+    for (reached_.assign(1, i); !reached_.empty();) {
+      const Group group = groups_[reached_.back()];
+      reached_.pop_back();
+      for (std::uint32_t k = group.begin; k < group.end; ++k) {
+        for (std::uint32_t side = 0; side < 3; ++side) {
+          const HalfEdge h{3 * number(faces_[k]) + side};
+          const std::uint32_t other = marks_[number(mesh::face(mesh.twin(h)))] - group_mark_;
+          if (other >= groups_.size() || groups_[other].label != kNone) continue;
+          cover_group(triangulation, changes, other, h);
+          reached_.push_back(other);
+        }
+      }
+    }
+  }
+}
+
+/// Finds the group a neighbour that has its cover. Returns whether there is one.
+bool Components::cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge beyond = mesh.twin(HalfEdge{3 * number(faces_[i]) + side});
+      if (labels_[number(beyond) / 3] == kNone && !triangulation.triangulation().is_ghost_face(beyond)) continue;
+      cover_group(triangulation, changes, group, beyond);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// `beyond` is a half-edge to the group in a neighbour that has its cover, or in a ghost face. What came lately is left
+/// out; it covers nothing yet.
+void Components::cover_group(const Triangulation& triangulation, const Changes& changes, std::uint32_t group,
+                             HalfEdge beyond) {
+  const Label neighbour = labels_[number(beyond) / 3];
+  Uses cover = neighbour == kNone ? UseLists::kNone : covers_.copy(records_[neighbour].cover);
+  triangulation.for_each_side(beyond, [&](const Side& side) {
+    if (!triangulation.items().is_polygon(side.item) || contains(changes.inserted, side.item)) return;
+    cover = covers_.contains(cover, side.item) ? covers_.remove(cover, side.item) : covers_.add(cover, side.item);
+  });
+  Group& added = groups_[group];
+  added.label = add_record({added.end - added.begin, cover});
+  for (std::uint32_t i = added.begin; i < added.end; ++i) write_label(faces_[i], added.label);
+}
+
+/// Adds a polygon to what it covers: the faces between its sides.
+void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const std::uint32_t mark = next_mark_++;
+  stack_.clear();
+  flooded_.clear();
+  const auto visit = [&](Face f) {
+    if (marks_[number(f)] == mark) return;
+    marks_[number(f)] = mark;
+    stack_.push_back(f);
+    const Label label = labels_[number(f)];
+    if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);
+  };
+  triangulation.items().outline(polygon, outline_);
+  sides_.clear();
+  triangulation.items().for_each_side(polygon, [&](std::uint32_t slot) { sides_.push_back(slot); });
+  std::size_t ring_begin = 0;
+  std::size_t sides_begin = 0;
+  for (const std::uint32_t ring_end : outline_.ring_ends) {
+    const std::size_t count = ring_end - ring_begin;
+    const std::size_t first = first_corner(triangulation, {outline_.corners.data() + ring_begin, count});
+    HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
+    // To the right of that half-edge nothing of the ring is left. With other rings the ring may lie within them.
+    bool is_inside = outline_.ring_ends.size() == 1 ? crosses(triangulation, h, polygon)
+                                                    : contains(outer_cover_.of_face(triangulation, h), polygon);
+    for (std::size_t i = 0; count > 1 && i < count; ++i) {
+      visit_inner_faces(triangulation, sides_[sides_begin + (first + i) % count], h, is_inside, visit);
+    }
+    ring_begin = ring_end;
+    sides_begin += count > 1 ? count : 0;
+  }
+  while (!stack_.empty()) {
+    const Face f = stack_.back();
+    stack_.pop_back();
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge h{3 * number(f) + side};
+      if (!crosses(triangulation, h, polygon)) visit(mesh::face(mesh.twin(h)));
+    }
+  }
+  keep_one_of_each(flooded_);
+  for (const Label label : flooded_) set_cover(label, covers_.add(records_[label].cover, polygon));
+}
+
+}  // namespace waywright::path
