@@ -2,13 +2,13 @@
 
 #include "waywright/query_context.hpp"
 
-#include "constraint/cover.hpp"
 #include "path/finder.hpp"
+#include "path/kept_cover.hpp"
 
 namespace waywright::detail {
 
 struct QueryScratch {
-  constraint::Cover cover;
+  path::KeptCover cover;
   path::Finder finder;
 };
 

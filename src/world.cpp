@@ -329,7 +329,9 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
     location.corners[i] = delaunay.geometry().nearest(number(corners[i]));
   }
   location.inside.clear();
-  for (const std::uint32_t item : context.scratch_->cover.of_place(triangulation, place)) {
+  path::KeptCover& cover = context.scratch_->cover;
+  cover.use(impl_->kept_abstraction());
+  for (const std::uint32_t item : cover.of_place(triangulation, place)) {
     location.inside.push_back(triangulation.items().item(item).id);
   }
   std::sort(location.inside.begin(), location.inside.end());

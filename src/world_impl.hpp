@@ -19,6 +19,8 @@ struct World::Impl {
   /// Inserts a batch as one operation.
   template <class Batch>
   void insert_all(const Batch& batch);
+  /// Or null.
+  [[nodiscard]] const path::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
   constraint::ExactTriangulation triangulation;
   std::optional<path::Abstraction> abstraction;

@@ -29,12 +29,12 @@ std::optional<Error> find_radius_error(double radius) {
   return std::nullopt;
 }
 
-std::optional<Error> find_query_error(const Box& domain, const PathQuery& query) {
-  if (auto error = find_point_error(domain, query.start, 0)) return error;
-  if (auto error = find_point_error(domain, query.goal, 1)) return error;
+std::optional<Error> find_query_error(const World& world, bool keeps_abstraction, const PathQuery& query) {
+  if (auto error = find_point_error(world.domain(), query.start, 0)) return error;
+  if (auto error = find_point_error(world.domain(), query.goal, 1)) return error;
   if (auto error = find_radius_error(query.radius)) return error;
-  if (query.algorithm == PathAlgorithm::tra) {
-    return Error{ErrorCode::not_supported, "the path algorithm tra is not supported yet", {}, 0};
+  if (query.algorithm == PathAlgorithm::tra && !keeps_abstraction) {
+    return Error{ErrorCode::not_supported, "the path algorithm tra needs a world that keeps its abstraction", {}, 0};
   }
   return std::nullopt;
 }
@@ -42,9 +42,9 @@ std::optional<Error> find_query_error(const Box& domain, const PathQuery& query)
 }  // namespace
 
 Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
-  if (auto error = find_query_error(domain(), query)) return *std::move(error);
+  if (auto error = find_query_error(*this, impl_->abstraction.has_value(), query)) return *std::move(error);
   path::Finder& finder = context.scratch_->finder;
-  finder.begin(impl_->triangulation, query, path);
+  finder.begin(impl_->triangulation, impl_->kept_abstraction(), query, path);
   finder.step(kToTheEnd, path);
   return {};
 }
@@ -60,7 +60,7 @@ Result<Path> World::find_path(const PathQuery& query) const {
 Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                std::vector<Path>& paths) const {
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (auto error = find_query_error(domain(), queries[i])) {
+    if (auto error = find_query_error(*this, impl_->abstraction.has_value(), queries[i])) {
       error->index = i;
       error->message = "query " + std::to_string(i) + ": " + error->message;
       return *std::move(error);
@@ -71,7 +71,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   const auto work = [&](QueryContext& context) {
     path::Finder& finder = context.scratch_->finder;
     for (std::size_t i = next++; i < queries.size(); i = next++) {
-      finder.begin(impl_->triangulation, queries[i], paths[i]);
+      finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
       finder.step(kToTheEnd, paths[i]);
     }
   };
@@ -122,8 +122,8 @@ PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   cancel();
-  if (auto error = find_query_error(world.domain(), query)) return *std::move(error);
-  impl_->finder.begin(world.impl_->triangulation, query, impl_->path);
+  if (auto error = find_query_error(world, world.impl_->abstraction.has_value(), query)) return *std::move(error);
+  impl_->finder.begin(world.impl_->triangulation, world.impl_->kept_abstraction(), query, impl_->path);
   impl_->world = world.impl_.get();
   impl_->version = world.version();
   return {};

@@ -16,7 +16,7 @@ namespace waywright {
 /// How a path is searched for.
 enum class PathAlgorithm : std::uint8_t {
   ta,   ///< triangulation A* (Demyen and Buro 2006): A* over triangles, then the funnel; betters its path on request
-  tra,  ///< triangulation reduction A*; not supported yet
+  tra,  ///< triangulation reduction A* (Demyen and Buro 2006): a good path for very little; for crowds
   optimal,  ///< the shortest path there is (after Polyanya: Cui, Harabor and Grastien 2017)
 };
 

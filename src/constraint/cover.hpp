@@ -11,8 +11,14 @@ namespace waywright::constraint {
 /// Which polygons cover a face or a point. An object to keep: its memory serves query after query.
 class Cover {
  public:
-  /// The polygons, by slot, that cover the inside of the face of `h`; in no order.
-  const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
+  Cover() = default;
+  virtual ~Cover() = default;
+  Cover(Cover&&) noexcept = default;
+  Cover& operator=(Cover&&) noexcept = default;
+
+  /// The polygons, by slot, that cover the inside of the face of `h`; in no order. This way of finding them goes
+  /// through faces to the domain's border; who keeps them by face knows a better one.
+  virtual const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
 
   /// The polygons, by slot, that cover the place, their boundary included; each once, in no order.
   const std::vector<std::uint32_t>& of_place(const ExactTriangulation& triangulation, const locate::Located& place);

@@ -7,6 +7,8 @@
 #include "waywright/path.hpp"
 
 #include "constraint/cover.hpp"
+#include "path/abstraction.hpp"
+#include "path/kept_cover.hpp"
 
 namespace waywright::path {
 
@@ -16,9 +18,11 @@ class Ends {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Finds both ends. Returns how the search ends where there is nothing to search: an end is blocked or walled in, or
-  /// the straight way is free because both ends lie at one face or in one place. Requires: both lie in the domain.
-  std::optional<PathStatus> find(const Triangulation& triangulation, const Point& start, const Point& goal);
+  /// Finds both ends, with the help of an abstraction if there is one. Returns how the search ends where there is
+  /// nothing to search: an end is blocked or walled in, or the straight way is free because both ends lie at one face
+  /// or in one place. Requires: both lie in the domain.
+  std::optional<PathStatus> find(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
+                                 const Point& goal);
 
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
@@ -35,13 +39,15 @@ class Ends {
   }
 
  private:
+  [[nodiscard]] bool are_joined(const Components& components) const;
+
   Point start_;
   Point goal_;
   locate::Located start_place_;
   locate::Located goal_place_;
   std::vector<mesh::HalfEdge> start_faces_;
   std::vector<mesh::HalfEdge> goal_faces_;
-  constraint::Cover cover_;
+  KeptCover cover_;
 };
 
 }  // namespace waywright::path

@@ -15,7 +15,8 @@ std::size_t add_or_stay_largest(std::size_t a, std::size_t b) {
 
 }  // namespace
 
-void Finder::begin(const Triangulation& triangulation, const PathQuery& query, Path& path) {
+void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
+                   Path& path) {
   query_ = query;
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
   path.status = PathStatus::no_path;
@@ -25,8 +26,9 @@ void Finder::begin(const Triangulation& triangulation, const PathQuery& query, P
   path.channel.clear();
   path.expansions = 0;
   path.time = {};
-  const std::optional<PathStatus> known = ends_.find(triangulation, query.start, query.goal);
+  const std::optional<PathStatus> known = ends_.find(triangulation, abstraction, query.start, query.goal);
   is_done_ = known.has_value();
+  is_searched_ = !is_done_;
   if (is_done_) {
     path.status = *known;
     if (path.status == PathStatus::found) write_straight_path(path);
@@ -35,6 +37,8 @@ void Finder::begin(const Triangulation& triangulation, const PathQuery& query, P
   }
   if (query.algorithm == PathAlgorithm::ta) {
     ta_.begin(triangulation, ends_);
+  } else if (query.algorithm == PathAlgorithm::tra) {
+    tra_.begin(triangulation, *abstraction, ends_);
   } else {
     optimal_.begin(triangulation, ends_, query.wants_channel);
   }
@@ -51,6 +55,10 @@ bool Finder::step(std::size_t expansions, Path& path) {
 
 bool Finder::search(std::size_t limit, Path& path) {
   if (query_.algorithm == PathAlgorithm::optimal) return optimal_.step(limit, path);
+  if (query_.algorithm == PathAlgorithm::tra) {
+    tra_.find(path);
+    return true;
+  }
   return is_over_budget(path) || ta_.step(std::min(limit, add_or_stay_largest(path.expansions, kSlice)), path);
 }
 
@@ -69,9 +77,11 @@ void Finder::write_straight_path(Path& path) const {
 }
 
 void Finder::finish(Path& path) const {
-  if (query_.wants_channel && path.expansions > 0 && path.status == PathStatus::found) {
+  if (query_.wants_channel && is_searched_ && path.status == PathStatus::found) {
     if (query_.algorithm == PathAlgorithm::ta) {
       ta_.write_channel(path);
+    } else if (query_.algorithm == PathAlgorithm::tra) {
+      tra_.write_channel(path);
     } else {
       optimal_.write_channel(path);
     }

@@ -8,6 +8,7 @@
 #include "path/ends.hpp"
 #include "path/optimal.hpp"
 #include "path/ta_star.hpp"
+#include "path/tra_star.hpp"
 
 namespace waywright::path {
 
@@ -16,9 +17,9 @@ class Finder {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search. Requires: both ends lie in the domain, the algorithm is a supported one; the triangulation stays
-  /// as it is until the search is done or given up.
-  void begin(const Triangulation& triangulation, const PathQuery& query, Path& path);
+  /// Starts a search. Requires: both ends lie in the domain, the algorithm is a supported one, `tra` only with an
+  /// abstraction; the triangulation stays as it is until the search is done or given up.
+  void begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query, Path& path);
   /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. `path` is the
   /// best so far.
   bool step(std::size_t expansions, Path& path);
@@ -34,10 +35,12 @@ class Finder {
 
   PathQuery query_;
   bool is_done_ = true;
+  bool is_searched_ = false;  ///< whether there was anything to search
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;
   Optimal optimal_;
+  TraStar tra_;
 };
 
 }  // namespace waywright::path

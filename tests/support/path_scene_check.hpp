@@ -18,7 +18,7 @@
 namespace waywright::test {
 
 /// The algorithms that are held against the oracle.
-inline constexpr std::array kPathAlgorithms{PathAlgorithm::ta, PathAlgorithm::optimal};
+inline constexpr std::array kPathAlgorithms{PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal};
 
 /// How long an algorithm's paths are beside the shortest ones.
 struct PathRatios {

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "waywright/path.hpp"
+
+#include "path/abstraction.hpp"
+#include "path/ends.hpp"
+#include "path/funnel.hpp"
+#include "path/open_list.hpp"
+#include "path/sight.hpp"
+
+namespace waywright::path {
+
+/// Triangulation reduction A* for a point: A* over the faces where a choice is to be made. Whoever comes out of a dead
+/// end, or into one because the goal is there, has no choice, nor has whoever follows a corridor; all dead ends but
+/// those of start and goal are passed by. The first channel that gets to the goal gives the path: its taut string.
+///
+/// Good paths for very little: what the search goes by is a channel's length in doubles, kept as it grows, and each
+/// face is chosen from once.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departures: one rule for what leads
+/// on from a face, where they distinguish where start and goal lie; corridors are followed face by face, which costs
+/// little and tells their length exactly for the way on which they were entered.
+class TraStar {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  /// Starts a search between ends that are not at one face, but in one component. They, the triangulation and its
+  /// abstraction must stay as they are.
+  void begin(const Triangulation& triangulation, const Abstraction& abstraction, const Ends& ends);
+  /// Finds the path.
+  void find(Path& path);
+  /// Writes the edges that the path crosses. Requires: it has been found.
+  void write_channel(Path& path) const;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  /// A way that the search has followed to a face where it has a choice, or to the goal.
+  struct Node {
+    mesh::HalfEdge exit;   ///< by which it left the face of the node before
+    mesh::HalfEdge entry;  ///< by which it came into its own face
+    std::uint32_t before;  ///< kNone: from a start face
+    Sight sight;
+  };
+
+  // What is known of a face in this query.
+  static constexpr std::uint32_t kGoal = 1;
+  static constexpr std::uint32_t kAboveGoal = 2;  ///< the goal itself or, from it, on the way towards the core
+  static constexpr std::uint32_t kChosen = 4;     ///< a choice has been made here
+  static constexpr std::uint32_t kMarks = 8;
+
+  void forget_marks();
+  [[nodiscard]] bool is_marked(mesh::Face f, std::uint32_t mark) const {
+    return marks_[number(f)] >= query_ && (marks_[number(f)] & mark) != 0;
+  }
+  void mark(mesh::Face f, std::uint32_t mark);
+  void mark_ways_to_goal();
+  [[nodiscard]] bool leads_on(mesh::HalfEdge exit) const;
+  void leave_start_face(mesh::HalfEdge h);
+  void leave(std::uint32_t position, mesh::HalfEdge exit);
+  void follow(mesh::HalfEdge exit, std::uint32_t before, Sight sight);
+  void cross(mesh::HalfEdge entry, mesh::HalfEdge exit, Sight& sight) const;
+  void collect_channel(std::uint32_t goal_node);
+  void write_path(Path& path);
+  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
+
+  const Ends* ends_ = nullptr;
+  const mesh::TriangleMesh* mesh_ = nullptr;
+  const exact::Geometry* geometry_ = nullptr;
+  const TwoCore* core_ = nullptr;
+
+  std::vector<Node> nodes_;
+  OpenList open_;                      ///< positions in `nodes_`
+  std::vector<std::uint32_t> marks_;   ///< by face: `query_` and marks, if it is this query's
+  std::uint32_t query_ = 0;            ///< a multiple of kMarks
+  std::vector<std::uint32_t> chosen_;  ///< the nodes of the path, from the goal back
+  std::vector<mesh::HalfEdge> exits_;  ///< the edges that the channel crosses, in the faces before them
+  TautTree tree_;
+};
+
+}  // namespace waywright::path
