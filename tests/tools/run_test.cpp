@@ -170,12 +170,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 20 1 0", "path", "out-of-domain"}, Refusal{"path -1 1 2 1 0 ta", "path", "out-of-domain"},
         Refusal{"path 1 1 2 1e300 0", "path", "coordinate-range"}, Refusal{"path 1 1 2 1 -1", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
-        Refusal{"path 1 1 2 1 0.5", "path", "not-supported"}, Refusal{"path 1 1 2 1 0 tra", "path", "not-supported"},
-        Refusal{"remove 9", "remove", "unknown-id"}, Refusal{"ray 1 1 2 12", "ray", "out-of-domain"},
-        Refusal{"ray -1 1 2 2", "ray", "out-of-domain"}, Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"},
-        Refusal{"disc 1 1 2", "disc", "not-supported"}, Refusal{"disc 1 1 -2", "disc", "bad-radius"},
-        Refusal{"nearest 1 1 0", "nearest", "not-supported"}, Refusal{"nearest 1 1 nan", "nearest", "bad-radius"},
-        Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+        Refusal{"path 1 1 2 1 0.5", "path", "not-supported"}, Refusal{"remove 9", "remove", "unknown-id"},
+        Refusal{"ray 1 1 2 12", "ray", "out-of-domain"}, Refusal{"ray -1 1 2 2", "ray", "out-of-domain"},
+        Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
+        Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
+        Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
 
 TEST(RunCommand, RemovesItemsAndFreesTheirIds) {
   const auto result = run_script(kHead +
