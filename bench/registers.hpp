@@ -8,6 +8,7 @@ void register_insertions();
 void register_updates();
 void register_degenerate();
 void register_paths();
+void register_abstraction();
 void register_maps();
 
 void register_cgal_points();

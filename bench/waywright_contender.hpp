@@ -13,7 +13,8 @@ namespace waywright::bench {
 /// This library: an update is a removal and an insertion.
 class Waywright {
  public:
-  explicit Waywright(const Box& domain) : world_(World::create(domain).value()) {}
+  explicit Waywright(const Box& domain, const WorldOptions& options = {})
+      : world_(World::create(domain, options).value()) {}
 
   void insert(const Item& item) { static_cast<void>(world_.insert(item.shape, item.id).value()); }
 

@@ -18,6 +18,7 @@ class Abstraction::Guard {
     if (is_done_) return;
     abstraction_.components_.roll_back();
     abstraction_.core_.roll_back();
+    std::fill(abstraction_.is_touched_.begin(), abstraction_.is_touched_.end(), false);
   }
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
@@ -63,13 +64,13 @@ void Abstraction::bring_up_to_date(const Triangulation& triangulation, const Com
 void Abstraction::collect_touched(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
-  for (const Face f : gone_) is_touched_[number(f)] = false;
   gone_.clear();
   mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
     if (is_touched_[number(f)]) return;
     gone_.push_back(f);
     is_touched_[number(f)] = true;
   });
+  for (const Face f : gone_) is_touched_[number(f)] = false;
   collect_made(triangulation);
 
   std::sort(inserted_.begin(), inserted_.end());

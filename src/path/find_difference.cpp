@@ -37,13 +37,15 @@ std::optional<std::string> Components::find_difference(const Components& other, 
 std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,
                                                     std::span<const Face> faces) const {
   std::unordered_map<std::uint32_t, std::uint32_t> roots;  // by the other's
+  const std::vector<Face> tops = this->tops(mesh, faces);
+  const std::vector<Face> other_tops = other.tops(mesh, faces);
   for (const Face f : faces) {
     const std::string where = "face " + std::to_string(number(f));
     if (is_core(f) != other.is_core(f)) return where + (is_core(f) ? " is not of the core" : " is of the core");
     if ((states_[number(f)] & kWays) != (other.states_[number(f)] & kWays)) return where + " has other ways";
     if (is_core(f)) continue;
-    const Face root = top(mesh, f);
-    const Face other_root = other.top(mesh, f);
+    const Face root = tops[number(f)];
+    const Face other_root = other_tops[number(f)];
     if (is_core(root) || other.is_core(other_root)) {
       if (towards_core(f) != other.towards_core(f)) return where + " leads elsewhere than towards the core";
     } else if (towards_core(root) != mesh::kNoHalfEdge) {
@@ -55,14 +57,20 @@ std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& me
   return std::nullopt;
 }
 
-/// Where the way towards the core ends; some face on it where it does not end.
-Face TwoCore::top(const mesh::TriangleMesh& mesh, Face f) const {
-  for (std::size_t steps = 0; steps < states_.size() && !is_core(f); ++steps) {
-    const mesh::HalfEdge up = towards_core(f);
-    if (up == mesh::kNoHalfEdge) break;
-    f = mesh::face(mesh.twin(up));
+/// Where each face's way towards the core ends; itself where it doesn't end.
+std::vector<Face> TwoCore::tops(const mesh::TriangleMesh& mesh, std::span<const Face> faces) const {
+  constexpr Face kUnknown{0xffffffff};
+  std::vector<Face> tops(states_.size(), kUnknown);
+  std::vector<Face> way;
+  for (Face f : faces) {
+    for (way.clear(); tops[number(f)] == kUnknown; f = mesh::face(mesh.twin(towards_core(f)))) {
+      way.push_back(f);
+      tops[number(f)] = f;
+      if (is_core(f) || towards_core(f) == mesh::kNoHalfEdge) break;
+    }
+    for (const Face below : way) tops[number(below)] = tops[number(f)];
   }
-  return f;
+  return tops;
 }
 
 }  // namespace waywright::path

@@ -23,17 +23,17 @@ void TraStar::find(Path& path) {
   for (const HalfEdge h : ends_->start_faces()) leave_start_face(h);
   while (!open_.empty()) {
     const std::uint32_t position = open_.pop();
-    const HalfEdge entry = nodes_[position].entry;
-    const Face f = mesh::face(entry);
-    if (is_marked(f, kGoal)) {
+    const Node node = nodes_[position];
+    const Face f = mesh::face(node.entry);
+    const std::uint32_t marks = marks_of(f);
+    if ((marks & kGoal) != 0) {
       collect_channel(position);
       return write_path(path);
     }
-    if (is_marked(f, kChosen)) continue;
+    if ((marks & kChosen) != 0) continue;
     mark(f, kChosen);
     ++path.expansions;
-    leave(position, mesh::next(entry));
-    leave(position, mesh::previous(entry));
+    leave(node, position);
   }
 }
 
@@ -55,7 +55,7 @@ void TraStar::mark_ways_to_goal() {
   for (const HalfEdge h : ends_->goal_faces()) {
     Face f = mesh::face(h);
     mark(f, kGoal);
-    while (!is_marked(f, kAboveGoal)) {
+    while ((marks_of(f) & kAboveGoal) == 0) {
       mark(f, kAboveGoal);
       const HalfEdge up = core_->is_core(f) ? mesh::kNoHalfEdge : core_->towards_core(f);
       if (up == mesh::kNoHalfEdge) break;
@@ -64,61 +64,86 @@ void TraStar::mark_ways_to_goal() {
   }
 }
 
-/// Whether the way out of a face by `exit` can be one to the goal. Above the goal only the way down is; in a dead end
-/// only the way up; in the core all that stay in the core are.
-bool TraStar::leads_on(HalfEdge exit) const {
-  const Face f = mesh::face(exit);
-  if (is_marked(f, kAboveGoal)) {
-    if (mesh_->is_fixed(exit)) return false;
+/// The sides of a face, a bit for each, by which a way to the goal can leave it. Above the goal that is the way down;
+/// in a dead end the way up; in the core all that stay in the core.
+unsigned TraStar::ways_on(Face f, std::uint32_t marks) const {
+  if ((marks & kAboveGoal) != 0) return ways_down(f);
+  if (core_->is_core(f)) return core_->ways(f);
+  const HalfEdge up = core_->towards_core(f);
+  return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
+}
+
+unsigned TraStar::ways_down(Face f) const {
+  unsigned ways = 0;
+  for (std::uint32_t side = 0; side < 3; ++side) {
+    const HalfEdge exit{3 * number(f) + side};
+    if (mesh_->is_fixed(exit)) continue;
     const HalfEdge entry = mesh_->twin(exit);
     const Face below = mesh::face(entry);
-    return is_marked(below, kAboveGoal) && !core_->is_core(below) && core_->towards_core(below) == entry;
+    const bool hangs_here = !core_->is_core(below) && core_->towards_core(below) == entry;
+    if (hangs_here && (marks_of(below) & kAboveGoal) != 0) ways |= 1U << side;
   }
-  return core_->is_core(f) ? core_->is_way(exit) : core_->towards_core(f) == exit;
+  return ways;
 }
 
 // Seen from inside the face, an edge's left end is its target.
 void TraStar::leave_start_face(HalfEdge h) {
+  const Face f = mesh::face(h);
+  const unsigned ways = ways_on(f, marks_of(f));
   for (const HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-    if (leads_on(exit)) follow(exit, kNone, {ends_->start(), place(mesh_->target(exit)), place(mesh_->origin(exit))});
+    if ((ways >> (number(exit) - 3 * number(f)) & 1U) == 0) continue;
+    follow(exit, kNone, {ends_->start(), place(mesh_->target(exit)), place(mesh_->origin(exit))});
   }
 }
 
-void TraStar::leave(std::uint32_t position, HalfEdge exit) {
-  Sight sight = nodes_[position].sight;
-  cross(nodes_[position].entry, exit, sight);
-  follow(exit, position, sight);
+void TraStar::leave(const Node& node, std::uint32_t position) {
+  const HalfEdge left = mesh::previous(node.entry);
+  const HalfEdge right = mesh::next(node.entry);
+  const Point& apex = place(mesh_->origin(left));
+  Sight to_right = node.sight;
+  to_right.move_left(apex, place(mesh_->origin(right)));
+  Sight to_left = node.sight;
+  to_left.move_right(apex, place(mesh_->origin(node.entry)));
+  follow(right, position, to_right);
+  follow(left, position, to_left);
 }
 
-//          c             The face was entered across `entry` from below: its left end is the edge's origin, its right
-//        /   \           end the target. Going on across target - c moves the left end to c, across c - origin the
-//      /       \         right end.
+//          c             A face entered across `entry` from below: its left end is the edge's origin, its right end the
+//        /   \           target. Going on to the right, across target - c, moves the left end to c; to the left, across
+//      /       \         c - origin, the right end.
 //  origin --> target
-void TraStar::cross(HalfEdge entry, HalfEdge exit, Sight& sight) const {
-  const Point& apex = place(mesh_->apex(entry));
-  if (exit == mesh::next(entry)) {
-    sight.move_left(apex, place(mesh_->target(entry)));
-  } else {
-    sight.move_right(apex, place(mesh_->origin(entry)));
-  }
-}
-
+//
 /// Goes on for as long as there is no choice.
 void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
   for (HalfEdge out = exit;;) {
     const HalfEdge entry = mesh_->twin(out);
     const Face f = mesh::face(entry);
-    if (is_marked(f, kChosen)) return;
-    const bool goes_left = leads_on(mesh::previous(entry));
-    const bool goes_right = leads_on(mesh::next(entry));
-    if (is_marked(f, kGoal) || (goes_left && goes_right)) {
-      nodes_.push_back({exit, entry, before, sight});
-      return open_.push(sight.length_to(ends_->goal()), static_cast<std::uint32_t>(nodes_.size() - 1));
-    }
+    const std::uint32_t marks = marks_of(f);
+    if ((marks & kChosen) != 0) return;
+    const HalfEdge left = mesh::previous(entry);
+    const HalfEdge right = mesh::next(entry);
+    const unsigned ways = ways_on(f, marks);
+    const bool goes_left = (ways >> (number(left) - 3 * number(f)) & 1U) != 0;
+    const bool goes_right = (ways >> (number(right) - 3 * number(f)) & 1U) != 0;
+    if ((marks & kGoal) != 0 || (goes_left && goes_right)) return open(exit, entry, before, sight);
     if (!goes_left && !goes_right) return;
-    out = goes_left ? mesh::previous(entry) : mesh::next(entry);
-    cross(entry, out, sight);
+    const Point& apex = place(mesh_->origin(left));
+    if (goes_left) {
+      sight.move_right(apex, place(mesh_->origin(entry)));
+    } else {
+      sight.move_left(apex, place(mesh_->origin(right)));
+    }
+    out = goes_left ? left : right;
   }
+}
+
+/// Of two channels that look equally long, the one that has got farther is the better known.
+void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
+  constexpr double kHaste = 1.0 / 128;
+  const Point& goal = ends_->goal();
+  const double bound = sight.length_to(goal) + kHaste * distance(place(mesh_->origin(entry)), goal);
+  open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
+  nodes_.push_back({exit, entry, before, sight});
 }
 
 void TraStar::collect_channel(std::uint32_t goal_node) {
@@ -130,8 +155,10 @@ void TraStar::collect_channel(std::uint32_t goal_node) {
     const Node& node = nodes_[position];
     exits_.push_back(node.exit);
     for (HalfEdge entry = mesh_->twin(node.exit); entry != node.entry; entry = mesh_->twin(exits_.back())) {
+      const Face f = mesh::face(entry);
       const HalfEdge left = mesh::previous(entry);
-      exits_.push_back(leads_on(left) ? left : mesh::next(entry));
+      const bool goes_left = (ways_on(f, marks_of(f)) >> (number(left) - 3 * number(f)) & 1U) != 0;
+      exits_.push_back(goes_left ? left : mesh::next(entry));
     }
   }
 }

@@ -52,16 +52,17 @@ class TraStar {
   static constexpr std::uint32_t kMarks = 8;
 
   void forget_marks();
-  [[nodiscard]] bool is_marked(mesh::Face f, std::uint32_t mark) const {
-    return marks_[number(f)] >= query_ && (marks_[number(f)] & mark) != 0;
+  [[nodiscard]] std::uint32_t marks_of(mesh::Face f) const {
+    return marks_[number(f)] >= query_ ? marks_[number(f)] - query_ : 0;
   }
   void mark(mesh::Face f, std::uint32_t mark);
   void mark_ways_to_goal();
-  [[nodiscard]] bool leads_on(mesh::HalfEdge exit) const;
+  [[nodiscard]] unsigned ways_on(mesh::Face f, std::uint32_t marks) const;
+  [[nodiscard]] unsigned ways_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
-  void leave(std::uint32_t position, mesh::HalfEdge exit);
+  void leave(const Node& node, std::uint32_t position);
   void follow(mesh::HalfEdge exit, std::uint32_t before, Sight sight);
-  void cross(mesh::HalfEdge entry, mesh::HalfEdge exit, Sight& sight) const;
+  void open(mesh::HalfEdge exit, mesh::HalfEdge entry, std::uint32_t before, const Sight& sight);
   void collect_channel(std::uint32_t goal_node);
   void write_path(Path& path);
   [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }

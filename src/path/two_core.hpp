@@ -28,10 +28,10 @@ class TwoCore {
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Whether the way over `h` joins two faces of the core.
   [[nodiscard]] bool is_way(mesh::HalfEdge h) const { return (states_[number(h) / 3] >> (number(h) % 3) & 1U) != 0; }
+  /// The face's ways in the core, a bit for each of its half-edges from the first.
+  [[nodiscard]] unsigned ways(mesh::Face f) const { return states_[number(f)] & unsigned{kWays}; }
   /// The face's number of ways in the core: 0 outside of it, 2 in a corridor, 3 at a junction.
-  [[nodiscard]] unsigned degree(mesh::Face f) const {
-    return static_cast<unsigned>(std::popcount(states_[number(f)] & unsigned{kWays}));
-  }
+  [[nodiscard]] unsigned degree(mesh::Face f) const { return static_cast<unsigned>(std::popcount(ways(f))); }
   /// Of a face outside the core, its half-edge towards it, or kNoHalfEdge for the root of a component without a core.
   [[nodiscard]] mesh::HalfEdge towards_core(mesh::Face f) const {
     const std::uint32_t side = states_[number(f)] >> kSideShift & 3U;
@@ -66,7 +66,7 @@ class TwoCore {
 
   [[nodiscard]] static State way(mesh::HalfEdge h) { return static_cast<State>(1U << number(h) % 3); }
   [[nodiscard]] static State leaf(mesh::HalfEdge h) { return static_cast<State>(number(h) % 3 << kSideShift); }
-  [[nodiscard]] mesh::Face top(const mesh::TriangleMesh& mesh, mesh::Face f) const;
+  [[nodiscard]] std::vector<mesh::Face> tops(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> faces) const;
   void write(mesh::Face f, State state);
   void add_way(mesh::HalfEdge h);
   /// What the new faces' neighbours among the old ones are, and what was there before.
