@@ -94,9 +94,15 @@ Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, 
   return paths;
 }
 
-Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext&, std::vector<Path>&) const {
+Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
+                                    std::vector<Path>& paths) const {
+  if (auto error = find_point_error(domain(), query.start, 0)) return *std::move(error);
+  for (std::size_t i = 0; i < query.goals.size(); ++i) {
+    if (auto error = find_point_error(domain(), query.goals[i], i + 1)) return *std::move(error);
+  }
   if (auto error = find_radius_error(query.radius)) return *std::move(error);
-  return Error{ErrorCode::not_supported, "paths to many goals are not supported yet", {}, 0};
+  context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);
+  return {};
 }
 
 Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) const {

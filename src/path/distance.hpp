@@ -29,6 +29,12 @@ namespace waywright::path {
   return {q.x + edge.y * scale, q.y - edge.x * scale};
 }
 
+/// The point nearest to `p` of the line through `a` along `edge`.
+[[nodiscard]] inline Point foot(const Point& p, const Point& a, const Point& edge) {
+  const double share = ((p.x - a.x) * edge.x + (p.y - a.y) * edge.y) / (edge.x * edge.x + edge.y * edge.y);
+  return {a.x + share * edge.x, a.y + share * edge.y};
+}
+
 /// Where the ray from `p` in a direction meets the edge from `a` along `edge`; the edge's nearer end where it hardly
 /// does.
 [[nodiscard]] inline Point meeting(const Point& p, const Point& direction, const Point& a, const Point& edge) {

@@ -1,6 +1,7 @@
 #include "path/finder.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace waywright::path {
 
@@ -13,12 +14,7 @@ std::size_t add_or_stay_largest(std::size_t a, std::size_t b) {
   return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max() : a + b;
 }
 
-}  // namespace
-
-void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
-                   Path& path) {
-  query_ = query;
-  if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
+void clear(Path& path) {
   path.status = PathStatus::no_path;
   path.length = 0.0;
   path.lower_bound = 0.0;
@@ -26,22 +22,45 @@ void Finder::begin(const Triangulation& triangulation, const Abstraction* abstra
   path.channel.clear();
   path.expansions = 0;
   path.time = {};
+}
+
+void write_straight(const Point& start, const Point& goal, Path& path) {
+  path.length = distance(start, goal);
+  path.lower_bound = path.length;
+  path.points.push_back(start);
+  path.points.push_back(goal);
+}
+
+}  // namespace
+
+void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
+                   Path& path) {
+  triangulation_ = &triangulation;
+  abstraction_ = abstraction;
+  query_ = query;
+  if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
+  clear(path);
   const std::optional<PathStatus> known = ends_.find(triangulation, abstraction, query.start, query.goal);
-  is_done_ = known.has_value();
-  is_searched_ = !is_done_;
+  is_searched_ = !known.has_value();
+  is_done_ = !is_searched_;
+  is_proving_ = false;
   if (is_done_) {
     path.status = *known;
-    if (path.status == PathStatus::found) write_straight_path(path);
+    if (path.status == PathStatus::found) write_straight(query.start, query.goal, path);
     finish(path);
-    return;
-  }
-  if (query.algorithm == PathAlgorithm::ta) {
+  } else if (query.algorithm == PathAlgorithm::ta) {
     ta_.begin(triangulation, ends_);
   } else if (query.algorithm == PathAlgorithm::tra) {
     tra_.begin(triangulation, *abstraction, ends_);
   } else {
-    optimal_.begin(triangulation, ends_, query.wants_channel);
+    begin_optimal(std::numeric_limits<double>::infinity());
   }
+}
+
+void Finder::begin_optimal(double known_length) {
+  optimal_.begin(*triangulation_, core(), ends_, query_.wants_channel);
+  optimal_.add_goal(ends_.goal(), ends_.goal_faces());
+  optimal_.start(known_length);
 }
 
 bool Finder::step(std::size_t expansions, Path& path) {
@@ -54,12 +73,70 @@ bool Finder::step(std::size_t expansions, Path& path) {
 }
 
 bool Finder::search(std::size_t limit, Path& path) {
-  if (query_.algorithm == PathAlgorithm::optimal) return optimal_.step(limit, path);
+  if (query_.algorithm == PathAlgorithm::optimal) return search_optimal(limit, path);
   if (query_.algorithm == PathAlgorithm::tra) {
     tra_.find(path);
+    if (query_.wants_channel && path.status == PathStatus::found) tra_.write_channel(path);
     return true;
   }
-  return is_over_budget(path) || ta_.step(std::min(limit, add_or_stay_largest(path.expansions, kSlice)), path);
+  if (is_over_budget(path)) return true;
+  std::size_t slice = std::min(limit, add_or_stay_largest(path.expansions, kSlice));
+  if (path.status == PathStatus::found) slice = std::min(slice, query_.budget.expansions);
+  return is_proving_ ? search_optimal(slice, path) : search_ta(slice, path);
+}
+
+/// Channels that enter edges anew are `ta`'s own; a search for anything shorter proves the best of them, or betters it.
+bool Finder::search_ta(std::size_t limit, Path& path) {
+  if (!ta_.step(limit, path)) return false;
+  if (path.status != PathStatus::found || path.lower_bound >= path.length) return true;
+  is_proving_ = true;
+  ta_bound_ = path.lower_bound;
+  if (query_.wants_channel) ta_.write_channel(path);
+  begin_optimal(path.length);
+  return false;
+}
+
+bool Finder::search_optimal(std::size_t limit, Path& path) {
+  if (!optimal_.step(limit, path.expansions)) {
+    if (is_proving_) path.lower_bound = std::max(ta_bound_, std::min(optimal_.least_bound(), path.length));
+    return false;
+  }
+  if (optimal_.is_found(0)) {
+    optimal_.write_path(0, true, path);
+    if (query_.wants_channel) optimal_.write_channel(0, path);
+  } else if (is_proving_) {
+    path.lower_bound = path.length;
+  }
+  return true;
+}
+
+void Finder::find_all(const Triangulation& triangulation, const Abstraction* abstraction, const ManyGoalsQuery& query,
+                      std::vector<Path>& paths) {
+  abstraction_ = abstraction;
+  paths.resize(query.goals.size());
+  searched_.clear();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    clear(paths[i]);
+    const std::optional<PathStatus> known = ends_.find(triangulation, abstraction, query.start, query.goals[i]);
+    if (known) {
+      paths[i].status = *known;
+      if (*known == PathStatus::found) write_straight(query.start, query.goals[i], paths[i]);
+      if (!query.wants_points) paths[i].points.clear();
+      continue;
+    }
+    if (searched_.empty()) optimal_.begin(triangulation, core(), ends_, false);
+    optimal_.add_goal(ends_.goal(), ends_.goal_faces());
+    searched_.push_back(i);
+  }
+  if (searched_.empty()) return;
+  optimal_.start();
+  std::size_t expansions = 0;
+  while (!optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
+  }
+  for (std::size_t goal = 0; goal < searched_.size(); ++goal) {
+    if (optimal_.is_found(goal)) optimal_.write_path(goal, query.wants_points, paths[searched_[goal]]);
+  }
+  for (Path& path : paths) path.expansions = expansions;
 }
 
 bool Finder::is_over_budget(const Path& path) const {
@@ -70,21 +147,10 @@ bool Finder::is_over_budget(const Path& path) const {
 
 bool Finder::has_time_limit() const { return query_.budget.time != std::chrono::nanoseconds::max(); }
 
-void Finder::write_straight_path(Path& path) const {
-  path.length = distance(query_.start, query_.goal);
-  path.lower_bound = path.length;
-  path.points = {query_.start, query_.goal};
-}
-
 void Finder::finish(Path& path) const {
-  if (query_.wants_channel && is_searched_ && path.status == PathStatus::found) {
-    if (query_.algorithm == PathAlgorithm::ta) {
-      ta_.write_channel(path);
-    } else if (query_.algorithm == PathAlgorithm::tra) {
-      tra_.write_channel(path);
-    } else {
-      optimal_.write_channel(path);
-    }
+  if (query_.wants_channel && is_searched_ && query_.algorithm == PathAlgorithm::ta && !is_proving_ &&
+      path.status == PathStatus::found) {
+    ta_.write_channel(path);
   }
   if (query_.wants_time) path.time = Clock::now() - start_time_;
 }

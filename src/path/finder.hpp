@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <vector>
 
 #include "waywright/path.hpp"
 
@@ -18,29 +19,41 @@ class Finder {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Starts a search. Requires: both ends lie in the domain, the algorithm is a supported one, `tra` only with an
-  /// abstraction; the triangulation stays as it is until the search is done or given up.
+  /// abstraction; both stay as they are until the search is done or given up.
   void begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query, Path& path);
   /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. `path` is the
   /// best so far.
   bool step(std::size_t expansions, Path& path);
 
+  /// Finds the shortest path to each goal. Requires: all points lie in the domain.
+  void find_all(const Triangulation& triangulation, const Abstraction* abstraction, const ManyGoalsQuery& query,
+                std::vector<Path>& paths);
+
  private:
   using Clock = std::chrono::steady_clock;
 
+  [[nodiscard]] bool search(std::size_t limit, Path& path);
+  [[nodiscard]] bool search_ta(std::size_t limit, Path& path);
+  [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
+  void begin_optimal(double known_length);
+  [[nodiscard]] const TwoCore* core() const { return abstraction_ == nullptr ? nullptr : &abstraction_->core(); }
   [[nodiscard]] bool is_over_budget(const Path& path) const;
   [[nodiscard]] bool has_time_limit() const;
-  void write_straight_path(Path& path) const;
-  [[nodiscard]] bool search(std::size_t limit, Path& path);
   void finish(Path& path) const;
 
+  const Triangulation* triangulation_ = nullptr;
+  const Abstraction* abstraction_ = nullptr;  ///< or null
   PathQuery query_;
   bool is_done_ = true;
   bool is_searched_ = false;  ///< whether there was anything to search
+  bool is_proving_ = false;   ///< whether `ta` has no more channels of its own, and `optimal` searches on
+  double ta_bound_ = 0.0;     ///< what `ta` has proven
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;
-  Optimal optimal_;
   TraStar tra_;
+  Optimal optimal_;
+  std::vector<std::size_t> searched_;  ///< of many goals, those that are not settled at once
 };
 
 }  // namespace waywright::path

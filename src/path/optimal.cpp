@@ -10,9 +10,10 @@ using exact::Sign;
 
 namespace {
 
-/// Windows whose bound is this much above the least one are followed at once. Above 1 a few are that need not be, and
-/// fewer pass the open list.
-constexpr double kAtOnce = 1.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A window is followed over this many faces before its bound is looked at again.
+constexpr int kFacesBetweenLooks = 8;
 
 }  // namespace
 
@@ -64,8 +65,9 @@ class Optimal::Cone {
   bool is_right_straight_ = false;
 };
 
-void Optimal::begin(const Triangulation& triangulation, const Ends& ends, bool wants_channel) {
+void Optimal::begin(const Triangulation& triangulation, const TwoCore* core, const Ends& ends, bool wants_channel) {
   ends_ = &ends;
+  core_ = core;
   mesh_ = &triangulation.topology();
   geometry_ = &triangulation.triangulation().geometry();
   wants_channel_ = wants_channel;
@@ -73,25 +75,74 @@ void Optimal::begin(const Triangulation& triangulation, const Ends& ends, bool w
   nodes_.clear();
   open_.clear();
   traces_.clear();
-  expansions_ = 0;
-  best_length_ = std::numeric_limits<double>::infinity();
-  forget_lengths();
+  goals_.clear();
+  goal_faces_.clear();
+  forget_last_query();
+}
+
+void Optimal::add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces) {
+  for (const mesh::HalfEdge h : faces) {
+    goal_faces_.push_back({mesh::face(h), static_cast<std::uint32_t>(goals_.size())});
+    if (core_ != nullptr) count_goal_face(mesh::face(h));
+  }
+  goals_.push_back({goal, kInfinity, kNone, kNone});
+}
+
+void Optimal::start(double known_length) {
+  std::sort(goal_faces_.begin(), goal_faces_.end(),
+            [](const GoalFace& p, const GoalFace& q) { return p.face != q.face ? p.face < q.face : p.goal < q.goal; });
+  known_length_ = known_length;
+  limit_lengths();
   leave_start();
 }
 
-void Optimal::forget_lengths() {
+void Optimal::limit_lengths() {
+  longest_ = 0.0;
+  for (const Goal& goal : goals_) longest_ = std::max(longest_, std::min(goal.length, known_length_));
+}
+
+template <class Visit>
+void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
+  const auto first = std::lower_bound(goal_faces_.begin(), goal_faces_.end(), f,
+                                      [](const GoalFace& p, mesh::Face face) { return p.face < face; });
+  for (auto at = first; at != goal_faces_.end() && at->face == f; ++at) visit(at->goal);
+}
+
+void Optimal::forget_last_query() {
   if (++query_ == 0) {  // the count went once around
     std::fill(reached_.begin(), reached_.end(), Reached{});
+    std::fill(goals_below_.begin(), goals_below_.end(), GoalsBelow{});
     query_ = 1;
   }
   if (reached_.size() < mesh_->vertex_slots()) reached_.resize(mesh_->vertex_slots());
+  if (goals_below_.size() < mesh_->face_slots()) goals_below_.resize(mesh_->face_slots());
+}
+
+/// Counts a goal's face at each face on the way from there to the core.
+void Optimal::count_goal_face(mesh::Face f) {
+  while (!core_->is_core(f)) {
+    GoalsBelow& below = goals_below_[number(f)];
+    if (below.query != query_) below = {query_, 0};
+    ++below.count;
+    const mesh::HalfEdge up = core_->towards_core(f);
+    if (up == mesh::kNoHalfEdge) return;
+    f = mesh::face(mesh_->twin(up));
+  }
+}
+
+/// Whether no goal lies beyond a free edge that is no way in the core. Where the roots of trees without a core are
+/// makes no difference.
+bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
+  const mesh::Face f = mesh::face(exit);
+  if (!core_->is_core(f) && core_->towards_core(f) == exit) return goals_below(f) == goal_faces_.size();
+  return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
 // The start sees all edges of its faces, but for those that it lies on.
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
   const locate::Spot spot = ends_->start_place().spot;
-  at_once_bound_ = 0.0;
+  at_once_bound_ = -1.0;  // nothing is
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     if (spot == locate::Spot::vertex) reached(mesh_->origin(h)).length = 0.0;
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
@@ -104,25 +155,24 @@ void Optimal::leave_start() {
   }
 }
 
-bool Optimal::step(std::size_t limit, Path& path) {
-  expansions_ = path.expansions;
-  while (!open_.empty() && open_.least_bound() < best_length_ && expansions_ < limit) {
-    at_once_bound_ = open_.least_bound() * kAtOnce;
-    const Node node = nodes_[open_.pop()];
-    follow(node);
+bool Optimal::step(std::size_t limit, std::size_t& expansions) {
+  expansions_ = expansions;
+  const auto is_done = [&] { return open_.empty() || open_.least_bound() >= longest_; };
+  while (!is_done() && expansions_ < limit) {
+    at_once_bound_ = open_.least_bound();
+    follow(nodes_[open_.pop()]);
     while (!at_once_.empty()) {
       const Node next = at_once_.back();
       at_once_.pop_back();
       follow_window(next);
     }
   }
-  path.expansions = expansions_;
-  if (!open_.empty() && open_.least_bound() < best_length_) return false;
-  if (best_length_ < std::numeric_limits<double>::infinity()) write_path(path);
-  return true;
+  expansions = expansions_;
+  return is_done();
 }
 
-void Optimal::follow(const Node& node) {
+// By value: what it leads to is put where it was.
+void Optimal::follow(Node node) {
   switch (node.kind) {
     case Kind::window:
       return follow_window(node);
@@ -138,9 +188,9 @@ void Optimal::follow(const Node& node) {
 //   origin - target
 void Optimal::follow_window(Node window) {
   Cone cone(*this, window);
-  while (true) {
+  for (int faces = 1;; ++faces) {
     ++expansions_;
-    if (ends_->is_goal(mesh::face(window.entry))) meet_goal(window, cone);
+    meet_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View place = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
@@ -168,6 +218,7 @@ void Optimal::follow_window(Node window) {
     if (is_barred(exit)) return;
     window.entry = mesh_->twin(exit);
     window.trace = traced(window.entry, window.trace);
+    if (faces % kFacesBetweenLooks == 0 && bound(window, cone) > at_once_bound_) return offer(window, cone);
   }
 }
 
@@ -188,18 +239,23 @@ void Optimal::part(const Node& window, const Cone& cone, mesh::Vertex apex) {
   offer(right, right_cone);
 }
 
-void Optimal::meet_goal(const Node& window, const Cone& cone) {
-  const Geometry::View goal = Geometry::view(ends_->goal());
-  if (cone.side_of_left(goal) == Sign::positive || cone.side_of_right(goal) == Sign::negative) return;
-  end_at_goal(window.root, window.trace);
+void Optimal::meet_goals(const Node& window, const Cone& cone) {
+  for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
+    const Geometry::View place = Geometry::view(goals_[goal].point);
+    if (cone.side_of_left(place) == Sign::positive || cone.side_of_right(place) == Sign::negative) return;
+    end_at(goal, window.root, window.trace);
+  });
 }
 
-void Optimal::end_at_goal(std::uint32_t root, std::uint32_t trace) {
-  const double length = roots_[root].length + distance(roots_[root].point, ends_->goal());
-  if (length >= best_length_) return;
-  best_length_ = length;
-  best_root_ = root;
-  best_trace_ = trace;
+void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace) {
+  Goal& at = goals_[goal];
+  const double length = roots_[root].length + distance(roots_[root].point, at.point);
+  if (length >= std::min(at.length, known_length_)) return;
+  const bool was_longest = std::min(at.length, known_length_) >= longest_;
+  at.length = length;
+  at.root = root;
+  at.trace = trace;
+  if (was_longest) limit_lengths();
 }
 
 //          apex          The cone's left bound grazes the entry's left end and leaves the face's apex on its left: what
@@ -212,25 +268,28 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   const mesh::HalfEdge near_side = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const mesh::HalfEdge far_side = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
   const bool leads_on = !is_barred(near_side) || (sees_apex && !is_barred(far_side));
-  if (!leads_on && !ends_->is_goal(mesh::face(window.entry))) return;
+  if (!leads_on) {
+    bool is_at_goal = false;
+    for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
+    if (!is_at_goal) return;
+  }
   const mesh::Vertex v = is_left ? window.left : window.right;
   const Point& at = place(v);
   const double length = roots_[window.root].length + distance(cone.root(), at);
-  const double bound = length + distance(at, ends_->goal());
-  if (bound >= best_length_) return;
+  const double least = length + bound_from(at);
+  if (least >= longest_) return;
   Reached& reached_before = reached(v);
   if (length >= reached_before.length) return;
   reached_before.length = length;
   nodes_.push_back(window);
   nodes_.back().kind = kind;
-  open_.push(bound, static_cast<std::uint32_t>(nodes_.size() - 1));
+  open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
 /// The shortest way to `v` so far: infinite where there is none yet, minus infinite where no path can turn.
 Optimal::Reached& Optimal::reached(mesh::Vertex v) {
   Reached& entry = reached_[number(v)];
   if (entry.query == query_) return entry;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   entry = {has_walls(v) ? kInfinity : -kInfinity, query_};
   return entry;
 }
@@ -261,9 +320,10 @@ void Optimal::make_left_turn(const Node& turn) {
   Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kStraightOn, turn.trace};
   const Cone cone(*this, window);
   const bool sees_apex = cone.side_of_right(geometry_->view(number(window.left))) == Sign::positive;
-  if (ends_->is_goal(mesh::face(turn.entry)) && cone.side_of_right(Geometry::view(ends_->goal())) != Sign::negative) {
-    end_at_goal(root, turn.trace);
-  }
+  for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
+    const bool is_seen = cone.side_of_right(Geometry::view(goals_[goal].point)) != Sign::negative;
+    if (is_seen) end_at(goal, root, turn.trace);
+  });
   const mesh::HalfEdge far_side = mesh::next(turn.entry);
   if (sees_apex && !is_barred(far_side)) {
     window.entry = mesh_->twin(far_side);
@@ -275,7 +335,7 @@ void Optimal::make_left_turn(const Node& turn) {
     h = mesh_->next_around(h);
     trace = traced(h, trace);
     ++expansions_;
-    if (ends_->is_goal(mesh::face(h))) end_at_goal(root, trace);
+    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::next(h);
     if (is_barred(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
@@ -291,9 +351,10 @@ void Optimal::make_right_turn(const Node& turn) {
   Node window{Kind::window, turn.entry, root, kStraightOn, mesh_->apex(turn.entry), turn.trace};
   const Cone cone(*this, window);
   const bool sees_apex = cone.side_of_left(geometry_->view(number(window.right))) == Sign::negative;
-  if (ends_->is_goal(mesh::face(turn.entry)) && cone.side_of_left(Geometry::view(ends_->goal())) != Sign::positive) {
-    end_at_goal(root, turn.trace);
-  }
+  for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
+    const bool is_seen = cone.side_of_left(Geometry::view(goals_[goal].point)) != Sign::positive;
+    if (is_seen) end_at(goal, root, turn.trace);
+  });
   const mesh::HalfEdge far_side = mesh::previous(turn.entry);
   if (sees_apex && !is_barred(far_side)) {
     window.entry = mesh_->twin(far_side);
@@ -305,7 +366,7 @@ void Optimal::make_right_turn(const Node& turn) {
     h = mesh_->twin(mesh::next(h));
     trace = traced(h, trace);
     ++expansions_;
-    if (ends_->is_goal(mesh::face(h))) end_at_goal(root, trace);
+    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::previous(h);
     if (is_barred(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
@@ -317,7 +378,7 @@ void Optimal::offer(const Node& window) { offer(window, Cone(*this, window)); }
 
 void Optimal::offer(const Node& window, const Cone& cone) {
   const double least = bound(window, cone);
-  if (least >= best_length_) return;
+  if (least >= longest_) return;
   if (least <= at_once_bound_) {
     at_once_.push_back(window);
     return;
@@ -326,20 +387,29 @@ void Optimal::offer(const Node& window, const Cone& cone) {
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
-/// No path through the window is shorter. A bound in doubles: it decides what is looked at first, nothing else.
+/// No path from `p` to a goal is shorter.
+double Optimal::bound_from(const Point& p) const {
+  return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
+}
+
+/// No path through the window is shorter: with one goal, the way through the window and on to the goal; with more, the
+/// way to the window. A bound in doubles: it decides what is looked at first, nothing else.
 double Optimal::bound(const Node& window, const Cone& cone) const {
   const Point& a = place(mesh_->origin(window.entry));
   const Point& b = place(mesh_->target(window.entry));
   const Point p = cone.root();
   const Point edge{b.x - a.x, b.y - a.y};
-  const Point q = beyond(p, a, edge, ends_->goal());
+  const bool has_one_goal = goals_.size() == 1;
+  const Point q = has_one_goal ? beyond(p, a, edge, goals_.front().point) : foot(p, a, edge);
   const Point way{q.x - p.x, q.y - p.y};
-  const double so_far = roots_[window.root].length;
-  const Point left = cone.left_direction();
-  if (cross(left, way) > 0.0) return so_far + length_by_way_of(p, meeting(p, left, a, edge), q);
-  const Point right = cone.right_direction();
-  if (cross(right, way) < 0.0) return so_far + length_by_way_of(p, meeting(p, right, a, edge), q);
-  return so_far + distance(p, q);
+  Point between = q;
+  if (const Point left = cone.left_direction(); cross(left, way) > 0.0) {
+    between = meeting(p, left, a, edge);
+  } else if (const Point right = cone.right_direction(); cross(right, way) < 0.0) {
+    between = meeting(p, right, a, edge);
+  }
+  const double to_window = roots_[window.root].length + distance(p, between);
+  return has_one_goal ? to_window + distance(between, q) : to_window;
 }
 
 Optimal::Geometry::View Optimal::view(const Root& root) const {
@@ -352,21 +422,23 @@ std::uint32_t Optimal::traced(mesh::HalfEdge entry, std::uint32_t before) {
   return static_cast<std::uint32_t>(traces_.size() - 1);
 }
 
-void Optimal::write_path(Path& path) const {
+void Optimal::write_path(std::size_t goal, bool wants_points, Path& path) const {
+  const Goal& at = goals_[goal];
   path.status = PathStatus::found;
-  path.length = best_length_;
-  path.lower_bound = best_length_;
+  path.length = at.length;
+  path.lower_bound = at.length;
   path.points.clear();
-  path.points.push_back(ends_->goal());
-  for (std::uint32_t root = best_root_; root != kNone; root = roots_[root].before) {
+  if (!wants_points) return;
+  path.points.push_back(at.point);
+  for (std::uint32_t root = at.root; root != kNone; root = roots_[root].before) {
     if (roots_[root].point != path.points.back()) path.points.push_back(roots_[root].point);
   }
   std::reverse(path.points.begin(), path.points.end());
 }
 
-void Optimal::write_channel(Path& path) const {
+void Optimal::write_channel(std::size_t goal, Path& path) const {
   path.channel.clear();
-  for (std::uint32_t trace = best_trace_; trace != kNone; trace = traces_[trace].before) {
+  for (std::uint32_t trace = goals_[goal].trace; trace != kNone; trace = traces_[trace].before) {
     const mesh::HalfEdge entry = traces_[trace].entry;
     path.channel.push_back({place(mesh_->origin(entry)), place(mesh_->target(entry))});
   }

@@ -9,6 +9,7 @@
 
 #include "path/ends.hpp"
 #include "path/open_list.hpp"
+#include "path/two_core.hpp"
 
 namespace waywright::path {
 
@@ -24,19 +25,31 @@ namespace waywright::path {
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and leaving out roots that have been reached on a shorter way. Departures: no interval's end is
 /// ever computed to decide where a search goes; the windows beyond a turn are made only when no other way looks
-/// shorter; windows whose bound is hardly above the least one are followed at once, without passing the open list.
+/// shorter; windows whose bound is not above the least one are followed at once, without passing the open list.
 class Optimal {
  public:
   using Triangulation = constraint::ExactTriangulation;
   using Geometry = exact::Geometry;
 
-  /// Starts a search between ends that are not at one face. They and the triangulation must stay as they are.
-  void begin(const Triangulation& triangulation, const Ends& ends, bool wants_channel);
-  /// Searches on until `path.expansions` comes to `limit` or the shortest path is found; returns whether it is, or
-  /// there is none.
-  bool step(std::size_t limit, Path& path);
+  /// Starts anew. The ends' start, the triangulation and its core, if it has one, must stay as they are.
+  void begin(const Triangulation& triangulation, const TwoCore* core, const Ends& ends, bool wants_channel);
+  /// A goal that isn't at a face of the start, and the open faces around it. Without any, there is nothing to find.
+  void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
+  /// To be called once all goals are known. Paths that are not shorter than `known_length` are left out.
+  void start(double known_length = std::numeric_limits<double>::infinity());
+
+  /// Searches on until `expansions` comes to `limit` or the shortest path to each goal is found; returns whether they
+  /// are, or there are none.
+  bool step(std::size_t limit, std::size_t& expansions);
+  /// No path that is yet to be found is shorter. Requires: step() has returned false.
+  [[nodiscard]] double least_bound() const { return open_.least_bound(); }
+
+  /// Goals are numbered in the order in which they were added.
+  [[nodiscard]] bool is_found(std::size_t goal) const { return goals_[goal].root != kNone; }
+  /// Writes status, length and, where they are wanted, points. Requires: a path to the goal is found.
+  void write_path(std::size_t goal, bool wants_points, Path& path) const;
   /// Writes the edges that the path crosses. Requires: the search was begun for it, a path is found.
-  void write_channel(Path& path) const;
+  void write_channel(std::size_t goal, Path& path) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
@@ -63,6 +76,18 @@ class Optimal {
     std::uint32_t trace;   ///< how the search came here
   };
 
+  /// A goal and the best path to it so far.
+  struct Goal {
+    Point point;
+    double length;
+    std::uint32_t root;   ///< where the path turns last; kNone while there is none
+    std::uint32_t trace;  ///< how the search came there
+  };
+  struct GoalFace {
+    mesh::Face face;
+    std::uint32_t goal;
+  };
+
   /// The search has crossed an edge: kept only where the channel is asked for.
   struct Trace {
     mesh::HalfEdge entry;
@@ -75,32 +100,54 @@ class Optimal {
     std::uint32_t query = 0;
   };
 
+  /// How many of the goals' faces lie at a face outside the core or beyond it, as seen from the core, in the query that
+  /// counted last.
+  struct GoalsBelow {
+    std::uint32_t query = 0;
+    std::uint32_t count = 0;
+  };
+
   class Cone;
 
-  void forget_lengths();
+  void forget_last_query();
+  void count_goal_face(mesh::Face f);
   void leave_start();
-  void follow(const Node& node);
+  void follow(Node node);
   void follow_window(Node window);
   void part(const Node& window, const Cone& cone, mesh::Vertex apex);
-  void meet_goal(const Node& window, const Cone& cone);
+  void meet_goals(const Node& window, const Cone& cone);
   void note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
   void make_left_turn(const Node& turn);
   void make_right_turn(const Node& turn);
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
   void offer(const Node& window, const Cone& cone);
   void offer(const Node& window);
-  void end_at_goal(std::uint32_t root, std::uint32_t trace);
-  void write_path(Path& path) const;
+  /// Calls visit(goal) for each goal at the face.
+  template <class Visit>
+  void for_each_goal(mesh::Face f, Visit&& visit) const;
+  void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
+  void limit_lengths();
 
-  [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const { return mesh_->is_fixed(exit); }
+  /// Whether no path leaves a face by `exit`: for a wall, or because beyond it there is a dead end without the goal.
+  [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const {
+    if (core_ == nullptr) return mesh_->is_fixed(exit);
+    return !core_->is_way(exit) && (mesh_->is_fixed(exit) || is_dead_end(exit));
+  }
+  [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
+  [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
+    const GoalsBelow& below = goals_below_[number(f)];
+    return below.query == query_ ? below.count : 0;
+  }
   [[nodiscard]] bool has_walls(mesh::Vertex v) const;
   [[nodiscard]] Reached& reached(mesh::Vertex v);
   [[nodiscard]] std::uint32_t traced(mesh::HalfEdge entry, std::uint32_t before);
   [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
   [[nodiscard]] Geometry::View view(const Root& root) const;
   [[nodiscard]] double bound(const Node& window, const Cone& cone) const;
+  [[nodiscard]] double bound_from(const Point& p) const;
 
   const Ends* ends_ = nullptr;
+  const TwoCore* core_ = nullptr;  ///< or null
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
@@ -110,14 +157,16 @@ class Optimal {
   OpenList open_;              ///< positions in `nodes_`
   std::vector<Node> at_once_;  ///< windows to follow before the next of the open list
   std::vector<Trace> traces_;
-  std::vector<Reached> reached_;  ///< by vertex
+  std::vector<Reached> reached_;         ///< by vertex
+  std::vector<GoalsBelow> goals_below_;  ///< by face outside the core
+  std::vector<Goal> goals_;
+  std::vector<GoalFace> goal_faces_;
   std::uint32_t query_ = 0;
 
   std::size_t expansions_ = 0;
-  double at_once_bound_ = 0.0;
-  double best_length_ = std::numeric_limits<double>::infinity();
-  std::uint32_t best_root_ = 0;
-  std::uint32_t best_trace_ = kNone;
+  double at_once_bound_ = 0.0;  ///< windows whose bound is not above are followed at once
+  double known_length_ = 0.0;
+  double longest_ = 0.0;  ///< paths that are not shorter are of no use to any goal
 };
 
 }  // namespace waywright::path

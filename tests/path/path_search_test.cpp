@@ -1,0 +1,217 @@
+#include "waywright/path_search.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/random.hpp"
+#include "support/random_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+struct Setting {
+  World world;
+  std::vector<PathQuery> queries;
+};
+
+Setting random_setting(std::uint64_t seed) {
+  const Scene scene = random_scene(Flavour::small, seed, 60);
+  Setting setting{World::create(scene.domain).value(), {}};
+  for (const Item& item : scene.items) EXPECT_TRUE(setting.world.insert(item.shape, item.id).ok());
+  Random random(seed);
+  for (int i = 0; i < 60; ++i) {
+    PathQuery query{random_point(Flavour::small, scene.domain, random),
+                    random_point(Flavour::small, scene.domain, random)};
+    query.algorithm = i % 2 == 0 ? PathAlgorithm::optimal : PathAlgorithm::ta;
+    query.budget.expansions = i % 4 == 1 ? PathBudget::kNoLimit : 20U;
+    query.wants_channel = true;
+    setting.queries.push_back(query);
+  }
+  return setting;
+}
+
+void expect_equal(const Path& path, const Path& other) {
+  EXPECT_EQ(path.status, other.status);
+  EXPECT_EQ(path.length, other.length);
+  EXPECT_EQ(path.lower_bound, other.lower_bound);
+  EXPECT_EQ(path.points, other.points);
+  EXPECT_EQ(path.channel, other.channel);
+}
+
+double turn(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+TEST(PathSearch, InSlicesAnswersAsInOneGo) {
+  const Setting setting = random_setting(11);
+  PathSearch search;
+  std::size_t slices = 0;
+  for (const PathQuery& query : setting.queries) {
+    ASSERT_TRUE(search.begin(setting.world, query).ok());
+    EXPECT_TRUE(search.is_running());
+    while (!search.step(3).value()) {
+      ++slices;
+      EXPECT_LE(search.path().lower_bound, search.path().length);
+    }
+    EXPECT_FALSE(search.is_running());
+    EXPECT_TRUE(search.step(1).value()) << "done stays done";
+    expect_equal(search.path(), setting.world.find_path(query).value());
+  }
+  EXPECT_GT(slices, 2 * setting.queries.size());
+}
+
+TEST(PathSearch, EndsWhenTheWorldChanges) {
+  World world = World::create({{0, 0}, {10, 10}}).value();
+  for (int i = 1; i < 9; ++i) {
+    const double y = i % 2 == 0 ? 0 : 1;
+    world.insert_segment({static_cast<double>(i), y}, {static_cast<double>(i), y + 9}).value();
+  }
+  const PathQuery query{{0.5, 5}, {9.5, 5}};
+  PathSearch search;
+  ASSERT_TRUE(search.begin(world, query).ok());
+  ASSERT_FALSE(search.step(1).value());
+  EXPECT_FALSE(world.remove({77}).ok());
+  ASSERT_FALSE(search.step(1).value()) << "a refused operation changes nothing";
+  const World moved = std::move(world);
+  ASSERT_FALSE(search.step(1).value()) << "a world may move";
+
+  World changed = World::create({{0, 0}, {10, 10}}).value();
+  changed.insert_segment({5, 0}, {5, 9}).value();
+  ASSERT_TRUE(search.begin(changed, query).ok());
+  const std::uint64_t version = changed.version();
+  changed.insert_point({1, 1}).value();
+  EXPECT_GT(changed.version(), version);
+  const Result<bool> stepped = search.step(1);
+  ASSERT_FALSE(stepped.ok());
+  EXPECT_EQ(stepped.error().code, ErrorCode::world_changed);
+  EXPECT_FALSE(search.is_running());
+  ASSERT_TRUE(search.begin(changed, query).ok()) << "and may begin anew";
+  while (!search.step(1).value()) {
+  }
+  EXPECT_EQ(search.path().status, PathStatus::found);
+}
+
+TEST(PathSearch, RefusesWhatFindPathRefusesAndCanBeGivenUp) {
+  const World world = World::create({{0, 0}, {10, 10}}).value();
+  PathSearch search;
+  EXPECT_EQ(search.begin(world, {{-1, 0}, {1, 1}}).error().code, ErrorCode::out_of_domain);
+  EXPECT_FALSE(search.is_running());
+  ASSERT_TRUE(search.begin(world, {{1, 1}, {2, 2}}).ok());
+  search.cancel();
+  EXPECT_FALSE(search.is_running());
+}
+
+// An edge of the channel must be met between its ends by the piece of the path that crosses it.
+TEST(PathChannels, AreCrossedByTheirPathInOrder) {
+  std::size_t portals = 0;
+  for (const std::uint64_t seed : {3U, 4U, 5U, 6U, 7U, 8U}) {
+    const Setting setting = random_setting(seed);
+    for (const PathQuery& query : setting.queries) {
+      const Path path = setting.world.find_path(query).value();
+      std::size_t piece = 0;
+      for (const Portal& portal : path.channel) {
+        const auto meets = [&](std::size_t i) {
+          const Point a = path.points[i];
+          const Point b = path.points[i + 1];
+          const double slack = 1e-9 * (std::abs(b.x - a.x) + std::abs(b.y - a.y)) * 16000;
+          return turn(a, b, portal.left) >= -slack && turn(a, b, portal.right) <= slack &&
+                 turn(portal.right, portal.left, a) >= -slack && turn(portal.right, portal.left, b) <= slack;
+        };
+        while (piece + 1 < path.points.size() && !meets(piece)) ++piece;
+        ASSERT_LT(piece + 1, path.points.size()) << "portal " << portals;
+        ++portals;
+      }
+    }
+  }
+  EXPECT_GT(portals, 100U);
+}
+
+TEST(ManyPaths, OnManyThreadsAreThoseFoundAlone) {
+  const Setting setting = random_setting(12);
+  for (const std::size_t threads : {1U, 2U, 7U, 100U}) {
+    const std::vector<Path> paths = setting.world.find_paths(setting.queries, threads).value();
+    ASSERT_EQ(paths.size(), setting.queries.size());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      expect_equal(paths[i], setting.world.find_path(setting.queries[i]).value());
+    }
+  }
+  EXPECT_TRUE(setting.world.find_paths({}, 3).value().empty());
+  std::vector<PathQuery> queries = setting.queries;
+  queries[5].radius = -1.0;
+  const auto refused = setting.world.find_paths(queries, 2);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_radius);
+  EXPECT_EQ(refused.error().index, 5U);
+}
+
+TEST(ManyPaths, FromOneStartAreAsLongAsThoseFoundAlone) {
+  for (const std::uint64_t seed : {13U, 14U, 15U, 16U}) {
+    const Setting setting = random_setting(seed);
+    ManyGoalsQuery query;
+    query.start = setting.queries[0].start;
+    std::vector<Point> goals = {query.start, setting.queries[0].goal, setting.queries[0].goal};
+    for (const PathQuery& other : setting.queries) goals.push_back(other.start);
+    query.goals = goals;
+    query.wants_points = true;
+    const std::vector<Path> paths = setting.world.find_paths_from(query).value();
+    query.wants_points = false;
+    const std::vector<Path> lengths = setting.world.find_paths_from(query).value();
+    ASSERT_EQ(paths.size(), goals.size());
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+      const Path alone = setting.world.find_path({query.start, goals[i]}).value();
+      ASSERT_EQ(paths[i].status, alone.status);
+      EXPECT_NEAR(paths[i].length, alone.length, 1e-9 * alone.length);
+      EXPECT_EQ(lengths[i].length, paths[i].length);
+      EXPECT_TRUE(lengths[i].points.empty());
+      if (alone.status != PathStatus::found) continue;
+      EXPECT_EQ(paths[i].points.front(), query.start);
+      EXPECT_EQ(paths[i].points.back(), goals[i]);
+    }
+  }
+  const World world = World::create({{0, 0}, {10, 10}}).value();
+  const std::vector<Point> outside = {{1, 1}, {11, 1}};
+  const auto refused = world.find_paths_from({{5, 5}, outside});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::out_of_domain);
+  EXPECT_EQ(refused.error().index, 2U);
+}
+
+TEST(TaStar, BettersItsPathUntilItIsTheShortestOrTheBudgetIsSpent) {
+  std::size_t bettered = 0;
+  std::size_t proven_first = 0;
+  for (std::uint64_t seed = 20; seed < 40; ++seed) {
+    const Setting setting = random_setting(seed);
+    for (PathQuery query : setting.queries) {
+      query.algorithm = PathAlgorithm::optimal;
+      const Path shortest = setting.world.find_path(query).value();
+      query.algorithm = PathAlgorithm::ta;
+      query.budget.expansions = 0;
+      const Path first = setting.world.find_path(query).value();
+      query.budget.expansions = first.expansions + 5;
+      const Path second = setting.world.find_path(query).value();
+      query.budget.expansions = PathBudget::kNoLimit;
+      const Path last = setting.world.find_path(query).value();
+      ASSERT_EQ(first.status, shortest.status);
+      if (shortest.status != PathStatus::found) continue;
+      EXPECT_NEAR(last.length, shortest.length, 1e-9 * shortest.length);
+      EXPECT_EQ(last.lower_bound, last.length);
+      for (const Path* path : {&first, &second}) {
+        EXPECT_LE(path->lower_bound, shortest.length * (1 + 1e-12));
+        EXPECT_GE(path->length, shortest.length * (1 - 1e-12));
+      }
+      EXPECT_LE(second.length, first.length);
+      EXPECT_LE(second.expansions, first.expansions + 40) << "hardly more than the budget";
+      if (last.length < first.length) ++bettered;
+      if (first.lower_bound == first.length) ++proven_first;
+    }
+  }
+  EXPECT_GT(bettered, 0U);
+  EXPECT_GT(proven_first, 0U);
+}
+
+}  // namespace
+}  // namespace waywright::test
