@@ -1,8 +1,11 @@
 #include "exact/lattice.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "exact/lattice_point.hpp"
 #include "exact/offsets.hpp"
@@ -59,13 +62,13 @@ class Gathered {
 
 // The sign of | a.x a.y a.w |
 //             | b.x b.y b.w |
-//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0.
+//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0. An explicit c is the
+//             origin.
 template <std::size_t kW>
-Sign orientation_of(const std::array<LatticePoint<kW>, 3>& points) {
+Sign orientation_of(const std::array<LatticePoint<kW>, 3>& points, bool is_last_origin) {
   const auto& [a, b, c] = points;
-  const auto determinant =
-      a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w) + a.w * (b.x * c.y - b.y * c.x);
-  return determinant.sign();
+  if (is_last_origin) return (a.x * b.y - a.y * b.x).sign();
+  return (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w) + a.w * (b.x * c.y - b.y * c.x)).sign();
 }
 
 /// A row of the in-circle determinant | x y x^2 + y^2 1 |, times w^2.
@@ -76,15 +79,19 @@ struct Row {
   WideInteger<2 * kW> one;
 };
 
-// By Laplace along the first two columns: minors of those times the complementary minors of the last two.
+// By Laplace along the first two columns: minors of those times the complementary minors of the last two. An explicit
+// last point is the origin, which leaves three rows and three columns.
 template <std::size_t kW>
-Sign in_circle_of(const std::array<LatticePoint<kW>, 4>& points) {
+Sign in_circle_of(const std::array<LatticePoint<kW>, 4>& points, bool is_last_origin) {
   std::array<Row<kW>, 4> row;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& [x, y, w] = points[i];
     row[i] = {x * w, y * w, x * x + y * y, w * w};
   }
   const auto area = [&](std::size_t i, std::size_t j) { return row[i].x * row[j].y - row[j].x * row[i].y; };
+  if (is_last_origin) {
+    return (row[0].lift * area(1, 2) - row[1].lift * area(0, 2) + row[2].lift * area(0, 1)).sign();
+  }
   const auto rest = [&](std::size_t i, std::size_t j) { return row[i].lift * row[j].one - row[j].lift * row[i].one; };
   const auto determinant = area(0, 1) * rest(2, 3) - area(0, 2) * rest(1, 3) + area(0, 3) * rest(1, 2) +
                            area(1, 2) * rest(0, 3) - area(1, 3) * rest(0, 2) + area(2, 3) * rest(0, 1);
@@ -108,6 +115,22 @@ WideInteger<2> lift(const LatticeVector& p) { return Offset(p.x) * Offset(p.x) +
 std::int64_t small_cross(const LatticeVector& p, const LatticeVector& q) { return p.x * q.y - p.y * q.x; }
 std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; }
 
+constexpr double kLargestWhole = 0x1p52;  // below this, the difference of two whole numbers is computed exactly
+
+bool is_whole(double value) {
+  return std::abs(value) < kLargestWhole && value == static_cast<double>(static_cast<std::int64_t>(value));
+}
+
+/// From `origin`, whose coordinates are whole, to `p`, where its are too and no further off than 2^kSmallBits: by far
+/// the most common lattice, seen at once.
+std::optional<LatticeVector> whole_offset(const ExactPoint& p, const ExactPoint& origin) {
+  constexpr double kFurthest = std::int64_t{1} << kSmallBits;
+  const double x = p.x - origin.x;
+  const double y = p.y - origin.y;
+  if (!(std::abs(x) <= kFurthest && std::abs(y) <= kFurthest && is_whole(p.x) && is_whole(p.y))) return std::nullopt;
+  return LatticeVector{static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
+}
+
 std::optional<Sign> explicit_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
   Offsets<2> offsets({c.x, c.y});
   offsets.add({a.x, a.y});
@@ -117,37 +140,65 @@ std::optional<Sign> explicit_orientation(const ExactPoint& a, const ExactPoint& 
   return cross(offsets[0], offsets[1]).sign();
 }
 
+Sign small_in_circle(const LatticeVector& p, const LatticeVector& q, const LatticeVector& r) {
+  const auto term = [](std::int64_t lift, std::int64_t cross) { return Offset(lift) * Offset(cross); };
+  return (term(small_lift(p), small_cross(q, r)) + term(small_lift(q), small_cross(r, p)) +
+          term(small_lift(r), small_cross(p, q)))
+      .sign();
+}
+
 std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                        const ExactPoint& d) {
+  if (is_whole(d.x) && is_whole(d.y)) {
+    const auto p = whole_offset(a, d);
+    const auto q = whole_offset(b, d);
+    const auto r = whole_offset(c, d);
+    if (p && q && r) return small_in_circle(*p, *q, *r);
+  }
   Offsets<3> offsets({d.x, d.y});
   for (const ExactPoint* const point : {&a, &b, &c}) offsets.add({point->x, point->y});
   if (!offsets.find_lattice()) return std::nullopt;
   const LatticeVector p = offsets[0];
   const LatticeVector q = offsets[1];
   const LatticeVector r = offsets[2];
-  if (offsets.bits() <= kSmallBits) {
-    const auto term = [](std::int64_t lift, std::int64_t cross) { return Offset(lift) * Offset(cross); };
-    return (term(small_lift(p), small_cross(q, r)) + term(small_lift(q), small_cross(r, p)) +
-            term(small_lift(r), small_cross(p, q)))
-        .sign();
-  }
+  if (offsets.bits() <= kSmallBits) return small_in_circle(p, q, r);
   return (lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q)).sign();
+}
+
+/// Puts an explicit point last, where there is one; whether that swapped two.
+template <std::size_t kCount>
+bool put_explicit_last(std::array<const ExactPoint*, kCount>& points) {
+  if (points.back()->is_explicit()) return false;
+  const auto found = std::find_if(points.begin(), points.end(), [](const ExactPoint* p) { return p->is_explicit(); });
+  if (found == points.end()) return false;
+  std::swap(*found, points.back());
+  return true;
 }
 
 }  // namespace
 
 std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
   if (a.is_explicit() && b.is_explicit() && c.is_explicit()) return explicit_orientation(a, b, c);
-  Gathered<3> points({&a, &b, &c});
-  if (!points.find_lattice()) return std::nullopt;
-  return points.is_narrow() ? orientation_of<1>(points.to_lattice<1>()) : orientation_of<2>(points.to_lattice<2>());
+  std::array points{&a, &b, &c};
+  const bool is_swapped = put_explicit_last(points);
+  Gathered<3> gathered(points);
+  if (!gathered.find_lattice()) return std::nullopt;
+  const bool is_last_origin = points.back()->is_explicit();
+  const Sign sign = gathered.is_narrow() ? orientation_of<1>(gathered.to_lattice<1>(), is_last_origin)
+                                         : orientation_of<2>(gathered.to_lattice<2>(), is_last_origin);
+  return is_swapped ? -sign : sign;
 }
 
 std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
   if (a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit()) return explicit_in_circle(a, b, c, d);
-  Gathered<4> points({&a, &b, &c, &d});
-  if (!points.find_lattice()) return std::nullopt;
-  return points.is_narrow() ? in_circle_of<1>(points.to_lattice<1>()) : in_circle_of<2>(points.to_lattice<2>());
+  std::array points{&a, &b, &c, &d};
+  const bool is_swapped = put_explicit_last(points);
+  Gathered<4> gathered(points);
+  if (!gathered.find_lattice()) return std::nullopt;
+  const bool is_last_origin = points.back()->is_explicit();
+  const Sign sign = gathered.is_narrow() ? in_circle_of<1>(gathered.to_lattice<1>(), is_last_origin)
+                                         : in_circle_of<2>(gathered.to_lattice<2>(), is_last_origin);
+  return is_swapped ? -sign : sign;
 }
 
 std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q) {

@@ -9,11 +9,14 @@
 /// Stage 2 of the predicates: integers of a fixed width, on the stack, where all coordinates lie on one lattice. With
 /// the points' offsets from one of them in units of that lattice (see Offsets), the widest numbers are, in bits:
 ///
-///   points        offsets    orientation    in-circle                                limbs of 64 bits
-///   explicit       up to 30             63          125    10 more would still fit      1 and 2
-///   explicit       up to 62            125          252                                 2 and 4
-///   constructed    up to 29            248          618    8 b + 8 and 20 b + 18        5 and 12
-///   constructed    up to 62            504        1,258    for differences of b bits    8 and 20
+///   points         offsets       orientation    in-circle    limbs of 64 bits
+///   explicit       up to 2^30             62          124    1 and 2
+///   explicit       up to 2^61            124          248    2 and 4
+///   constructed    below 2^29            248          618    5 and 12
+///   constructed    up to 2^61            504        1,258    8 and 20
+///
+/// For constructed points those are 8 b + 8 and 20 b + 18, where coordinates differ by at most 2^b: LatticePoint says how
+/// wide its numbers are, and the determinants are those of lattice.cpp.
 ///
 /// Empty where the points have no such lattice.
 namespace waywright::exact::lattice {

@@ -9,26 +9,31 @@
 
 namespace waywright::exact {
 
-/// The product of two 64-bit numbers, in two halves.
-struct Product {
+/// A number of 128 bits, in two halves.
+struct Halves {
   std::uint64_t low, high;
 };
 
-/// From four products of 32 bits each, for compilers that have no number of 128 bits.
-[[nodiscard]] constexpr Product multiply_by_halves(std::uint64_t a, std::uint64_t b) {
+/// a b + c + d, which 128 bits hold whatever the four are; from products of 32 bits, for compilers that have no number
+/// of 128 bits.
+[[nodiscard]] constexpr Halves multiply_by_halves(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
   constexpr std::uint64_t kLow = 0xffffffff;
-  const std::uint64_t low = (a & kLow) * (b & kLow);
-  const std::uint64_t cross = (a >> 32) * (b & kLow) + (low >> 32);
+  const std::uint64_t lowest = (a & kLow) * (b & kLow);
+  const std::uint64_t cross = (a >> 32) * (b & kLow) + (lowest >> 32);
   const std::uint64_t other = (a & kLow) * (b >> 32) + (cross & kLow);
-  return {(other << 32) | (low & kLow), (a >> 32) * (b >> 32) + (cross >> 32) + (other >> 32)};
+  const std::uint64_t product = (other << 32) | (lowest & kLow);
+  const std::uint64_t sum = product + c;
+  const std::uint64_t low = sum + d;
+  const std::uint64_t carries = (sum < c ? 1U : 0U) + (low < d ? 1U : 0U);
+  return {low, (a >> 32) * (b >> 32) + (cross >> 32) + (other >> 32) + carries};
 }
 
-[[nodiscard]] constexpr Product multiply(std::uint64_t a, std::uint64_t b) {
+[[nodiscard]] constexpr Halves multiply(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
 #if defined(__SIZEOF_INT128__)
-  const auto product = static_cast<unsigned __int128>(a) * b;
-  return {static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)};
+  const auto sum = static_cast<unsigned __int128>(a) * b + c + d;
+  return {static_cast<std::uint64_t>(sum), static_cast<std::uint64_t>(sum >> 64)};
 #else
-  return multiply_by_halves(a, b);
+  return multiply_by_halves(a, b, c, d);
 #endif
 }
 
@@ -134,11 +139,9 @@ template <std::size_t kA, std::size_t kB>
   for (std::size_t i = 0; i < kA; ++i) {
     std::uint64_t carry = 0;
     for (std::size_t j = 0; j < kB; ++j) {
-      const auto [low, high] = multiply(a.limbs_[i], b.limbs_[j]);
-      const std::uint64_t sum = low + carry;
-      std::uint64_t& limb = result.limbs_[i + j];
-      limb += sum;
-      carry = high + (sum < low ? 1 : 0) + (limb < sum ? 1 : 0);
+      const auto [low, high] = multiply(a.limbs_[i], b.limbs_[j], result.limbs_[i + j], carry);
+      result.limbs_[i + j] = low;
+      carry = high;
     }
     result.limbs_[i + kB] = carry;
   }

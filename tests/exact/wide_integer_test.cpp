@@ -90,16 +90,18 @@ TEST(WideInteger, TellsItsWidthAndAboutItsSize) {
 }
 
 // Both ways to a product of 64-bit numbers, of which a compiler only ever uses one.
-TEST(Product, OfHalvesIsThatOfTheCompiler) {
+TEST(WideInteger, MultipliesByHalvesAsTheCompilerDoes) {
   Random random(4);
   for (int i = 0; i < 100000; ++i) {
     const std::uint64_t a = random.chance(10) ? ~std::uint64_t{0} : random.next() >> random.below(64);
     const std::uint64_t b = random.chance(10) ? ~std::uint64_t{0} : random.next() >> random.below(64);
-    const exact::Product one = exact::multiply(a, b);
-    const exact::Product other = exact::multiply_by_halves(a, b);
+    const std::uint64_t c = random.chance(20) ? ~std::uint64_t{0} : random.next();
+    const std::uint64_t d = random.chance(20) ? ~std::uint64_t{0} : random.next();
+    const exact::Halves one = exact::multiply(a, b, c, d);
+    const exact::Halves other = exact::multiply_by_halves(a, b, c, d);
     ASSERT_EQ(one.low, other.low);
     ASSERT_EQ(one.high, other.high);
-    ASSERT_EQ((Integer(one.high) << 64) + one.low, Integer(a) * b);
+    ASSERT_EQ((Integer(one.high) << 64) + one.low, Integer(a) * b + c + d);
   }
 }
 
