@@ -15,8 +15,8 @@
 ///   constructed    below 2^29            248          618    5 and 12
 ///   constructed    up to 2^61            504        1,258    8 and 20
 ///
-/// For constructed points those are 8 b + 8 and 20 b + 18, where coordinates differ by at most 2^b: LatticePoint says how
-/// wide its numbers are, and the determinants are those of lattice.cpp.
+/// For constructed points those are 8 b + 8 and 20 b + 18, where coordinates differ by at most 2^b: LatticePoint says
+/// how wide its numbers are, and the determinants are those of lattice.cpp.
 ///
 /// Empty where the points have no such lattice.
 namespace waywright::exact::lattice {
