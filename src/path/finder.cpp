@@ -58,7 +58,7 @@ void Finder::begin(const Triangulation& triangulation, const Abstraction* abstra
 }
 
 void Finder::begin_optimal(double known_length) {
-  optimal_.begin(*triangulation_, core(), ends_, query_.wants_channel);
+  optimal_.begin(*triangulation_, abstraction_, ends_, query_.wants_channel);
   optimal_.add_goal(ends_.goal(), ends_.goal_faces());
   optimal_.start(known_length);
 }
@@ -124,7 +124,7 @@ void Finder::find_all(const Triangulation& triangulation, const Abstraction* abs
       if (!query.wants_points) paths[i].points.clear();
       continue;
     }
-    if (searched_.empty()) optimal_.begin(triangulation, core(), ends_, false);
+    if (searched_.empty()) optimal_.begin(triangulation, abstraction_, ends_, false);
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
     searched_.push_back(i);
   }

@@ -36,7 +36,6 @@ class Finder {
   [[nodiscard]] bool search_ta(std::size_t limit, Path& path);
   [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
   void begin_optimal(double known_length);
-  [[nodiscard]] const TwoCore* core() const { return abstraction_ == nullptr ? nullptr : &abstraction_->core(); }
   [[nodiscard]] bool is_over_budget(const Path& path) const;
   [[nodiscard]] bool has_time_limit() const;
   void finish(Path& path) const;

@@ -65,9 +65,11 @@ class Optimal::Cone {
   bool is_right_straight_ = false;
 };
 
-void Optimal::begin(const Triangulation& triangulation, const TwoCore* core, const Ends& ends, bool wants_channel) {
+void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends,
+                    bool wants_channel) {
   ends_ = &ends;
-  core_ = core;
+  core_ = abstraction == nullptr ? nullptr : &abstraction->core();
+  components_ = abstraction == nullptr ? nullptr : &abstraction->components();
   mesh_ = &triangulation.topology();
   geometry_ = &triangulation.triangulation().geometry();
   wants_channel_ = wants_channel;
@@ -77,6 +79,11 @@ void Optimal::begin(const Triangulation& triangulation, const TwoCore* core, con
   traces_.clear();
   goals_.clear();
   goal_faces_.clear();
+  goals_in_components_.clear();
+  if (components_ != nullptr) {
+    for (const mesh::HalfEdge h : ends.start_faces())
+      goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
+  }
   forget_last_query();
 }
 
@@ -118,8 +125,11 @@ void Optimal::forget_last_query() {
   if (goals_below_.size() < mesh_->face_slots()) goals_below_.resize(mesh_->face_slots());
 }
 
-/// Counts a goal's face at each face on the way from there to the core.
+/// Counts a goal's face in its component, and at each face on the way from there to the core.
 void Optimal::count_goal_face(mesh::Face f) {
+  for (GoalsInComponent& goals : goals_in_components_) {
+    if (goals.component == components_->of(f)) ++goals.count;
+  }
   while (!core_->is_core(f)) {
     GoalsBelow& below = goals_below_[number(f)];
     if (below.query != query_) below = {query_, 0};
@@ -130,11 +140,17 @@ void Optimal::count_goal_face(mesh::Face f) {
   }
 }
 
-/// Whether no goal lies beyond a free edge that is no way in the core. Where the roots of trees without a core are
-/// makes no difference.
+/// How many of the goals' faces lie in the face's component, which is one of the start's.
+std::uint32_t Optimal::goals_around(mesh::Face f) const {
+  const auto is_here = [&](const GoalsInComponent& goals) { return goals.component == components_->of(f); };
+  return std::find_if(goals_in_components_.begin(), goals_in_components_.end(), is_here)->count;
+}
+
+/// Whether no goal's face lies beyond a free edge that is no way in the core. Where the roots of trees without a core
+/// are makes no difference.
 bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
   const mesh::Face f = mesh::face(exit);
-  if (!core_->is_core(f) && core_->towards_core(f) == exit) return goals_below(f) == goal_faces_.size();
+  if (!core_->is_core(f) && core_->towards_core(f) == exit) return goals_below(f) == goals_around(f);
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 

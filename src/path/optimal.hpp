@@ -7,9 +7,9 @@
 
 #include "waywright/path.hpp"
 
+#include "path/abstraction.hpp"
 #include "path/ends.hpp"
 #include "path/open_list.hpp"
-#include "path/two_core.hpp"
 
 namespace waywright::path {
 
@@ -31,8 +31,8 @@ class Optimal {
   using Triangulation = constraint::ExactTriangulation;
   using Geometry = exact::Geometry;
 
-  /// Starts anew. The ends' start, the triangulation and its core, if it has one, must stay as they are.
-  void begin(const Triangulation& triangulation, const TwoCore* core, const Ends& ends, bool wants_channel);
+  /// Starts anew. The ends' start, the triangulation and its abstraction, if it has one, must stay as they are.
+  void begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends, bool wants_channel);
   /// A goal that isn't at a face of the start, and the open faces around it. Without any, there is nothing to find.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
   /// To be called once all goals are known. Paths that are not shorter than `known_length` are left out.
@@ -107,10 +107,17 @@ class Optimal {
     std::uint32_t count = 0;
   };
 
+  /// How many of the goals' faces lie in a component.
+  struct GoalsInComponent {
+    Components::Label component;
+    std::uint32_t count;
+  };
+
   class Cone;
 
   void forget_last_query();
   void count_goal_face(mesh::Face f);
+  [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();
   void follow(Node node);
   void follow_window(Node window);
@@ -148,6 +155,7 @@ class Optimal {
 
   const Ends* ends_ = nullptr;
   const TwoCore* core_ = nullptr;  ///< or null
+  const Components* components_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
@@ -157,8 +165,9 @@ class Optimal {
   OpenList open_;              ///< positions in `nodes_`
   std::vector<Node> at_once_;  ///< windows to follow before the next of the open list
   std::vector<Trace> traces_;
-  std::vector<Reached> reached_;         ///< by vertex
-  std::vector<GoalsBelow> goals_below_;  ///< by face outside the core
+  std::vector<Reached> reached_;                       ///< by vertex
+  std::vector<GoalsBelow> goals_below_;                ///< by face outside the core
+  std::vector<GoalsInComponent> goals_in_components_;  ///< of the start's components
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;
   std::uint32_t query_ = 0;

@@ -81,10 +81,16 @@ TEST(MemoryGrowth, WarmQueriesAllocateNothing) {
   Path path;
   Location location;
   RayHit hit;
+  std::vector<Path> paths;
+  const std::vector<Point> goals = {{990, 990}, {-990, 990}, {15, 27}, {990, -990}};
   const auto ask_all = [&] {
     for (int i = 0; i < 40; ++i) {
       const Point start{-990 + 20.0 * i, -990};
-      world.find_path({start, {990 - 10.0 * i, 990}}, context, path).value();
+      const Point goal{990 - 10.0 * i, 990};
+      for (const PathAlgorithm algorithm : {PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal}) {
+        world.find_path({start, goal, 0.0, algorithm, {PathBudget::kNoLimit}, true}, context, path).value();
+      }
+      world.find_paths_from({start, goals, 0.0, true}, context, paths).value();
       world.locate(start, context, location).value();
       world.ray(start, {990 - 10.0 * i, 990}, hit).value();
       world.locate({10.0 * i, 5.0 * i}, context, location).value();

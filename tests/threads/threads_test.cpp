@@ -50,5 +50,22 @@ TEST(Threads, AnyNumberMayQueryOneWorldAtOnce) {
   for (const Answers& mine : answers) EXPECT_EQ(mine, alone);
 }
 
+TEST(Threads, ShareTheQueriesOfABatch) {
+  const Scene scene = random_scene(Flavour::small, 8, 60);
+  World world = World::create(scene.domain).value();
+  for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
+  Random random(8);
+  std::vector<PathQuery> queries;
+  for (int i = 0; i < 100; ++i) {
+    queries.push_back(
+        {random_point(Flavour::small, scene.domain, random), random_point(Flavour::small, scene.domain, random)});
+  }
+  const std::vector<Path> paths = world.find_paths(queries, 4).value();
+  ASSERT_EQ(paths.size(), queries.size());
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    EXPECT_EQ(paths[i].points, world.find_path(queries[i]).value().points);
+  }
+}
+
 }  // namespace
 }  // namespace waywright::test
