@@ -47,7 +47,7 @@ std::optional<Error> find_arity_error(const Shape& shape) {
   return std::nullopt;
 }
 
-std::size_t point_count(const Shape& shape) {
+std::size_t count_points(const Shape& shape) {
   std::size_t count = 0;
   for (const std::vector<Point>& ring : shape.rings) count += ring.size();
   return count;
@@ -117,6 +117,8 @@ class BatchCheck {
     return std::nullopt;
   }
 
+  /// Of all shapes.
+  [[nodiscard]] std::size_t point_count() const { return vertices_ - world_.vertex_count(); }
   /// Of each change's item.
   [[nodiscard]] std::span<const ItemId> ids() const { return ids_; }
   [[nodiscard]] std::vector<ItemId> take_ids() { return std::move(ids_); }
@@ -128,7 +130,7 @@ class BatchCheck {
   }
   [[nodiscard]] std::optional<Error> count_in(const Shape& shape) {
     if (auto error = find_shape_error(world_.domain(), shape, vertices_)) return error;
-    vertices_ += point_count(shape);
+    vertices_ += count_points(shape);
     return std::nullopt;
   }
   [[nodiscard]] bool is_alive(ItemId id) const {
@@ -145,6 +147,14 @@ class BatchCheck {
   std::vector<ItemId> fresh_;                 ///< inserted under an id above all before; so they ascend
   std::unordered_map<ItemId, bool> changed_;  ///< of other ids that were changed, whether they are alive now
 };
+
+/// What is reported is less than `total` until all is done.
+locate::Crew crew_of(const BulkOptions& options, std::size_t total) {
+  if (!options.progress) return {options.threads, {}};
+  return {options.threads, [&options, total](std::size_t done) {
+            if (done < total) options.progress(done, total);
+          }};
+}
 
 Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
   return {kind, {std::vector<Point>(points.begin(), points.end())}};
@@ -250,16 +260,18 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
   return check.take_ids();
 }
 
-Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items) {
+Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const BulkOptions& options) {
   BatchCheck check(*this, impl_->triangulation.items());
   for (const Item& item : items) {
     if (auto error = check.add_insertion(item.shape, item.id)) return *std::move(error);
   }
-  impl_->insert_all(constraint::ShapeBatch<Item>{items, check.ids()});
+  const std::size_t total = check.point_count() + items.size();
+  impl_->insert_all(constraint::ShapeBatch<Item>{items, check.ids()}, crew_of(options, total));
+  if (options.progress) options.progress(total, total);
   return check.take_ids();
 }
 
-Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first) {
+Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first, const BulkOptions& options) {
   const constraint::ItemTable& items = impl_->triangulation.items();
   const ItemId largest = items.largest_id_seen();
   if (first.is_null()) first = {largest.value + 1};
@@ -274,7 +286,8 @@ Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first)
     if (auto error = find_point_error(domain(), points[i], i)) return refuse(*std::move(error));
   }
   if (vertex_count() + points.size() > kLargestPointCount) return about(first, too_large());
-  impl_->insert_all(constraint::PointBatch{points, first});
+  impl_->insert_all(constraint::PointBatch{points, first}, crew_of(options, points.size()));
+  if (options.progress) options.progress(points.size(), points.size());
   return first;
 }
 

@@ -18,7 +18,7 @@ struct World::Impl {
 
   /// Inserts a batch as one operation.
   template <class Batch>
-  void insert_all(const Batch& batch);
+  void insert_all(const Batch& batch, const locate::Crew& crew = {});
   /// Or null.
   [[nodiscard]] const path::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
@@ -39,8 +39,8 @@ class World::Operation {
     if (shape.kind == ItemKind::polygon) note_inserted(id);
   }
   template <class Batch>
-  void insert_all(const Batch& batch) {
-    impl_.triangulation.insert_all(batch);
+  void insert_all(const Batch& batch, const locate::Crew& crew = {}) {
+    impl_.triangulation.insert_all(batch, crew);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (batch.kind(i) == ItemKind::polygon) note_inserted(batch.id(i));
     }
@@ -67,13 +67,13 @@ class World::Operation {
 
 /// A world without items is made anew: a batch then needs no operation to be all or nothing.
 template <class Batch>
-void World::Impl::insert_all(const Batch& batch) {
+void World::Impl::insert_all(const Batch& batch, const locate::Crew& crew) {
   if (triangulation.items().size() != 0) {
     Operation operation(*this);
-    operation.insert_all(batch);
+    operation.insert_all(batch, crew);
     return operation.commit();
   }
-  constraint::ExactTriangulation made(triangulation.domain(), batch);
+  constraint::ExactTriangulation made(triangulation.domain(), batch, crew);
   made.see(triangulation.items().largest_id_seen());
   if (abstraction) abstraction = path::Abstraction(made);
   triangulation = std::move(made);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,6 +28,16 @@ struct Change {
   Kind kind = Kind::insert;
   ItemId id;    ///< of an insertion: null for one that the world hands out
   Shape shape;  ///< of an insertion or replacement
+};
+
+/// How to insert many items at once.
+struct BulkOptions {
+  /// So many threads work on it, 1 or more; the calling one is among them. The world is the same with any number. More
+  /// than one speeds up a world's first items.
+  std::size_t threads = 1;
+  /// Called on the calling thread now and then, and at the end, where `done` is `total`; the unit means nothing. It
+  /// must not touch the world.
+  std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
 /// Two hashes of the same items, whatever made them and wherever: equal when the items are, and in practice only then.
@@ -136,11 +147,11 @@ class World {
   /// one by one, above all into a world without items. Errors: those of insert; the error's index is the item's
   /// position. Cost: O(n log n), and what the items' sides cross. Source: Guibas and Stolfi 1985, Dwyer 1987 (the
   /// corners of a world's first items).
-  Result<std::vector<ItemId>> insert_all(std::span<const Item> items);
+  Result<std::vector<ItemId>> insert_all(std::span<const Item> items, const BulkOptions& options = {});
 
   /// The same for points alone, under `first` and one more each, or, when `first` is null, under ids handed out.
   /// Returns the first's id. Errors: those of insert; the error's index is the point's position.
-  Result<ItemId> insert_points(std::span<const Point> points, ItemId first = {});
+  Result<ItemId> insert_points(std::span<const Point> points, ItemId first = {}, const BulkOptions& options = {});
 
   /// Makes several changes, one after the other, as one operation: all of them or, on an error, none. Returns the id of
   /// each change's item. Errors: those of the single changes; the error's index is the change's position. Cost: a run

@@ -14,38 +14,44 @@ namespace waywright::constraint {
 
 /// The corners of all of a batch's items, after some others.
 template <class Batch>
-locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others) {
+locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others,
+                                  const locate::Crew& crew) {
   std::vector<Point> corners(others.begin(), others.end());
   for (std::size_t i = 0; i < batch.size(); ++i) {
     for (const auto& ring : batch.rings(i)) {
       for_each_corner(ring, batch.kind(i) == ItemKind::polygon, [&](const Point& point) { corners.push_back(point); });
     }
   }
-  return locate::sort_along_curve(domain, corners);
+  return locate::sort_along_curve(domain, corners, crew);
 }
 
 template <class Geometry>
 template <class Batch>
-ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch)
-    : ConstrainedTriangulation(domain, batch, sort_corners(domain, batch, Triangulation::corners_of(domain))) {}
+ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
+                                                             const locate::Crew& crew)
+    : ConstrainedTriangulation(domain, batch, sort_corners(domain, batch, Triangulation::corners_of(domain), crew),
+                               crew) {}
 
 // Nobody has seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and
 // then.
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
-                                                             locate::SortedPoints&& sorted)
+                                                             locate::SortedPoints&& sorted, const locate::Crew& crew)
     : domain_(domain),
-      triangulation_(domain, {UseLists::of(0), UseLists::of(1), UseLists::of(2), UseLists::of(3)}, std::move(sorted)),
+      triangulation_(domain, {UseLists::of(0), UseLists::of(1), UseLists::of(2), UseLists::of(3)}, std::move(sorted),
+                     crew),
       corner_uses_(topology().vertex_slots(), UseLists::kNone) {
-  std::size_t done = 0;
-  const auto after_item = [&] {
-    if (++done % kItemsBetweenLogs == 0) begin();
-  };
-  const auto vertex_of = [](std::uint32_t rank) { return Triangulation::vertex_of_rank(rank); };
-  add_domain();
   const std::span<const std::uint32_t> ranks = std::span(sorted.ranks).subspan(4);
-  insert_sides(add_records(batch, ranks, vertex_of, after_item), after_item);
+  const auto vertex_of = [](std::uint32_t rank) { return Triangulation::vertex_of_rank(rank); };
+  const auto empty_logs = [&](std::size_t items) {
+    if (items % kItemsBetweenReports == 0) begin();
+  };
+  add_domain();
+  insert_sides(add_records(batch, ranks, vertex_of, empty_logs), [&](std::size_t items) {
+    empty_logs(items);
+    if (items % kItemsBetweenReports == 0) crew.report(ranks.size() + items);
+  });
   begin();
 }
 
@@ -58,22 +64,26 @@ void ConstrainedTriangulation<Geometry>::add_domain() {
 
 template <class Geometry>
 template <class Batch>
-void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch) {
-  const locate::SortedPoints sorted = sort_corners(domain_, batch, {});
+void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const locate::Crew& crew) {
+  const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, crew);
   std::vector<mesh::Vertex> vertices;
   vertices.reserve(sorted.points.size());
-  for (const Point& point : sorted.points) vertices.push_back(insert_vertex(triangulation_.insert(point)));
+  for (const Point& point : sorted.points) {
+    vertices.push_back(insert_vertex(triangulation_.insert(point)));
+    if (vertices.size() % kItemsBetweenReports == 0) crew.report(vertices.size());
+  }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
-  const auto after_item = [] {};
-  insert_sides(add_records(batch, sorted.ranks, vertex_of, after_item), after_item);
+  insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
+    if (items % kItemsBetweenReports == 0) crew.report(sorted.ranks.size() + items);
+  });
 }
 
 template <class Geometry>
-template <class Batch, class VertexOf, class AfterItem>
+template <class Batch, class VertexOf, class AfterRecord>
 std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const Batch& batch,
                                                                            std::span<const std::uint32_t> ranks,
                                                                            VertexOf&& vertex_of,
-                                                                           AfterItem&& after_item) {
+                                                                           AfterRecord&& after_record) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rank_and_slot;
   std::size_t corner = 0;
   for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -88,7 +98,7 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
     }
     end_item(slot);
     if (kind != ItemKind::point) rank_and_slot.emplace_back(first_rank, slot);
-    after_item();
+    after_record(i + 1);
   }
   std::sort(rank_and_slot.begin(), rank_and_slot.end());
   std::vector<std::uint32_t> slots;
@@ -100,9 +110,9 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
 template <class Geometry>
 template <class AfterItem>
 void ConstrainedTriangulation<Geometry>::insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item) {
-  for (const std::uint32_t slot : items) {
-    items_.for_each_side(slot, [&](std::uint32_t side) { insert_side(side); });
-    after_item();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    items_.for_each_side(items[i], [&](std::uint32_t side) { insert_side(side); });
+    after_item(i + 1);
   }
 }
 

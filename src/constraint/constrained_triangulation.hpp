@@ -31,7 +31,7 @@ class ConstrainedTriangulation {
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
   /// What insert_all makes of nothing, but faster.
   template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch);
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, const locate::Crew& crew = {});
 
   [[nodiscard]] const Box& domain() const { return domain_; }
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
@@ -68,9 +68,10 @@ class ConstrainedTriangulation {
   void insert(const Shape& shape, ItemId id);
 
   /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(), and for i below
-  /// that an id(i), a kind(i) and rings(i), a range of ranges of points: see batch.hpp. Requires: as insert, of each.
+  /// that an id(i), a kind(i) and rings(i), a range of ranges of points: see batch.hpp. Reports corners done, and
+  /// after them items whose sides are. Requires: as insert, of each.
   template <class Batch>
-  void insert_all(const Batch& batch);
+  void insert_all(const Batch& batch, const locate::Crew& crew = {});
 
   /// Takes an item out: ids off the edges; edges without ids are free again; vertices without a reason go, and the
   /// pieces of what ran straight through them are one edge again. Requires: an item of that id is alive. Source: Chen
@@ -88,7 +89,7 @@ class ConstrainedTriangulation {
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
  private:
-  static constexpr std::size_t kItemsBetweenLogs = 1024;
+  static constexpr std::size_t kItemsBetweenReports = 1024;
 
   /// What a side meets next on its way: a vertex, after crossing the free edges in `crossed_`, or a fixed edge.
   struct Step {
@@ -103,13 +104,14 @@ class ConstrainedTriangulation {
   void grow_corner_uses();
 
   template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch, locate::SortedPoints&& sorted);
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, locate::SortedPoints&& sorted,
+                           const locate::Crew& crew);
   void add_domain();
   /// Gives a batch's items their records: corner after corner at the vertices of these ranks, and sides that are still
   /// to be inserted. Returns the slots of the items with sides, in the order of their first corners.
-  template <class Batch, class VertexOf, class AfterItem>
+  template <class Batch, class VertexOf, class AfterRecord>
   [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
-                                                       VertexOf&& vertex_of, AfterItem&& after_item);
+                                                       VertexOf&& vertex_of, AfterRecord&& after_record);
   template <class AfterItem>
   void insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item);
 

@@ -101,6 +101,8 @@ void Cover::collect_touching(const ExactTriangulation& triangulation, const loca
 
 const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& triangulation,
                                                   const locate::Located& place) {
+  covering_.clear();
+  if (!triangulation.items().has_polygons()) return covering_;
   collect_touching(triangulation, place);
   faces_at(triangulation, place, around_);
   covering_ = touching_;

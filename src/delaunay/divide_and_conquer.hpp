@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "delaunay/tie_rule.hpp"
 #include "exact/sign.hpp"
+#include "locate/crew.hpp"
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -41,8 +43,8 @@ class DivideAndConquer {
                    std::span<Corner> corners)
       : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
 
-  /// The triangulation of the points [begin, end), of which there are two or more.
-  void run(std::uint32_t begin, std::uint32_t end) { (void)triangulate(begin, end); }
+  /// Triangulates all points, of which there are two or more. Reports how many are done.
+  void run(const locate::Crew& crew);
 
   static constexpr mesh::Vertex kGhost{0};
 
@@ -53,7 +55,7 @@ class DivideAndConquer {
   /// A triangulated part. Each of its hull's edges has a ghost face, and the half-edge there that is opposite to the
   /// ghost stands for it: it runs clockwise around the part.
   struct Part {
-    Vertex any;                         ///< one of its vertices
+    Vertex any{};                       ///< one of its vertices
     HalfEdge hull = mesh::kNoHalfEdge;  ///< some hull edge, where there is more than one vertex
   };
   /// How a cut parts: by x, or by y.
@@ -69,6 +71,10 @@ class DivideAndConquer {
     HalfEdge left, right;
     HalfEdge left_open, right_open;
   };
+
+  static constexpr std::size_t kTasksPerThread = 8;
+  static constexpr std::uint32_t kSmallestTask = 1024;
+  static constexpr std::size_t kLargestTask = 65536;
 
   [[nodiscard]] const Point& point(Vertex v) const { return points_[number(v) - 1]; }
   [[nodiscard]] typename Geometry::View view(Vertex v) const { return geometry_.view(point(v)); }
@@ -103,6 +109,19 @@ class DivideAndConquer {
   [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
   [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
 
+  /// Points that are triangulated by one thread, and what comes out.
+  struct Task {
+    std::uint32_t begin, end;
+    Part part;
+  };
+  void list_tasks(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
+  Part merge_tasks(std::uint32_t begin, std::uint32_t end, std::size_t& next_task);
+
+  struct Split {
+    std::uint32_t middle;
+    Cut cut;
+  };
+  [[nodiscard]] Split split(std::uint32_t begin, std::uint32_t end) const;
   Part triangulate(std::uint32_t begin, std::uint32_t end);
   Part make_edge(std::uint32_t begin);
   Part make_three(std::uint32_t begin);
@@ -123,10 +142,65 @@ class DivideAndConquer {
   std::span<const Point> points_;
   std::span<const Key> keys_;
   std::span<Corner> corners_;
+  std::vector<Task> tasks_;
 };
+
+// The cuts are the same whoever works: tasks are parts that would come about anyway.
+template <class Geometry>
+void DivideAndConquer<Geometry>::run(const locate::Crew& crew) {
+  const auto count = static_cast<std::uint32_t>(points_.size());
+  const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * crew.threads()));
+  tasks_.clear();
+  list_tasks(0, count, std::max(kSmallestTask, static_cast<std::uint32_t>(most)));
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> done{0};
+  crew.run([&](std::size_t thread) {
+    for (std::size_t i = next++; i < tasks_.size(); i = next++) {
+      tasks_[i].part = triangulate(tasks_[i].begin, tasks_[i].end);
+      done += tasks_[i].end - tasks_[i].begin;
+      if (thread == 0) crew.report(done);
+    }
+  });
+  std::size_t next_task = 0;
+  (void)merge_tasks(0, count, next_task);
+}
+
+template <class Geometry>
+void DivideAndConquer<Geometry>::list_tasks(std::uint32_t begin, std::uint32_t end, std::uint32_t most) {
+  if (end - begin <= most) {
+    tasks_.push_back({begin, end, {}});
+    return;
+  }
+  const std::uint32_t middle = split(begin, end).middle;
+  list_tasks(begin, middle, most);
+  list_tasks(middle, end, most);
+}
+
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge_tasks(std::uint32_t begin,
+                                                                                  std::uint32_t end,
+                                                                                  std::size_t& next_task) {
+  if (tasks_[next_task].end == end) return tasks_[next_task++].part;
+  const auto [middle, cut] = split(begin, end);
+  const Part left = merge_tasks(begin, middle, next_task);
+  const Part right = merge_tasks(middle, end, next_task);
+  return merge(left, right, 2 * middle - 2, cut);
+}
 
 // Of the cells' common prefix, the first bit that differs parts the cells by a line. Points of one cell are in (x, y)
 // order: any place parts them by a line that is all but vertical.
+template <class Geometry>
+typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std::uint32_t begin,
+                                                                             std::uint32_t end) const {
+  const Key differing = keys_[begin] ^ keys_[end - 1];
+  if (differing == 0) return {begin + (end - begin) / 2, Cut::x};
+  const int bit = 63 - std::countl_zero(differing);
+  const Key upper = keys_[end - 1] >> bit << bit;
+  const auto first = keys_.begin() + begin;
+  const auto found = std::lower_bound(first, keys_.begin() + end, upper);
+  return {begin + static_cast<std::uint32_t>(found - first), locate::Curve::is_bit_of_x(bit) ? Cut::x : Cut::y};
+}
+
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::triangulate(std::uint32_t begin,
                                                                                   std::uint32_t end) {
@@ -134,16 +208,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::triangulat
   if (count == 1) return {Vertex{begin + 1}, mesh::kNoHalfEdge};
   if (count == 2) return make_edge(begin);
   if (count == 3) return make_three(begin);
-  std::uint32_t middle = begin + count / 2;
-  Cut cut = Cut::x;
-  const Key differing = keys_[begin] ^ keys_[end - 1];
-  if (differing != 0) {
-    const int bit = 63 - std::countl_zero(differing);
-    const Key upper = keys_[end - 1] >> bit << bit;
-    cut = locate::Curve::is_bit_of_x(bit) ? Cut::x : Cut::y;
-    const auto first = keys_.begin() + begin;
-    middle = begin + static_cast<std::uint32_t>(std::lower_bound(first, keys_.begin() + end, upper) - first);
-  }
+  const auto [middle, cut] = split(begin, end);
   const Part left = triangulate(begin, middle);
   const Part right = triangulate(middle, end);
   return merge(left, right, 2 * middle - 2, cut);

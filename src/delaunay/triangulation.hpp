@@ -32,7 +32,8 @@ class Triangulation {
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
   /// The same with a vertex at each of `sorted`, made all at once. The first four points given to sort were the box's
   /// corners, as corners_of() lists them. Source: see DivideAndConquer.
-  Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted);
+  Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
+                const locate::Crew& crew = {});
 
   /// The box's corners, counter-clockwise from its smallest.
   [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {

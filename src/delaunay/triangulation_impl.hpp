@@ -14,12 +14,12 @@ using mesh::previous;
 
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
-                                       locate::SortedPoints&& sorted)
+                                       locate::SortedPoints&& sorted, const locate::Crew& crew)
     : sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
   const auto count = static_cast<std::uint32_t>(sorted.points.size());
   {
     std::vector<mesh::TriangleMesh::Corner> corners(6 * std::size_t{count} - 6);
-    DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(0, count);
+    DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew);
     mesh_ = mesh::TriangleMesh(std::move(corners), count + std::size_t{1});
     sectors_.fill(sorted.keys, number(vertex_of_rank(0)));
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace waywright::locate {
 
@@ -14,25 +15,35 @@ struct Entry {
 
 constexpr int kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+constexpr int kLowestBit = 64 - 3 * kDigitBits;
 constexpr std::size_t kWorthwhile = 1024;
 
-/// A stable sort by the digit that starts at `bit`.
-void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit) {
+/// A stable sort by the digit that starts at `bit`. Each thread counts and moves a part of its own; its entries of a
+/// digit come after those of the threads before it.
+void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const Crew& crew) {
   const auto digit = [bit](const Entry& entry) { return entry.key >> bit & (kDigits - 1); };
-  std::array<std::uint32_t, kDigits> places{};
-  for (const Entry& entry : from) ++places[digit(entry)];
+  std::vector<std::array<std::uint32_t, kDigits>> places(crew.threads());
+  crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) ++places[t][digit(from[i])];
+  });
   std::uint32_t next = 0;
-  for (std::uint32_t& place : places) {
-    const std::uint32_t count = place;
-    place = next;
-    next += count;
+  for (std::size_t d = 0; d < kDigits; ++d) {
+    for (auto& mine : places) next += std::exchange(mine[d], next);
   }
-  for (const Entry& entry : from) to[places[digit(entry)]++] = entry;
+  crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) to[places[t][digit(from[i])]++] = from[i];
+  });
+}
+
+/// The first place from `at` on where a run of entries starts whose keys agree from `bit` on.
+std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, int bit) {
+  while (at > 0 && at < entries.size() && entries[at].key >> bit == entries[at - 1].key >> bit) ++at;
+  return at;
 }
 
 /// Sorts by the key's upper half, which tells apart as many cells as there may be points, and the runs that agree in it
 /// by all there is.
-void sort_entries(std::vector<Entry>& entries, std::span<const Point> points) {
+void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const Crew& crew) {
   const auto before = [&](const Entry& a, const Entry& b) {
     if (a.key != b.key) return a.key < b.key;
     const Point& p = points[a.given];
@@ -43,50 +54,58 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points) {
     std::sort(entries.begin(), entries.end(), before);
     return;
   }
-  constexpr int kLowestBit = 64 - 3 * kDigitBits;
   {
     std::vector<Entry> other(entries.size());
     for (int bit = kLowestBit; bit < 64; bit += kDigitBits) {
-      sort_by_digit(entries, other, bit);
+      sort_by_digit(entries, other, bit, crew);
       entries.swap(other);
     }
   }
-  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-    for (end = begin + 1; end < entries.size(); ++end) {
-      if (entries[end].key >> kLowestBit != entries[begin].key >> kLowestBit) break;
+  crew.share(entries.size(), [&](std::size_t, std::size_t share_begin, std::size_t share_end) {
+    const std::size_t last = start_of_run(entries, share_end, kLowestBit);
+    std::size_t begin = start_of_run(entries, share_begin, kLowestBit);
+    while (begin < last) {
+      const std::size_t end = start_of_run(entries, begin + 1, kLowestBit);
+      const auto first = entries.begin() + static_cast<std::ptrdiff_t>(begin);
+      if (end > begin + 1) std::sort(first, first + static_cast<std::ptrdiff_t>(end - begin), before);
+      begin = end;
     }
-    if (end > begin + 1) {
-      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(begin),
-                entries.begin() + static_cast<std::ptrdiff_t>(end), before);
-    }
-  }
+  });
 }
 
 }  // namespace
 
-SortedPoints sort_along_curve(const Box& box, std::span<const Point> points) {
+SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const Crew& crew) {
   const Curve curve(box);
-  std::vector<Entry> entries;
-  entries.reserve(points.size());
-  for (const Point& point : points) entries.push_back({curve.key(point), static_cast<std::uint32_t>(entries.size())});
-  sort_entries(entries, points);
+  std::vector<Entry> entries(points.size());
+  crew.share(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) entries[i] = {curve.key(points[i]), static_cast<std::uint32_t>(i)};
+  });
+  sort_entries(entries, points, crew);
 
-  std::size_t distinct = 0;
   const auto is_new = [&](std::size_t i) {
     return i == 0 || entries[i].key != entries[i - 1].key || points[entries[i].given] != points[entries[i - 1].given];
   };
-  for (std::size_t i = 0; i < entries.size(); ++i) distinct += is_new(i) ? 1 : 0;
+  std::vector<std::size_t> distinct(crew.threads() + 1);
+  crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) distinct[t + 1] += is_new(i) ? 1 : 0;
+  });
+  for (std::size_t t = 0; t < crew.threads(); ++t) distinct[t + 1] += distinct[t];
   SortedPoints sorted;
-  sorted.points.reserve(distinct);
-  sorted.keys.reserve(distinct);
+  sorted.points.resize(distinct.back());
+  sorted.keys.resize(distinct.back());
   sorted.ranks.resize(points.size());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (is_new(i)) {
-      sorted.points.push_back(points[entries[i].given]);
-      sorted.keys.push_back(entries[i].key);
+  crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+    std::size_t next = distinct[t];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_new(i)) {
+        sorted.points[next] = points[entries[i].given];
+        sorted.keys[next] = entries[i].key;
+        ++next;
+      }
+      sorted.ranks[entries[i].given] = static_cast<std::uint32_t>(next - 1);
     }
-    sorted.ranks[entries[i].given] = static_cast<std::uint32_t>(sorted.points.size() - 1);
-  }
+  });
   return sorted;
 }
 

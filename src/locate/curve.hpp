@@ -7,6 +7,8 @@
 
 #include "waywright/point.hpp"
 
+#include "locate/crew.hpp"
+
 namespace waywright::locate {
 
 /// A box in Morton's order: a point's key is its place in a grid of 2^32 x 2^32 square cells, the bits of x and y in
@@ -57,6 +59,6 @@ struct SortedPoints {
 
 /// Requires: the points lie in the box, and none has a coordinate of -0. Cost: linear where keys are spread evenly,
 /// O(n log n) at most.
-[[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points);
+[[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const Crew& crew = {});
 
 }  // namespace waywright::locate

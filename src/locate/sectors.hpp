@@ -48,7 +48,7 @@ class Sectors {
   using Cell = std::uint32_t;
   static constexpr Cell kDivided = 0x80000000;
   static constexpr Cell kNone = 0x7fffffff;
-  static constexpr std::size_t kVerticesPerSector = 4;
+  static constexpr std::size_t kVerticesPerSector = 3;
   static constexpr std::size_t kCrowd = 8;
   static constexpr int kKeyBits = 64;
 

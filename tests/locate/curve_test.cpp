@@ -34,8 +34,8 @@ TEST(Curve, CellsAreSquareInAnyBox) {
   EXPECT_EQ(curve.key({0, 0.5}), 1ULL << 54) << "the half of y is a thirty-second of x's extent";
 }
 
-void expect_sorted(const Box& box, const std::vector<Point>& points) {
-  const SortedPoints sorted = sort_along_curve(box, points);
+void expect_sorted(const Box& box, const std::vector<Point>& points, std::size_t threads) {
+  const SortedPoints sorted = sort_along_curve(box, points, locate::Crew(threads, {}));
   const Curve curve(box);
   ASSERT_EQ(sorted.keys.size(), sorted.points.size());
   ASSERT_EQ(sorted.ranks.size(), points.size());
@@ -68,7 +68,7 @@ TEST(Curve, SortsByKeyThenByPlaceEachPointOnce) {
         const double y = static_cast<double>(random.below(64)) / 64;
         points.push_back({0.25 + x * extent / 2, 0.5 + y * extent / 2});
       }
-      expect_sorted({{0, 0}, {1, 1}}, points);
+      for (const std::size_t threads : {1U, 4U}) expect_sorted({{0, 0}, {1, 1}}, points, threads);
     }
   }
 }

@@ -1,3 +1,4 @@
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -64,6 +65,33 @@ TEST(Threads, ShareTheQueriesOfABatch) {
   ASSERT_EQ(paths.size(), queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
     EXPECT_EQ(paths[i].points, world.find_path(queries[i]).value().points);
+  }
+}
+
+// A crowd, a lattice and points that repeat; enough of them that every thread has work.
+TEST(Threads, ManyBuildTheWorldThatOneBuilds) {
+  Random random(31);
+  std::vector<Point> points;
+  for (int i = 0; i < 6000; ++i) {
+    const auto fraction = [&] { return static_cast<double>(random.below(std::size_t{1} << 40)) * 0x1p-40; };
+    points.push_back({fraction(), fraction()});
+    points.push_back({fraction() / 64, fraction() / 64});
+    points.push_back({static_cast<double>(random.below(65)) / 64, static_cast<double>(random.below(65)) / 64});
+  }
+  std::string alone;
+  for (const std::size_t threads : {1U, 2U, 3U, 7U}) {
+    World world = World::create({{0, 0}, {1, 1}}).value();
+    std::size_t last = 0;
+    const auto progress = [&](std::size_t done, std::size_t total) {
+      EXPECT_EQ(total, points.size());
+      EXPECT_LE(last, done);
+      last = done;
+    };
+    EXPECT_EQ(world.insert_points(points, {}, {threads, progress}).value(), ItemId{1});
+    EXPECT_EQ(last, points.size());
+    if (threads == 1) alone = world.dump();
+    EXPECT_EQ(world.dump(), alone) << threads << " threads";
+    EXPECT_TRUE(world.validate().ok);
   }
 }
 

@@ -63,11 +63,15 @@ World build_world(const Scene& scene, const std::string& name) {
   Result<World> created = World::create(scene.domain);
   if (!created.ok()) throw Failure(fmt::format("{}: {}", name, created.error().message));
   World world = std::move(created).value();
-  Progress progress("insert", scene.items.size());
+  Progress progress("insert");
+  const auto show = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
+  if (world.insert_all(scene.items, {.threads = 1, .progress = show}).ok()) return world;
+  // Some are refused: one by one, the others come in all the same.
   std::size_t left_out = 0;
+  std::size_t done = 0;
   std::string first_reason;
   for (const Item& item : scene.items) {
-    progress.advance();
+    progress.show(done++, scene.items.size());
     const Result<ItemId> inserted = world.insert(item.shape, item.id);
     if (inserted.ok()) continue;
     if (left_out++ == 0) first_reason = fmt::format("item {}: {}", item.id.value, inserted.error().message);

@@ -15,15 +15,14 @@ constexpr std::chrono::milliseconds kInterval{200};
 
 }  // namespace
 
-Progress::Progress(std::string_view what, std::size_t total)
-    : what_(what), total_(total), to_terminal_(isatty(STDERR_FILENO) == 1), next_(steady_clock::now() + kPatience) {}
+Progress::Progress(std::string_view what)
+    : what_(what), to_terminal_(isatty(STDERR_FILENO) == 1), next_(steady_clock::now() + kPatience) {}
 
-void Progress::advance() {
-  ++done_;
+void Progress::show(std::size_t done, std::size_t total) {
   if (!to_terminal_ || steady_clock::now() < next_) return;
   next_ = steady_clock::now() + kInterval;
   shown_ = true;
-  fmt::print(stderr, "\r{}: {} of {}", what_, done_, total_);
+  fmt::print(stderr, "\r{}: {} of {}", what_, done, total);
   std::fflush(stderr);
 }
 

@@ -10,20 +10,18 @@ namespace waywright::command {
 /// second.
 class Progress {
  public:
-  Progress(std::string_view what, std::size_t total);
+  explicit Progress(std::string_view what);
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more step begins.
-  void advance();
+  /// So much of it is done.
+  void show(std::size_t done, std::size_t total);
   /// Wipes the line.
   void finish();
 
  private:
   std::string_view what_;
-  std::size_t total_ = 0;
-  std::size_t done_ = 0;
   bool to_terminal_ = false;
   bool shown_ = false;
   std::chrono::steady_clock::time_point next_;

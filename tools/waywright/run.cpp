@@ -41,9 +41,10 @@ struct RunResult {
 
 RunResult carry_out(const Script& script, const RunOptions& options, Runner& runner) {
   RunResult result;
-  Progress progress("run", script.operations.size());
+  Progress progress("run");
+  std::size_t done = 0;
   for (const Operation& operation : script.operations) {
-    progress.advance();
+    progress.show(done++, script.operations.size());
     const Outcome outcome = runner.carry_out(operation);
     if (outcome == Outcome::check_failed) result.status = kRefused;
     if (outcome == Outcome::refused && options.strict) return {kRefused, false};

@@ -72,11 +72,11 @@ class ScenarioRun {
 
   /// Asks every query. Throws Failure where the world refuses one.
   void ask_all() {
-    Progress progress("query", queries_.size());
+    Progress progress("query");
     QueryContext context;
     Path path;
     for (const ScenarioQuery& query : queries_) {
-      progress.advance();
+      progress.show(answers_.size(), queries_.size());
       ask(query, context, path);
       const std::chrono::duration<double, std::micro> time = path.time;
       answers_.push_back({path.status, path.length, path.expansions, time.count(), verdict_of(query, path)});

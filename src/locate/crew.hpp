@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <utility>
+#include <vector>
+
+namespace waywright::locate {
+
+/// Who works on something large: the calling thread and, where asked for, others. What comes out never depends on it.
+class Crew {
+ public:
+  using Report = std::function<void(std::size_t done)>;
+
+  /// Of one.
+  Crew() = default;
+  /// `report`, if there is one, is called by the calling thread now and then. Requires: `threads` is 1 or more.
+  Crew(std::size_t threads, Report report) : threads_(threads), report_(std::move(report)) {}
+
+  [[nodiscard]] std::size_t threads() const { return threads_; }
+
+  /// Calls work(t) for each t below threads(), on a thread each; work(0) on the calling one.
+  template <class Work>
+  void run(const Work& work) const {
+    // Futures hand on what a thread throws. They wait for their threads when they go.
+    std::vector<std::future<void>> others;
+    others.reserve(threads_ - 1);
+    for (std::size_t t = 1; t < threads_; ++t) {
+      others.push_back(std::async(std::launch::async, [&work, t] { work(t); }));
+    }
+    work(0);
+    for (std::future<void>& other : others) other.get();
+  }
+  /// Calls work(t, begin, end) for each t below threads(): parts of [0, count), in order, of about one size.
+  template <class Work>
+  void share(std::size_t count, const Work& work) const {
+    run([&](std::size_t t) { work(t, count * t / threads_, count * (t + 1) / threads_); });
+  }
+
+  /// To be called by the calling thread.
+  void report(std::size_t done) const {
+    if (report_) report_(done);
+  }
+
+ private:
+  std::size_t threads_ = 1;
+  Report report_;
+};
+
+}  // namespace waywright::locate
