@@ -1,3 +1,4 @@
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_2.h>
@@ -5,6 +6,7 @@
 #include <CGAL/Triangulation_hierarchy_vertex_base_2.h>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -86,18 +88,44 @@ void time_bulk(benchmark::State& state, const Workload& workload) {
   report_time_per_operation(state, points.size());
 }
 
-void time_locations(benchmark::State& state, std::size_t count) {
-  const Workload workload = sorted_points(count);
-  Hierarchy triangulation;
-  insert_corners(triangulation, workload.domain);
-  for (const Update& update : workload.updates) triangulation.insert(point_of(update.inserted));
-  const std::vector<Point> targets = location_targets(count);
+using Constrained =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+void time_bulk_segments(benchmark::State& state, const Workload& workload) {
+  std::vector<Kernel::Point_2> points;
+  std::vector<std::pair<std::size_t, std::size_t>> segments;
+  for (const Update& update : workload.updates) {
+    for (const Point& end : update.inserted.shape.rings.front()) points.emplace_back(end.x, end.y);
+    segments.emplace_back(points.size() - 2, points.size() - 1);
+  }
   for ([[maybe_unused]] const auto iteration : state) {
-    for (const Point& target : targets) {
+    state.PauseTiming();
+    {
+      Constrained triangulation;
+      insert_corners(triangulation, workload.domain);
+      state.ResumeTiming();
+      triangulation.insert_constraints(points.begin(), points.end(), segments.begin(), segments.end());
+      state.PauseTiming();
+      state.counters["vertices"] = static_cast<double>(triangulation.number_of_vertices());
+    }
+    state.ResumeTiming();
+  }
+  report_time_per_operation(state, segments.size());
+}
+
+void time_locations(benchmark::State& state, const Locations& locations) {
+  Hierarchy triangulation;
+  insert_corners(triangulation, {{0.0, 0.0}, {1.0, 1.0}});
+  std::vector<Kernel::Point_2> points;
+  for (const Point& point : locations.points) points.emplace_back(point.x, point.y);
+  triangulation.insert(points.begin(), points.end());
+  for ([[maybe_unused]] const auto iteration : state) {
+    for (const Point& target : locations.targets) {
       benchmark::DoNotOptimize(triangulation.locate(Kernel::Point_2(target.x, target.y)));
     }
   }
-  report_time_per_operation(state, targets.size());
+  report_time_per_operation(state, locations.targets.size());
   state.counters["vertices"] = static_cast<double>(triangulation.number_of_vertices());
 }
 
@@ -117,14 +145,25 @@ void register_cgal_points() {
                                  [count](benchmark::State& state) { time_bulk(state, uniform_points(count)); })
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark((size.name("locate") + "/cgal_hierarchy").c_str(),
-                                 [count](benchmark::State& state) { time_locations(state, count); })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    for (const LocationKind& kind : location_kinds()) {
+      benchmark::RegisterBenchmark((size.name(kind.name) + "/cgal_hierarchy").c_str(),
+                                   [kind, count](benchmark::State& state) { time_locations(state, kind.make(count)); })
+          ->Iterations(1)
+          ->Unit(benchmark::kMillisecond);
+    }
   }
   for (const PointSize& side : lattice_sides()) {
     register_updates<FromLast>(side.name("lattice"), "cgal", [side] { return lattice_points(side.count); });
+    benchmark::RegisterBenchmark((side.name("bulk_lattice") + "/cgal").c_str(),
+                                 [side](benchmark::State& state) { time_bulk(state, lattice_points(side.count)); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
   }
+  benchmark::RegisterBenchmark(
+      ("bulk_segments/" + std::to_string(kSegmentCount) + "/cgal").c_str(),
+      [](benchmark::State& state) { time_bulk_segments(state, disjoint_segments(kSegmentCount)); })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
   register_updates<FromLast>("point_removal/" + std::to_string(kRemovalCount), "cgal",
                              [] { return point_removal(kRemovalCount); });
 }

@@ -1,9 +1,11 @@
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "apply_all.hpp"
+#include "waywright/world.hpp"
+
 #include "constraint_benchmarks.hpp"
 #include "harness.hpp"
 #include "point_benchmarks.hpp"
@@ -12,6 +14,62 @@
 #include "workloads.hpp"
 
 namespace waywright::bench {
+namespace {
+
+/// A triangulation and no more, which is all that the others make.
+constexpr WorldOptions kBare{.keep_abstraction = false};
+
+/// Times what `insert` does with a fresh world. Its destruction is off the clock.
+template <class Insert>
+void time_at_once(benchmark::State& state, const Workload& workload, const WorldOptions& options, Insert&& insert) {
+  for ([[maybe_unused]] const auto iteration : state) {
+    state.PauseTiming();
+    {
+      World world = World::create(workload.domain, options).value();
+      state.ResumeTiming();
+      insert(world);
+      state.PauseTiming();
+      state.counters["vertices"] = static_cast<double>(world.vertex_count());
+    }
+    state.ResumeTiming();
+  }
+  report_time_per_operation(state, workload.updates.size());
+}
+
+void time_points(benchmark::State& state, const Workload& workload, const WorldOptions& options, std::size_t threads) {
+  std::vector<Point> points;
+  for (const Update& update : workload.updates) points.push_back(update.inserted.shape.rings[0][0]);
+  time_at_once(state, workload, options, [&](World& world) { world.insert_points(points, {}, {threads, {}}).value(); });
+}
+
+void time_items(benchmark::State& state, const Workload& workload) {
+  std::vector<Item> items;
+  for (const Update& update : workload.updates) items.push_back(update.inserted);
+  time_at_once(state, workload, kBare,
+               [&](World& world) { benchmark::DoNotOptimize(world.insert_all(items).value()); });
+}
+
+/// As wall time: the processors' would add up the threads'.
+template <class Make>
+void register_points(const std::string& name, Make make) {
+  struct Contender {
+    const char* name;
+    WorldOptions options;
+    std::size_t threads;
+  };
+  for (const Contender& contender :
+       {Contender{"/waywright", kBare, 1}, {"/waywright_2_threads", kBare, 2}, {"/waywright_for_paths", {}, 1}}) {
+    benchmark::RegisterBenchmark((name + contender.name).c_str(),
+                                 [make, contender](benchmark::State& state) {
+                                   time_points(state, make(), contender.options, contender.threads);
+                                 })
+        ->Iterations(1)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace
 
 void register_insertions() {
   for (const std::size_t count : kThesisPointCounts) {
@@ -22,14 +80,19 @@ void register_insertions() {
     const std::size_t count = size.count;
     register_updates<Waywright>(size.name("random_points"), "waywright", [count] { return uniform_points(count); });
     register_updates<Waywright>(size.name("sorted_points"), "waywright", [count] { return sorted_points(count); });
-    benchmark::RegisterBenchmark((size.name("bulk_points") + "/waywright").c_str(),
-                                 [count](benchmark::State& state) { time_apply(state, uniform_points(count)); })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    register_points(size.name("bulk_points"), [count] { return uniform_points(count); });
   }
   for (const PointSize& side : lattice_sides()) {
     register_updates<Waywright>(side.name("lattice"), "waywright", [side] { return lattice_points(side.count); });
+    register_points(side.name("bulk_lattice"), [side] { return lattice_points(side.count); });
   }
+  for (const PointSize& size : growing_sizes()) {
+    register_points(size.name("growth"), [size] { return uniform_points(size.count); });
+  }
+  benchmark::RegisterBenchmark(("bulk_segments/" + std::to_string(kSegmentCount) + "/waywright").c_str(),
+                               [](benchmark::State& state) { time_items(state, disjoint_segments(kSegmentCount)); })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
   register_segments<Waywright>("waywright");
 }
 

@@ -14,7 +14,6 @@
 #include "waywright/world.hpp"
 
 #include "harness.hpp"
-#include "point_benchmarks.hpp"
 #include "real_scenes.hpp"
 #include "registers.hpp"
 #include "workloads.hpp"
@@ -111,28 +110,9 @@ void time_square_paths(benchmark::State& state, std::size_t count, PathAlgorithm
   time_queries(state, build(workload), queries, algorithm);
 }
 
-void time_locations(benchmark::State& state, std::size_t count) {
-  const Workload workload = sorted_points(count);
-  const World world = build(workload);
-  const std::vector<Point> targets = location_targets(count);
-  QueryContext context;
-  Location location;
-  for ([[maybe_unused]] const auto iteration : state) {
-    for (const Point& target : targets) world.locate(target, context, location).value();
-  }
-  report_time_per_operation(state, targets.size());
-  state.counters["vertices"] = static_cast<double>(world.vertex_count());
-}
-
 }  // namespace
 
 void register_paths() {
-  for (const PointSize& size : point_sizes()) {
-    benchmark::RegisterBenchmark((size.name("locate") + "/waywright").c_str(),
-                                 [count = size.count](benchmark::State& state) { time_locations(state, count); })
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
-  }
   for (const auto& [name, algorithm] : kAlgorithms) {
     if (!is_supported(algorithm)) continue;
     for (const std::size_t count : {100U, 500U, 2000U}) {

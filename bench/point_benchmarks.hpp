@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "workloads.hpp"
+
 namespace waywright::bench {
 
 /// A size of a workload of points; large ones are run only on demand.
@@ -27,6 +29,25 @@ inline const std::vector<PointSize>& lattice_sides() {
   return sides;
 }
 
+/// A world of points that grows, for the time per vertex.
+inline const std::vector<PointSize>& growing_sizes() {
+  static const std::vector<PointSize> sizes = {{"large/", 100'000}, {"large/", 1'000'000}, {"large/", 10'000'000}};
+  return sizes;
+}
+
+/// What is asked for, and among what.
+struct LocationKind {
+  std::string name;
+  Locations (*make)(std::size_t count);
+};
+
+inline const std::vector<LocationKind>& location_kinds() {
+  static const std::vector<LocationKind> kinds = {
+      {"locate", random_locations}, {"locate_sorted", sorted_locations}, {"locate_uneven", uneven_locations}};
+  return kinds;
+}
+
+inline constexpr std::size_t kSegmentCount = 100'000;
 inline constexpr std::size_t kThesisPointCounts[] = {1'000, 10'000};
 inline constexpr std::size_t kRemovalCount = 200'000;
 

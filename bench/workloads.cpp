@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -311,7 +312,45 @@ Workload random_squares(std::size_t count) {
   return workload;
 }
 
-std::vector<Point> location_targets(std::size_t count) { return unit_square_points(kTargetSeed, count); }
+Locations random_locations(std::size_t count) {
+  return {unit_square_points(kPointSeed, count), unit_square_points(kTargetSeed, count)};
+}
+
+Locations sorted_locations(std::size_t count) {
+  Locations locations = random_locations(count);
+  sort_along_hilbert_curve(locations.targets, {{0.0, 0.0}, {1.0, 1.0}});
+  return locations;
+}
+
+Locations uneven_locations(std::size_t count) {
+  Locations locations = random_locations(count);
+  for (std::vector<Point>* const points : {&locations.points, &locations.targets}) {
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      if (i % 10 != 0) (*points)[i] = {0.4 + (*points)[i].x / 10.0, 0.7 + (*points)[i].y / 10.0};
+    }
+  }
+  return locations;
+}
+
+Workload disjoint_segments(std::size_t count) {
+  Random random(61);
+  std::size_t side = 1;
+  while (side * side < count) ++side;
+  std::vector<std::size_t> cells(side * side);
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  for (std::size_t i = cells.size(); i > 1; --i) std::swap(cells[i - 1], cells[random.below(i)]);
+  const auto extent = static_cast<double>(side);
+  Workload workload{{{0.0, 0.0}, {extent, extent}}, {}, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = static_cast<double>(cells[i] % side);
+    const auto row = static_cast<double>(cells[i] / side);
+    const auto within = [&](double cell) { return cell + 0.02 + 0.96 * random.unit(); };
+    const Point from{within(column), within(row)};
+    const Point to{within(column), within(row)};
+    workload.updates.push_back({{}, make_item(i + 1, ItemKind::segment, {from, to})});
+  }
+  return workload;
+}
 
 std::vector<Point> free_points(const Workload& workload, std::size_t count) {
   Random random(8);

@@ -64,8 +64,21 @@ enum class Turn : unsigned char {
 /// Disjoint axis-aligned squares in a domain of 2^14, what paths are asked for in.
 [[nodiscard]] Workload random_squares(std::size_t count);
 
-/// Random places in the unit square, others than those of uniform_points(), to be found among them.
-[[nodiscard]] std::vector<Point> location_targets(std::size_t count);
+/// Places in the unit square to be found among others, as many of each.
+struct Locations {
+  std::vector<Point> points;   ///< the vertices
+  std::vector<Point> targets;  ///< what is asked for, in order
+};
+
+/// Random places, in random order.
+[[nodiscard]] Locations random_locations(std::size_t count);
+/// The same, the targets along a Hilbert curve.
+[[nodiscard]] Locations sorted_locations(std::size_t count);
+/// In random order; of the vertices and of the targets nine in ten crowd into a hundredth of the square.
+[[nodiscard]] Locations uneven_locations(std::size_t count);
+
+/// `count` segments, none of which touches another: one in each cell of a lattice, in random order.
+[[nodiscard]] Workload disjoint_segments(std::size_t count);
 
 /// Random whole points of the workload's domain that lie in none of its items' bounding boxes.
 [[nodiscard]] std::vector<Point> free_points(const Workload& workload, std::size_t count);

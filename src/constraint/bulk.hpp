@@ -86,6 +86,7 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
                                                                            AfterRecord&& after_record) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rank_and_slot;
   std::size_t corner = 0;
+  items_.reserve(batch.size());
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const ItemKind kind = batch.kind(i);
     const std::uint32_t slot = items_.add_item(batch.id(i), kind);

@@ -14,9 +14,14 @@ constexpr std::size_t kSmallestIndex = 16;
 
 ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({{}, kNone, ItemKind::polygon}); }
 
+void ItemTable::reserve(std::size_t count) {
+  items_.reserve(items_.size() + count);
+  make_room_in_index(count);
+}
+
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
-  make_room_in_index();
+  make_room_in_index(1);
   if (first_free_item_ == kNone) {
     items_.push_back({{}, kNone, kind});
     first_free_item_ = static_cast<std::uint32_t>(items_.size() - 1);
@@ -152,9 +157,11 @@ std::size_t ItemTable::position(ItemId id) const {
   return at;
 }
 
-void ItemTable::make_room_in_index() {
-  if (3 * (size_ + 1) <= 2 * index_.size()) return;
-  std::vector<std::uint32_t> larger(2 * index_.size(), kEmpty);
+void ItemTable::make_room_in_index(std::size_t count) {
+  std::size_t room = index_.size();
+  while (3 * (size_ + count) > 2 * room) room *= 2;
+  if (room == index_.size()) return;
+  std::vector<std::uint32_t> larger(room, kEmpty);
   index_.swap(larger);
   for (const std::uint32_t slot : larger) {
     if (slot != kEmpty) index_[position(items_[slot].id)] = slot;

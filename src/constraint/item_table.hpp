@@ -75,6 +75,8 @@ class ItemTable {
   /// Fills `outline`, for its memory.
   void outline(std::uint32_t item, Outline& outline) const;
 
+  /// Makes room for so many more items.
+  void reserve(std::size_t count);
   std::uint32_t add_item(ItemId id, ItemKind kind);
   /// Gives an item its corners and sides. To be called once.
   void set_outline(std::uint32_t item, const Outline& outline);
@@ -122,7 +124,7 @@ class ItemTable {
   /// Where the index has an id, or would put it.
   [[nodiscard]] std::size_t position(ItemId id) const;
   [[nodiscard]] std::size_t home(ItemId id) const;
-  void make_room_in_index();
+  void make_room_in_index(std::size_t count);
   void erase_from_index(ItemId id);
 
   std::vector<ItemRecord> items_;
