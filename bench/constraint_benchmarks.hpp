@@ -46,8 +46,9 @@ template <class Contender>
 void register_rts(const std::string& contender) {
   constexpr std::size_t kSteps = 20000;
   const std::string size = '/' + std::to_string(kSteps);
-  register_updates<Contender>("rts" + size, contender, [] { return rts(false, kSteps); });
-  register_updates<Contender>("rts_disjoint" + size, contender, [] { return rts(true, kSteps); });
+  register_updates<Contender>("rts" + size, contender, [] { return rts(Crowd::overlapping, kSteps); });
+  register_updates<Contender>("rts_sparse" + size, contender, [] { return rts(Crowd::sparse, kSteps); });
+  register_updates<Contender>("rts_disjoint" + size, contender, [] { return rts(Crowd::disjoint, kSteps); });
 }
 
 /// Real scenes, item by item.

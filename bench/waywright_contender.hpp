@@ -23,6 +23,7 @@ class Waywright {
     if (!update.inserted.id.is_null()) insert(update.inserted);
   }
 
+  [[nodiscard]] MeshSnapshot snapshot() const { return world_.snapshot(); }
   [[nodiscard]] std::size_t vertex_count() const { return world_.vertex_count(); }
   [[nodiscard]] std::string fault() const { return world_.validate().fault; }
 

@@ -110,11 +110,13 @@ bool touches_any(const Box& box, const std::vector<Box>& others) {
 }
 
 /// A polygon around a random centre. A corner in each quadrant keeps the centre inside and the polygon simple.
-Item rts_polygon(Random& random, std::size_t id) {
-  constexpr std::int64_t kReach = 8000;
+Item rts_polygon(Random& random, std::size_t id, std::int64_t largest_reach) {
   constexpr std::array<Point, 4> kQuadrants = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-  const Point centre = {random.between(kReach, kLargeSide - kReach), random.between(kReach, kLargeSide - kReach)};
-  const std::int64_t reach = kReach / 4 + static_cast<std::int64_t>(random.below(kReach * 3 / 4));
+  const Point centre = {random.between(largest_reach, kLargeSide - largest_reach),
+                        random.between(largest_reach, kLargeSide - largest_reach)};
+  const std::int64_t spread = largest_reach * 3 / 4;
+  const std::int64_t reach =
+      largest_reach - spread + static_cast<std::int64_t>(random.below(static_cast<std::size_t>(spread)));
   std::array<std::vector<Point>, 4> offsets;
   const std::size_t corner_count = 4 + random.below(5);
   for (std::size_t i = 0; i < corner_count; ++i) {
@@ -264,8 +266,10 @@ Workload moving_square(Turn turn, std::size_t steps) {
   return workload;
 }
 
-Workload rts(bool is_disjoint, std::size_t steps) {
+Workload rts(Crowd crowd, std::size_t steps) {
   constexpr std::size_t kCount = 2000;
+  const bool is_disjoint = crowd == Crowd::disjoint;
+  const std::int64_t reach = crowd == Crowd::sparse ? 2000 : 8000;
   Random random(is_disjoint ? 62 : 61);
   const double side = static_cast<double>(kLargeSide);
   Workload workload{{{0.0, 0.0}, {side, side}}, {}, {}};
@@ -273,8 +277,8 @@ Workload rts(bool is_disjoint, std::size_t steps) {
   std::vector<std::size_t> ids;
   std::size_t next_id = 1;
   const auto next_polygon = [&] {
-    Item item = rts_polygon(random, next_id);
-    while (is_disjoint && touches_any(bounding_box(item), boxes)) item = rts_polygon(random, next_id);
+    Item item = rts_polygon(random, next_id, reach);
+    while (is_disjoint && touches_any(bounding_box(item), boxes)) item = rts_polygon(random, next_id, reach);
     ++next_id;
     boxes.push_back(bounding_box(item));
     ids.push_back(item.id.value);
@@ -290,6 +294,22 @@ Workload rts(bool is_disjoint, std::size_t steps) {
     ids.pop_back();
     workload.updates.push_back({removed, next_polygon()});
   }
+  return workload;
+}
+
+Workload long_wall(std::size_t count) {
+  constexpr std::int64_t kDepth = 128;
+  constexpr std::int64_t kSpacing = 16;
+  Random random(71);
+  const std::int64_t length = static_cast<std::int64_t>(count) * kSpacing;
+  const double end = static_cast<double>(length);
+  Workload workload{{{-1.0, -2.0 * kDepth}, {end + 1.0, 2.0 * kDepth}}, {}, {}};
+  for (std::size_t i = 1; i <= count; ++i) {
+    const double depth = random.between(1, kDepth);
+    const Point point = {random.between(1, length - 1), i % 2 == 0 ? depth : -depth};
+    workload.before.push_back(make_item(i, ItemKind::point, {point}));
+  }
+  workload.updates.push_back({{}, make_item(count + 1, ItemKind::segment, {{0.0, 0.0}, {end, 0.0}})});
   return workload;
 }
 

@@ -57,9 +57,19 @@ enum class Turn : unsigned char {
 /// (10, 10), under one id.
 [[nodiscard]] Workload moving_square(Turn turn, std::size_t steps);
 
-/// A real-time strategy game: 2,000 polygons of 4 to 8 corners, up to 8,000 from their centres, in 2^20; each step one
-/// of them goes and another comes at a random place. They overlap, or none touches another.
-[[nodiscard]] Workload rts(bool is_disjoint, std::size_t steps);
+/// How the polygons of rts() lie.
+enum class Crowd : unsigned char {
+  overlapping,  ///< up to 8,000 from their centres: many overlap
+  sparse,       ///< up to 2,000 from their centres: few overlap
+  disjoint,     ///< up to 8,000 from their centres, and none touches another
+};
+
+/// A real-time strategy game: 2,000 polygons of 4 to 8 corners in 2^20; each step one of them goes and another comes at
+/// a random place.
+[[nodiscard]] Workload rts(Crowd crowd, std::size_t steps);
+
+/// A wall between the ends of a narrow band of `count` random points. It crosses about half as many edges.
+[[nodiscard]] Workload long_wall(std::size_t count);
 
 /// Disjoint axis-aligned squares in a domain of 2^14, what paths are asked for in.
 [[nodiscard]] Workload random_squares(std::size_t count);
