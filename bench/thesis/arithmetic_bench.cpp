@@ -135,7 +135,7 @@ void register_arithmetic() {
     register_case("moving_square_aligned", size, [](std::size_t steps) { return moving_square(Turn::none, steps); });
     register_case("moving_square_45", size, [](std::size_t steps) { return moving_square(Turn::by_45, steps); });
   }
-  register_case("rts", 20000, [](std::size_t steps) { return rts(false, steps); });
+  register_case("rts", 20000, [](std::size_t steps) { return rts(Crowd::overlapping, steps); });
 }
 
 }  // namespace waywright::bench
