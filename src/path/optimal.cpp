@@ -108,8 +108,10 @@ void Optimal::limit_lengths() {
   for (const Goal& goal : goals_) longest_ = std::max(longest_, std::min(goal.length, known_length_));
 }
 
+/// Requires: there is a goal.
 template <class Visit>
 void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
+  if (f < goal_faces_.front().face || f > goal_faces_.back().face) return;  // as nearly always
   const auto first = std::lower_bound(goal_faces_.begin(), goal_faces_.end(), f,
                                       [](const GoalFace& p, mesh::Face face) { return p.face < face; });
   for (auto at = first; at != goal_faces_.end() && at->face == f; ++at) visit(at->goal);
