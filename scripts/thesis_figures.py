@@ -41,8 +41,8 @@ FIGURES = {
 }
 
 WIDTH, HEIGHT = 330, 300  # of a panel
-LEFT, RIGHT, TOP, BOTTOM = 62, 14, 34, 46  # around its plot
-LEGEND = 26
+LEFT, RIGHT, TOP, BOTTOM = 58, 26, 34, 46  # around its plot
+LEGEND, LEGEND_ENTRY = 26, 160  # its height, the width of an entry
 
 
 def read_curves(file, workload):
@@ -106,12 +106,12 @@ def panel(curves, x0, y0, title, along, up):
 
 def legend(names, width):
     parts = []
-    x = max(10.0, (width - 150 * len(names)) / 2)
+    x = max(10.0, (width - LEGEND_ENTRY * len(names)) / 2)
     for name in names:
         label, colour = CONTENDERS[name]
         parts.append(f'<path d="M{x:.1f} 14h22" stroke="{colour}" stroke-width="3"/>')
         parts.append(text(x + 28, 18, label, "start"))
-        x += 150
+        x += LEGEND_ENTRY
     return parts
 
 
@@ -122,7 +122,7 @@ def draw(file, panels):
     if not drawn:
         return None
     names = [name for name in CONTENDERS if any(name in curves for curves, *_ in drawn)]
-    width = max(WIDTH * len(drawn), 150 * len(names) + 20)
+    width = max(WIDTH * len(drawn), LEGEND_ENTRY * len(names) + 20)
     start = (width - WIDTH * len(drawn)) / 2
     parts = legend(names, width)
     for i, (curves, title, along, up) in enumerate(drawn):
