@@ -1,6 +1,8 @@
 #include "path/tra_star.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 
 namespace waywright::path {
 
@@ -12,6 +14,7 @@ void TraStar::begin(const Triangulation& triangulation, const Abstraction& abstr
   mesh_ = &triangulation.topology();
   geometry_ = &triangulation.triangulation().geometry();
   core_ = &abstraction.core();
+  components_ = &abstraction.components();
 }
 
 void TraStar::find(Path& path) {
@@ -20,7 +23,9 @@ void TraStar::find(Path& path) {
   forget_marks();
   mark_ways_to_goal();
   for (const HalfEdge h : ends_->start_faces()) mark(mesh::face(h), kChosen);
-  for (const HalfEdge h : ends_->start_faces()) leave_start_face(h);
+  for (const HalfEdge h : ends_->start_faces()) {
+    if (is_joined_to_goal(mesh::face(h))) leave_start_face(h);
+  }
   while (!open_.empty()) {
     const std::uint32_t position = open_.pop();
     const Node node = nodes_[position];
@@ -51,23 +56,61 @@ void TraStar::mark(Face f, std::uint32_t mark) {
   marks = (marks >= query_ ? marks : query_) | mark;
 }
 
+bool TraStar::is_joined_to_goal(Face f) const {
+  const auto& goals = ends_->goal_faces();
+  return std::any_of(goals.begin(), goals.end(),
+                     [&](HalfEdge h) { return components_->of(mesh::face(h)) == components_->of(f); });
+}
+
 void TraStar::mark_ways_to_goal() {
-  for (const HalfEdge h : ends_->goal_faces()) {
-    Face f = mesh::face(h);
-    mark(f, kGoal);
-    while ((marks_of(f) & kAboveGoal) == 0) {
-      mark(f, kAboveGoal);
-      const HalfEdge up = core_->is_core(f) ? mesh::kNoHalfEdge : core_->towards_core(f);
-      if (up == mesh::kNoHalfEdge) break;
-      f = mesh::face(mesh_->twin(up));
+  tops_.clear();
+  for (const HalfEdge h : ends_->goal_faces()) climb_from_goal(mesh::face(h));
+  if (ends_->goal_faces().size() > 1) mark_ways_between_goals();
+}
+
+void TraStar::climb_from_goal(Face goal) {
+  mark(goal, kGoal);
+  for (Face f = goal; (marks_of(f) & kAboveGoal) == 0;) {
+    mark(f, kAboveGoal);
+    const HalfEdge up = core_->is_core(f) ? mesh::kNoHalfEdge : core_->towards_core(f);
+    if (up == mesh::kNoHalfEdge) return tops_.push_back(f);
+    f = mesh::face(mesh_->twin(up));
+  }
+}
+
+/// From a face above the goal, a way that isn't down leads to it too where more goal faces are in its component than
+/// lie below: beside another top, and under a face that is itself the goal, parts, or has such a way.
+void TraStar::mark_ways_between_goals() {
+  const auto component = [&](Face top) { return components_->of(top); };
+  std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });
+  for (std::size_t i = 1; i < tops_.size(); ++i) {
+    if (component(tops_[i - 1]) != component(tops_[i])) continue;
+    mark(tops_[i - 1], kGoalElsewhere);
+    mark(tops_[i], kGoalElsewhere);
+  }
+  while (!tops_.empty()) {
+    const Face f = tops_.back();
+    tops_.pop_back();
+    const unsigned down = ways_down(f);
+    const bool is_elsewhere = (marks_of(f) & (kGoal | kGoalElsewhere)) != 0 || std::popcount(down) > 1;
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      if ((down >> side & 1U) == 0) continue;
+      const Face below = mesh::face(mesh_->twin(HalfEdge{3 * number(f) + side}));
+      if (is_elsewhere) mark(below, kGoalElsewhere);
+      tops_.push_back(below);
     }
   }
 }
 
-/// The sides of a face, a bit for each, by which a way to the goal can leave it. Above the goal that is the way down;
-/// in a dead end the way up; in the core all that stay in the core.
+/// The sides of a face, a bit for each, by which a way to the goal can leave it. Above the goal that is the way down,
+/// and where there is more of the goal elsewhere, the way to that; in a dead end the way up; in the core all that stay
+/// in the core. Of a tree without a core, they are the same whichever face is its root.
 unsigned TraStar::ways_on(Face f, std::uint32_t marks) const {
-  if ((marks & kAboveGoal) != 0) return ways_down(f);
+  if ((marks & kAboveGoal) == 0) return ways_up(f);
+  return (marks & kGoalElsewhere) == 0 ? ways_down(f) : ways_down(f) | ways_up(f);
+}
+
+unsigned TraStar::ways_up(Face f) const {
   if (core_->is_core(f)) return core_->ways(f);
   const HalfEdge up = core_->towards_core(f);
   return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));

@@ -47,17 +47,22 @@ class TraStar {
 
   // What is known of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
-  static constexpr std::uint32_t kAboveGoal = 2;  ///< the goal itself or, from it, on the way towards the core
-  static constexpr std::uint32_t kChosen = 4;     ///< a choice has been made here
-  static constexpr std::uint32_t kMarks = 8;
+  static constexpr std::uint32_t kAboveGoal = 2;      ///< the goal itself or, from it, on the way towards the core
+  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< above the goal, but not above all its faces in the component
+  static constexpr std::uint32_t kChosen = 8;         ///< a choice has been made here
+  static constexpr std::uint32_t kMarks = 16;
 
   void forget_marks();
   [[nodiscard]] std::uint32_t marks_of(mesh::Face f) const {
     return marks_[number(f)] >= query_ ? marks_[number(f)] - query_ : 0;
   }
   void mark(mesh::Face f, std::uint32_t mark);
+  [[nodiscard]] bool is_joined_to_goal(mesh::Face f) const;
   void mark_ways_to_goal();
+  void climb_from_goal(mesh::Face goal);
+  void mark_ways_between_goals();
   [[nodiscard]] unsigned ways_on(mesh::Face f, std::uint32_t marks) const;
+  [[nodiscard]] unsigned ways_up(mesh::Face f) const;
   [[nodiscard]] unsigned ways_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
   void leave(const Node& node, std::uint32_t position);
@@ -71,11 +76,13 @@ class TraStar {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const exact::Geometry* geometry_ = nullptr;
   const TwoCore* core_ = nullptr;
+  const Components* components_ = nullptr;
 
   std::vector<Node> nodes_;
   OpenList open_;                      ///< positions in `nodes_`
   std::vector<std::uint32_t> marks_;   ///< by face: `query_` and marks, if it is this query's
   std::uint32_t query_ = 0;            ///< a multiple of kMarks
+  std::vector<mesh::Face> tops_;       ///< faces of the core, and roots, above the goal; then faces below them
   std::vector<std::uint32_t> chosen_;  ///< the nodes of the path, from the goal back
   std::vector<mesh::HalfEdge> exits_;  ///< the edges that the channel crosses, in the faces before them
   TautTree tree_;

@@ -59,6 +59,24 @@ TEST_P(PointPaths, AroundTheNearerSideOfASolid) {
   EXPECT_DOUBLE_EQ(path.length, 2 + 4 * std::numbers::sqrt2);
 }
 
+// Around a wedge that stands on its tip, on the border: its tip can be reached on both sides, and the ways there are
+// all tree. Which of its faces is the root, the guest that came and went may have changed.
+TEST_P(PointPaths, OnTheNearerSideToATipThatPartsTheGround) {
+  const double length = 2 * std::numbers::sqrt2 + std::sqrt(45.0);
+  for (int guest = 0; guest < 10; ++guest) {
+    World world = world_of(kTen, {{ItemKind::polygon, {{{5, 0}, {8, 6}, {2, 6}}}}});
+    const double x = guest + 0.25;
+    const auto id = world.insert(wall({x, 9}, {x, 9.5})).value();
+    ASSERT_TRUE(world.remove(id).ok());
+    const Path on_the_left = path_of(world, {4, 8}, {5, 0});
+    EXPECT_EQ(on_the_left.points, (std::vector<Point>{{4, 8}, {2, 6}, {5, 0}})) << guest;
+    EXPECT_DOUBLE_EQ(on_the_left.length, length);
+    const Path on_the_right = path_of(world, {6, 8}, {5, 0});
+    EXPECT_EQ(on_the_right.points, (std::vector<Point>{{6, 8}, {8, 6}, {5, 0}})) << guest;
+    EXPECT_DOUBLE_EQ(on_the_right.length, length);
+  }
+}
+
 TEST_P(PointPaths, WallsThatMeetLeaveNoWay) {
   const World crossing = world_of(kTen, {wall({5, 0}, {5, 5}), wall({5, 5}, {5, 10})});
   EXPECT_EQ(path_of(crossing, {1, 5}, {9, 5}).status, PathStatus::no_path);
