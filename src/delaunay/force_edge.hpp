@@ -2,20 +2,16 @@
 
 #include <algorithm>
 
-#include "delaunay/tie_rule.hpp"
 #include "delaunay/triangulation.hpp"
 
 namespace waywright::delaunay {
 
 //              left chain
 //         q ------ r ------ s              The faces between u and w that the edge u - w crosses leave a cavity. Each
-//         of
-//       /   \    /   \    /   \            its halves is a polygon over the new edge, triangulated on its own. An edge
-//      u - - - - - - - - - - - w           whose two sides lie both in the cavity dangles into it: the chain walks it
-//      to
-//       \   /    \   /    \   /            and fro, and the polygon is one only in a weak sense. Anglada's choice of
-//       the
-//         p ------ + ------ +              apex is right for these as well.
+//       /   \    /   \    /   \            of its halves is a polygon over the new edge, triangulated on its own. An
+//      u - - - - - - - - - - - w           edge whose two sides lie both in the cavity dangles into it: the chain walks
+//       \   /    \   /    \   /            it to and fro, and the polygon is one only in a weak sense.
+//         p ------ + ------ +
 //              right chain
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::force_edge(mesh::Vertex u, mesh::Vertex w,
@@ -27,8 +23,9 @@ mesh::HalfEdge Triangulation<Geometry>::force_edge(mesh::Vertex u, mesh::Vertex 
   const mesh::HalfEdge left = triangulate(left_chain_, w);
   const mesh::HalfEdge right = triangulate(right_chain_, u);
   mesh_.link(left, right, label);
-  remember(left);
-  return left;
+  const mesh::HalfEdge edge = legalise_cavity() ? mesh_.find(u, w) : left;
+  remember(edge);
+  return edge;
 }
 
 // The left chain runs from u to w, the right one from w to u: each has its polygon on the right of its own way and on
@@ -78,51 +75,68 @@ void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
   }
 }
 
+//          b              Wherever the way along the chain turns right, there is an ear, whichever ears have been
+//        /   \            cut before. Suppose that z, in the triangle or on a - r, comes after r. Some edge that was
+//      a ----- r          crossed joins z to the base. It can't leave through b - r, which is part of the chain or has
+//     /         \         nothing but ears behind it, that let it out nowhere else. So it leaves through a - r and
+//    u - - - - - w        meets the base before the edge of r does; but the edges meet the base in the chain's order.
+//
+// So one pass with a stack cuts the polygon into triangles, as Graham's scan does; flips then make them Delaunay.
+// Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
+// 1982, where a polygon all of whose points are seen from one edge is cut so.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex end) {
   const auto last = static_cast<std::uint32_t>(chain.size());
-  const auto vertex = [&](std::uint32_t i) { return i == last ? end : chain[i].from; };
-  mesh::HalfEdge result = mesh::kNoHalfEdge;
-  bases_.clear();
-  bases_.push_back({0, last, mesh::kNoHalfEdge});
-  while (!bases_.empty()) {
-    const Base base = bases_.back();
-    bases_.pop_back();
-    const std::uint32_t apex = delaunay_apex(chain, end, base);
-    const mesh::Face f = mesh_.add_face();
-    const mesh::HalfEdge h = mesh::first(f);
-    mesh_.set_corners(f, vertex(base.from), vertex(base.to), vertex(apex));
-    if (base.parent == mesh::kNoHalfEdge) {
-      result = h;
-    } else {
-      mesh_.link(h, base.parent, 0);
+  corners_.clear();
+  corners_.push_back({chain.front().from, 0, mesh::kNoHalfEdge});
+  for (std::uint32_t i = 1; i <= last; ++i) {
+    ChainCorner r{i == last ? end : chain[i].from, i - 1, mesh::kNoHalfEdge};
+    while (corners_.size() > 1) {
+      const ChainCorner& b = corners_.back();
+      const ChainCorner& a = corners_[corners_.size() - 2];
+      if (orientation(a.vertex, b.vertex, r.vertex) != exact::Sign::negative) break;
+      r.base = cut_ear(chain, a.vertex, b, r);
+      corners_.pop_back();
     }
-    const Base right{apex, base.to, mesh::next(h)};
-    const Base left{base.from, apex, mesh::previous(h)};
-    for (const Base& side : {right, left}) {
-      if (side.to == side.from + 1) {
-        close(chain, side.from, side.parent);
-      } else {
-        bases_.push_back(side);
-      }
-    }
+    corners_.push_back(r);
   }
-  return result;
+  return corners_.back().base;
 }
 
-// The chain vertex whose circle with the base's ends holds no other vertex of the chain between them. The chain lies on
-// the left of the base, for the edges that it crossed went there from beyond it (Anglada).
+/// Makes the triangle of `a`, `b` and `r`. Returns its half-edge from `a` to `r`, which has no twin yet.
 template <class Geometry>
-std::uint32_t Triangulation<Geometry>::delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base) const {
-  if (base.to == base.from + 2) return base.from + 1;
-  const mesh::Vertex from = chain[base.from].from;
-  const mesh::Vertex to = base.to == chain.size() ? end : chain[base.to].from;
-  std::uint32_t apex = base.to;
-  for (std::uint32_t i = base.from + 1; i < base.to; ++i) {
-    const mesh::Vertex v = chain[i].from;
-    if (apex == base.to || circle_holds(from, to, chain[apex].from, v)) apex = i;
-  }
-  return apex;
+mesh::HalfEdge Triangulation<Geometry>::cut_ear(Chain& chain, mesh::Vertex a, const ChainCorner& b,
+                                                const ChainCorner& r) {
+  const mesh::Face f = mesh_.add_face();
+  const mesh::HalfEdge base = mesh::first(f);
+  mesh_.set_corners(f, a, r.vertex, b.vertex);
+  const auto join = [&](mesh::HalfEdge inner, const ChainCorner& corner) {
+    if (corner.base == mesh::kNoHalfEdge) return close(chain, corner.position, inner);
+    mesh_.link(inner, corner.base, 0);
+    freed_.push_back(inner);
+  };
+  join(mesh::next(base), r);
+  join(mesh::previous(base), b);
+  return base;
+}
+
+/// Flips what is illegal between the chains; they themselves are Delaunay and stay where they are, for who forces an
+/// edge may hold on to what lies beyond them. Returns whether anything had to be flipped.
+template <class Geometry>
+bool Triangulation<Geometry>::legalise_cavity() {
+  while (!freed_.empty() && is_legal(freed_.back())) freed_.pop_back();
+  if (freed_.empty()) return false;
+  const auto for_each_border = [&](auto&& visit) {
+    for (const Chain* chain : {&left_chain_, &right_chain_}) {
+      for (const ChainEdge& edge : *chain) {
+        if (edge.partner == kNotDangling && edge.label == 0) visit(edge.outer);
+      }
+    }
+  };
+  for_each_border([&](mesh::HalfEdge h) { mesh_.hold(h); });
+  legalise_freed();
+  for_each_border([&](mesh::HalfEdge h) { mesh_.release(h); });
+  return true;
 }
 
 template <class Geometry>
@@ -135,12 +149,6 @@ void Triangulation<Geometry>::close(Chain& chain, std::uint32_t position, mesh::
   } else if (chain[edge.partner].is_rebuilt) {
     mesh_.link(inner, chain[edge.partner].inner, edge.label);
   }
-}
-
-template <class Geometry>
-bool Triangulation<Geometry>::circle_holds(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d) const {
-  if (a == d || b == d || c == d) return false;
-  return delaunay::circle_holds(geometry_, view(a), view(b), view(c), view(d));
 }
 
 }  // namespace waywright::delaunay

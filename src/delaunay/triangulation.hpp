@@ -100,8 +100,9 @@ class Triangulation {
 
   /// Makes u - w an edge by retriangulating what it crosses, and fixes it under `label`. `crossed` lists the edges
   /// between them in order from u to w, each half-edge in the face on u's side (so that it crosses from the right of
-  /// the way to its left); all are free, and no vertex lies between u and w. Returns the half-edge from u to w. Source:
-  /// Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations*, 1997.
+  /// the way to its left); all are free, and no vertex lies between u and w. Returns the half-edge from u to w. Faces
+  /// beyond what is crossed stay as they are. Source: the cavity, Anglada, *An improved incremental algorithm for
+  /// constructing restricted Delaunay triangulations*, 1997; see force_edge.hpp for how it is filled.
   mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
                             mesh::Label label);
 
@@ -126,10 +127,12 @@ class Triangulation {
   };
   using Chain = std::vector<ChainEdge>;
 
-  /// The part of a chain between two of its vertices, and the edge that joins them.
-  struct Base {
-    std::uint32_t from, to;  ///< positions in the chain
-    mesh::HalfEdge parent;   ///< the joining edge's half-edge on the other side
+  /// A vertex of a chain whose ear hasn't been cut, and how it is joined to the one before it: by the chain edge at
+  /// `position`, or by a triangle's half-edge that runs from there to here.
+  struct ChainCorner {
+    mesh::Vertex vertex;
+    std::uint32_t position;
+    mesh::HalfEdge base;  ///< kNoHalfEdge: by the chain edge
   };
 
   mesh::Vertex add_vertex(const Point& point);
@@ -151,13 +154,12 @@ class Triangulation {
   void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
   void append_to(Chain& chain, mesh::HalfEdge inner);
   void pair_dangling_edges(Chain& chain);
-  /// Triangulates the polygon on the left of the way from the chain's first vertex to its last, `end`. Returns the
-  /// half-edge of that way.
+  /// Cuts the polygon on the left of the way from the chain's first vertex to its last, `end`, into triangles, the
+  /// edges between which go to `freed_`. Returns the half-edge of that way.
   mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end);
-  [[nodiscard]] std::uint32_t delaunay_apex(const Chain& chain, mesh::Vertex end, const Base& base) const;
+  mesh::HalfEdge cut_ear(Chain& chain, mesh::Vertex a, const ChainCorner& b, const ChainCorner& r);
+  bool legalise_cavity();
   void close(Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
-  /// Whether the circle through `a`, `b`, `c` (counter-clockwise) holds `d`, ties broken.
-  [[nodiscard]] bool circle_holds(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d) const;
 
   mesh::TriangleMesh mesh_;
   Geometry geometry_;
@@ -176,7 +178,7 @@ class Triangulation {
   Chain left_chain_, right_chain_;
   std::vector<std::uint32_t> dangling_;
   std::vector<mesh::Face> cavity_;
-  std::vector<Base> bases_;
+  std::vector<ChainCorner> corners_;
 };
 
 }  // namespace waywright::delaunay

@@ -113,6 +113,14 @@ void TriangleMesh::write_label(HalfEdge h, Label label) {
   }
 }
 
+void TriangleMesh::hold(HalfEdge h) {
+  for (const HalfEdge side : {h, twin(h)}) corners_[number(side)].twin |= kFixed;
+}
+
+void TriangleMesh::release(HalfEdge h) {
+  for (const HalfEdge side : {h, twin(h)}) corners_[number(side)].twin &= ~kFixed;
+}
+
 void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
   const std::uint32_t twin_and_flag = corners_[number(from)].twin;
   std::uint32_t& back = corners_[twin_and_flag & ~kFixed].twin;
