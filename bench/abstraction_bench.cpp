@@ -19,12 +19,6 @@ namespace {
 
 constexpr std::array<std::size_t, 3> kSquareCounts = {100, 500, 2000};
 
-/// A world that keeps its mesh and nothing for paths.
-class WaywrightMeshOnly : public WaywrightReplace {
- public:
-  explicit WaywrightMeshOnly(const Box& domain) : WaywrightReplace(domain, {.keep_abstraction = false}) {}
-};
-
 /// One of the squares at a time moves a little, and back when its turn comes again.
 Workload square_moves(std::size_t count) {
   constexpr std::size_t kMoves = 4000;
@@ -71,8 +65,9 @@ void time_parted_ends(benchmark::State& state, std::size_t count) {
 void register_abstraction() {
   for (const std::size_t count : kSquareCounts) {
     const std::string moves = "square_moves/" + std::to_string(count);
+    register_updates<ForPaths<WaywrightReplace>>(moves, "waywright_replace_for_paths",
+                                                 [count] { return square_moves(count); });
     register_updates<WaywrightReplace>(moves, "waywright_replace", [count] { return square_moves(count); });
-    register_updates<WaywrightMeshOnly>(moves, "waywright_mesh_only", [count] { return square_moves(count); });
     benchmark::RegisterBenchmark(("no_path/" + std::to_string(count) + "/waywright").c_str(),
                                  [count](benchmark::State& state) { time_parted_ends(state, count); })
         ->Iterations(1)

@@ -16,9 +16,6 @@
 namespace waywright::bench {
 namespace {
 
-/// A triangulation and no more, which is all that the others make.
-constexpr WorldOptions kBare{.keep_abstraction = false};
-
 /// Times what `insert` does with a fresh world. Its destruction is off the clock.
 template <class Insert>
 void time_at_once(benchmark::State& state, const Workload& workload, const WorldOptions& options, Insert&& insert) {
@@ -45,7 +42,7 @@ void time_points(benchmark::State& state, const Workload& workload, const WorldO
 void time_items(benchmark::State& state, const Workload& workload) {
   std::vector<Item> items;
   for (const Update& update : workload.updates) items.push_back(update.inserted);
-  time_at_once(state, workload, kBare,
+  time_at_once(state, workload, kMeshOnly,
                [&](World& world) { benchmark::DoNotOptimize(world.insert_all(items).value()); });
 }
 
@@ -57,8 +54,9 @@ void register_points(const std::string& name, Make make) {
     WorldOptions options;
     std::size_t threads;
   };
-  for (const Contender& contender :
-       {Contender{"/waywright", kBare, 1}, {"/waywright_2_threads", kBare, 2}, {"/waywright_for_paths", {}, 1}}) {
+  for (const Contender& contender : {Contender{"/waywright", kMeshOnly, 1},
+                                     {"/waywright_2_threads", kMeshOnly, 2},
+                                     {"/waywright_for_paths", {}, 1}}) {
     benchmark::RegisterBenchmark((name + contender.name).c_str(),
                                  [make, contender](benchmark::State& state) {
                                    time_points(state, make(), contender.options, contender.threads);
@@ -73,8 +71,9 @@ void register_points(const std::string& name, Make make) {
 
 void register_insertions() {
   for (const std::size_t count : kThesisPointCounts) {
-    register_updates<Waywright>("thesis_points/" + std::to_string(count), "waywright",
-                                [count] { return thesis_points(count); });
+    const std::string name = "thesis_points/" + std::to_string(count);
+    register_updates<Waywright>(name, "waywright", [count] { return thesis_points(count); });
+    register_updates<ForPaths<Waywright>>(name, "waywright_for_paths", [count] { return thesis_points(count); });
   }
   for (const PointSize& size : point_sizes()) {
     const std::size_t count = size.count;

@@ -9,13 +9,14 @@
 #include "harness.hpp"
 #include "point_benchmarks.hpp"
 #include "registers.hpp"
+#include "waywright_contender.hpp"
 #include "workloads.hpp"
 
 namespace waywright::bench {
 namespace {
 
 void time_locations(benchmark::State& state, const Locations& locations) {
-  World world = World::create({{0.0, 0.0}, {1.0, 1.0}}, {.keep_abstraction = false}).value();
+  World world = World::create({{0.0, 0.0}, {1.0, 1.0}}, kMeshOnly).value();
   world.insert_points(locations.points).value();
   QueryContext context;
   Location location;

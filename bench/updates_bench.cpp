@@ -66,6 +66,7 @@ void register_updates() {
   register_moving_square<Waywright>("waywright");
   register_moving_square<WaywrightReplace>("waywright_replace");
   register_rts<Waywright>("waywright");
+  register_rts<ForPaths<Waywright>>("waywright_for_paths");
   register_walls();
 }
 

@@ -10,10 +10,13 @@
 
 namespace waywright::bench {
 
+/// A triangulation and no more, which is all that the others make.
+inline constexpr WorldOptions kMeshOnly{.keep_abstraction = false};
+
 /// This library: an update is a removal and an insertion.
 class Waywright {
  public:
-  explicit Waywright(const Box& domain, const WorldOptions& options = {})
+  explicit Waywright(const Box& domain, const WorldOptions& options = kMeshOnly)
       : world_(World::create(domain, options).value()) {}
 
   void insert(const Item& item) { static_cast<void>(world_.insert(item.shape, item.id).value()); }
@@ -40,6 +43,13 @@ class WaywrightReplace : public Waywright {
   using Waywright::Waywright;
 
   void update(const Update& update) { world().replace(update.removed, update.inserted.shape).value(); }
+};
+
+/// One of them, with everything kept up that paths live on.
+template <class Contender>
+class ForPaths : public Contender {
+ public:
+  explicit ForPaths(const Box& domain) : Contender(domain, WorldOptions{}) {}
 };
 
 }  // namespace waywright::bench
