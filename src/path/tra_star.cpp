@@ -102,18 +102,10 @@ void TraStar::mark_ways_between_goals() {
   }
 }
 
-/// The sides of a face, a bit for each, by which a way to the goal can leave it. Above the goal that is the way down,
-/// and where there is more of the goal elsewhere, the way to that; in a dead end the way up; in the core all that stay
-/// in the core. Of a tree without a core, they are the same whichever face is its root.
-unsigned TraStar::ways_on(Face f, std::uint32_t marks) const {
-  if ((marks & kAboveGoal) == 0) return ways_up(f);
+/// Down, and where there is more of the goal elsewhere, to that. Of a tree without a core, these and ways_up() are the
+/// same whichever face is its root.
+unsigned TraStar::ways_above_goal(Face f, std::uint32_t marks) const {
   return (marks & kGoalElsewhere) == 0 ? ways_down(f) : ways_down(f) | ways_up(f);
-}
-
-unsigned TraStar::ways_up(Face f) const {
-  if (core_->is_core(f)) return core_->ways(f);
-  const HalfEdge up = core_->towards_core(f);
-  return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
 }
 
 unsigned TraStar::ways_down(Face f) const {

@@ -61,8 +61,17 @@ class TraStar {
   void mark_ways_to_goal();
   void climb_from_goal(mesh::Face goal);
   void mark_ways_between_goals();
-  [[nodiscard]] unsigned ways_on(mesh::Face f, std::uint32_t marks) const;
-  [[nodiscard]] unsigned ways_up(mesh::Face f) const;
+  /// The sides of a face, a bit for each, by which a way to the goal can leave it.
+  [[nodiscard]] unsigned ways_on(mesh::Face f, std::uint32_t marks) const {
+    return (marks & kAboveGoal) == 0 ? ways_up(f) : ways_above_goal(f, marks);
+  }
+  /// In a dead end the way up; in the core all that stay in the core.
+  [[nodiscard]] unsigned ways_up(mesh::Face f) const {
+    if (core_->is_core(f)) return core_->ways(f);
+    const mesh::HalfEdge up = core_->towards_core(f);
+    return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
+  }
+  [[nodiscard]] unsigned ways_above_goal(mesh::Face f, std::uint32_t marks) const;
   [[nodiscard]] unsigned ways_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
   void leave(const Node& node, std::uint32_t position);
