@@ -46,7 +46,10 @@ void Abstraction::begin() {
 void Abstraction::update(const Triangulation& triangulation) {
   Guard guard(*this);
   collect_touched(triangulation);
-  if (2 * gone_.size() > triangulation.topology().face_slots()) {
+  if (is_in_the_open(triangulation.topology())) {
+    components_.refill(triangulation.topology(), gone_, made_);
+    core_.refill(triangulation.topology(), gone_, made_);
+  } else if (2 * gone_.size() > triangulation.topology().face_slots()) {
     collect_all(triangulation);
     bring_up_to_date(triangulation, {gone_, made_, {}, {}});
   } else {
@@ -81,6 +84,22 @@ void Abstraction::collect_touched(const Triangulation& triangulation) {
   const auto is_common = [&](std::uint32_t item) { return std::binary_search(common_.begin(), common_.end(), item); };
   std::erase_if(inserted_, is_common);
   std::erase_if(removed_, is_common);
+}
+
+/// Whether all that changed lies among faces that had, and have again, ways over all three of their edges: then they
+/// are of one component and of the core, as before.
+bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
+  if (!inserted_.empty() || !removed_.empty()) return false;
+  Components::Label component = Components::kNone;
+  for (const Face f : gone_) {
+    if (core_.is_absent(f)) continue;
+    if (component == Components::kNone) component = components_.of(f);
+    if (core_.degree(f) != 3 || components_.of(f) != component) return false;
+  }
+  return component != Components::kNone && std::all_of(made_.begin(), made_.end(), [&](Face f) {
+           const mesh::HalfEdge h = mesh::first(f);
+           return !mesh.is_fixed(h) && !mesh.is_fixed(mesh::next(h)) && !mesh.is_fixed(mesh::previous(h));
+         });
 }
 
 /// All faces, as if none had been there before.

@@ -47,6 +47,7 @@ class Abstraction {
   void bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes);
   void collect_touched(const Triangulation& triangulation);
   void collect_all(const Triangulation& triangulation);
+  [[nodiscard]] bool is_in_the_open(const mesh::TriangleMesh& mesh) const;
   void collect_made(const Triangulation& triangulation);
 
   Components components_;

@@ -10,10 +10,7 @@ using mesh::HalfEdge;
 
 void Components::update(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  if (labels_.size() < mesh.face_slots()) {
-    marks_.resize(mesh.face_slots(), 0);
-    labels_.resize(mesh.face_slots(), kNone);
-  }
+  make_room(mesh);
   constexpr std::uint32_t kMarksToSpare = 0x40000000;  // more than an update takes
   if (next_mark_ > ~kMarksToSpare) {
     std::fill(marks_.begin(), marks_.end(), 0);
@@ -27,6 +24,28 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   label_parts(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon);
+}
+
+void Components::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+  make_room(mesh);
+  Label component = kNone;
+  std::uint32_t gone_count = 0;
+  for (const Face f : gone) {
+    if (labels_[number(f)] == kNone) continue;
+    component = labels_[number(f)];
+    ++gone_count;
+    write_label(f, kNone);
+  }
+  for (const Face f : made) write_label(f, component);
+  Record record = records_[component];
+  record.size += static_cast<std::uint32_t>(made.size()) - gone_count;
+  write_record(component, record);
+}
+
+void Components::make_room(const mesh::TriangleMesh& mesh) {
+  if (labels_.size() >= mesh.face_slots()) return;
+  marks_.resize(mesh.face_slots(), 0);
+  labels_.resize(mesh.face_slots(), kNone);
 }
 
 /// The changed faces leave their components. One without faces is none.

@@ -51,6 +51,10 @@ class Components {
   /// Brings everything up to the triangulation. Whatever it changes is logged first.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
+  /// update() where `made` fill the place of `gone` with no wall in or around it, before or after, and no polygon came
+  /// or went.
+  void refill(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
+
   /// Where other components of the same faces differ, or nothing.
   [[nodiscard]] std::optional<std::string> find_difference(const Components& other,
                                                            std::span<const mesh::Face> faces) const;
@@ -96,6 +100,7 @@ class Components {
   };
 
   // Labels.
+  void make_room(const mesh::TriangleMesh& mesh);
   void take_out(std::span<const mesh::Face> gone);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
   void find_contacts(const mesh::TriangleMesh& mesh);

@@ -32,6 +32,12 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   for (const Face f : made) states_[number(f)] = static_cast<State>(states_[number(f)] & ~kNew);
 }
 
+void TwoCore::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+  if (states_.size() < mesh.face_slots()) states_.resize(mesh.face_slots(), kAbsent);
+  for (const Face f : gone) write(f, kAbsent);
+  for (const Face f : made) write(f, kCore | kWays);
+}
+
 void TwoCore::roll_back() {
   for (; !log_.empty(); log_.pop_back()) states_[number(log_.back().first)] = log_.back().second;
 }

@@ -43,6 +43,13 @@ class TwoCore {
   /// know.
   void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
 
+  /// Whether the face was none of the graph's at the last time.
+  [[nodiscard]] bool is_absent(mesh::Face f) const {
+    return number(f) >= states_.size() || states_[number(f)] == kAbsent;
+  }
+  /// update() where all of `gone` that were in the graph had three ways in the core, and all of `made` have three ways.
+  void refill(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
+
   /// Where another core of the same graph differs, or nothing. The roots of trees without a core may be others, but
   /// each has to have one.
   [[nodiscard]] std::optional<std::string> find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,

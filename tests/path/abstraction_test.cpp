@@ -282,6 +282,35 @@ TEST(Abstraction, RingsComeAndGoInATree) {
   }
 }
 
+// No wall has a part in such changes, so they are looked at only briefly; but each place has a component of its own.
+TEST(Abstraction, KeepsComponentsApartWherePointsComeAndGoInTheOpen) {
+  Reduced reduced({{0, 0}, {100, 100}});
+  std::vector<Change> lattice{
+      {Change::Kind::insert, {}, {ItemKind::polygon, {{{30, 30}, {70, 30}, {70, 70}, {30, 70}}}}}};
+  std::vector<ItemId> ids{ItemId{1}};
+  for (int x = 2; x < 100; x += 4) {
+    for (int y = 2; y < 100; y += 4) {
+      const Point point{static_cast<double>(x), static_cast<double>(y)};
+      lattice.push_back({Change::Kind::insert, {}, {ItemKind::point, {{point}}}});
+      ids.push_back(ItemId{ids.size() + 1});
+    }
+  }
+  reduced.apply(lattice, ids);
+  ASSERT_EQ(fault_of(reduced), std::nullopt);
+  const ItemId inside{1001};
+  const ItemId outside{1002};
+  const std::vector<Change> come{{Change::Kind::insert, {}, {ItemKind::point, {{{51, 51.5}}}}},
+                                 {Change::Kind::insert, {}, {ItemKind::point, {{{11, 11.5}}}}}};
+  reduced.apply(come, {inside, outside});
+  ASSERT_EQ(fault_of(reduced), std::nullopt);
+  reduced.apply({{Change::Kind::remove, inside, {}}, {Change::Kind::remove, outside, {}}}, {inside, outside});
+  ASSERT_EQ(fault_of(reduced), std::nullopt);
+  reduced.apply({come[0]}, {inside});
+  ASSERT_EQ(fault_of(reduced), std::nullopt);
+  reduced.remove(inside);
+  ASSERT_EQ(fault_of(reduced), std::nullopt);
+}
+
 class AbstractionOfChanges : public testing::TestWithParam<Flavour> {};
 
 INSTANTIATE_TEST_SUITE_P(Flavours, AbstractionOfChanges, testing::ValuesIn(kFlavours),
