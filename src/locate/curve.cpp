@@ -35,9 +35,9 @@ void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int b
   });
 }
 
-/// The first place from `at` on where a run of entries starts whose keys agree from `bit` on.
-std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, int bit) {
-  while (at > 0 && at < entries.size() && entries[at].key >> bit == entries[at - 1].key >> bit) ++at;
+/// The first place from `at` on, below `end`, where a run of entries starts whose keys agree from `bit` on; or `end`.
+std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, std::size_t end, int bit) {
+  while (at > 0 && at < end && entries[at].key >> bit == entries[at - 1].key >> bit) ++at;
   return at;
 }
 
@@ -61,11 +61,15 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
       entries.swap(other);
     }
   }
-  crew.share(entries.size(), [&](std::size_t, std::size_t share_begin, std::size_t share_end) {
-    const std::size_t last = start_of_run(entries, share_end, kLowestBit);
-    std::size_t begin = start_of_run(entries, share_begin, kLowestBit);
-    while (begin < last) {
-      const std::size_t end = start_of_run(entries, begin + 1, kLowestBit);
+  // Before any thread moves an entry, for no thread may look at another's.
+  std::vector<std::size_t> shares;
+  for (std::size_t t = 0; t <= crew.threads(); ++t) {
+    shares.push_back(start_of_run(entries, entries.size() * t / crew.threads(), entries.size(), kLowestBit));
+  }
+  crew.run([&](std::size_t t) {
+    const std::size_t last = shares[t + 1];
+    for (std::size_t begin = shares[t]; begin < last;) {
+      const std::size_t end = start_of_run(entries, begin + 1, last, kLowestBit);
       const auto first = entries.begin() + static_cast<std::ptrdiff_t>(begin);
       if (end > begin + 1) std::sort(first, first + static_cast<std::ptrdiff_t>(end - begin), before);
       begin = end;
