@@ -18,6 +18,7 @@ from collections import defaultdict
 
 OURS = "waywright"
 FAILED = "failed: "
+TIMED_BY = ("manual_time", "real_time")  # what the benchmark library adds to names
 
 
 def is_ours(contender):
@@ -37,10 +38,10 @@ def read_runs(file_names):
         for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
             if run.get("run_type") == "aggregate":
                 continue
-            parts = [part for part in run["run_name"].split("/") if ":" not in part and part != "manual_time"]
+            parts = [part for part in run["run_name"].split("/") if ":" not in part and part not in TIMED_BY]
             workload, contender = "/".join(parts[:-1]), parts[-1]
             if not run.get("error_occurred"):
-                runs[workload][contender].append((run["per_op"] * 1e6, round(run["vertices"])))
+                runs[workload][contender].append((run["per_op"] * 1e6, round(run.get("vertices", 0))))
             elif run["error_message"].startswith(FAILED):
                 runs[workload][contender] = [run["error_message"]]
     return runs
@@ -86,7 +87,7 @@ def rows_of(workload, contenders):
             name,
             number(median),
             "" if width is None else f"{width:.0f} %",
-            " or ".join(f"{count:,}" for count in sorted(vertices)),
+            " or ".join(f"{count:,}" for count in sorted(vertices) if count),
             ratio,
         ]
 
