@@ -95,7 +95,7 @@ class Triangulation {
 
   /// Takes a vertex out: one without fixed edges, or one with two that lie on one line; these then are one edge, under
   /// the first's label. Requires: the triangulation is Delaunay, `v` is no corner of the box. Returns the joined edge,
-  /// or kNoHalfEdge. Source: Chen 2009, section 3.4, algorithm 17; the hole is filled as force_edge fills one.
+  /// or kNoHalfEdge. Source: Chen 2009, section 3.4, algorithm 17; the hole, Devillers 2011.
   mesh::HalfEdge remove_vertex(mesh::Vertex v);
 
   /// Makes u - w an edge by retriangulating what it crosses, and fixes it under `label`. `crossed` lists the edges

@@ -26,10 +26,6 @@ class Abstraction {
   [[nodiscard]] const Components& components() const { return components_; }
   [[nodiscard]] const TwoCore& core() const { return core_; }
 
-  /// Whether no way through the face comes from anywhere or leads anywhere: whoever neither starts nor ends in this
-  /// face's tree need not enter it.
-  [[nodiscard]] bool is_dead_end(mesh::Face f) const { return !core_.is_core(f); }
-
   /// Starts an operation. To be told of every polygon that comes or goes, by slot.
   void begin();
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }

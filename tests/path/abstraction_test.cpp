@@ -202,7 +202,7 @@ TEST(Abstraction, AnEmptyBoxIsATree) {
   const Reduced reduced(kTen);
   EXPECT_EQ(fault_of(reduced), std::nullopt);
   EXPECT_EQ(reduced.abstraction().components().count(), 1U);
-  EXPECT_TRUE(reduced.abstraction().is_dead_end(reduced.face_at({5, 1})));
+  EXPECT_FALSE(reduced.abstraction().core().is_core(reduced.face_at({5, 1})));
   EXPECT_FALSE(reduced.abstraction().components().is_covered(reduced.face_at({5, 1})));
 }
 
@@ -217,7 +217,7 @@ TEST(Abstraction, ASolidIsARingsMiddle) {
   reduced.remove(solid);
   EXPECT_EQ(fault_of(reduced), std::nullopt);
   EXPECT_EQ(abstraction.components().count(), 1U);
-  EXPECT_TRUE(abstraction.is_dead_end(reduced.face_at({5, 1})));
+  EXPECT_FALSE(abstraction.core().is_core(reduced.face_at({5, 1})));
 }
 
 TEST(Abstraction, WallsPartAndTheirGoingJoins) {
@@ -265,7 +265,7 @@ TEST(Abstraction, RingsComeAndGoInATree) {
     walls.push_back(reduced.insert(i % 2 == 0 ? wall({x, 0}, {x, 95}) : wall({x, 5}, {x, 100})));
     ASSERT_EQ(fault_of(reduced), std::nullopt);
   }
-  EXPECT_TRUE(reduced.abstraction().is_dead_end(reduced.face_at({52, 51})));
+  EXPECT_FALSE(reduced.abstraction().core().is_core(reduced.face_at({52, 51})));
   for (std::size_t i = 2; i < walls.size(); i += 3) {
     reduced.remove(walls[i]);
     ASSERT_EQ(fault_of(reduced), std::nullopt) << "without wall " << i;
@@ -273,7 +273,7 @@ TEST(Abstraction, RingsComeAndGoInATree) {
     const ItemId lower = reduced.insert(wall({x, 5}, {x, 45}));
     const ItemId upper = reduced.insert(wall({x, 55}, {x, 95}));
     ASSERT_EQ(fault_of(reduced), std::nullopt) << "with gaps in wall " << i;
-    EXPECT_FALSE(reduced.abstraction().is_dead_end(reduced.face_at({x - 1, 50.25})));
+    EXPECT_TRUE(reduced.abstraction().core().is_core(reduced.face_at({x - 1, 50.25})));
     reduced.remove(lower);
     ASSERT_EQ(fault_of(reduced), std::nullopt);
     reduced.remove(upper);
