@@ -16,13 +16,41 @@ namespace waywright::constraint {
 template <class Batch>
 locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others,
                                   const locate::Crew& crew) {
-  std::vector<Point> corners(others.begin(), others.end());
+  std::size_t count = others.size();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (const auto& ring : batch.rings(i)) count += ring.size();
+  }
+  std::vector<Point> corners;
+  corners.reserve(count);
+  corners.assign(others.begin(), others.end());
   for (std::size_t i = 0; i < batch.size(); ++i) {
     for (const auto& ring : batch.rings(i)) {
       for_each_corner(ring, batch.kind(i) == ItemKind::polygon, [&](const Point& point) { corners.push_back(point); });
     }
   }
   return locate::sort_along_curve(domain, corners, crew);
+}
+
+/// The sum of the hashes of a batch's items. Their corners are where they are given to be, so no mesh is asked.
+template <class Batch>
+ItemHash::Words hash_of_batch(const Batch& batch, const locate::Crew& crew) {
+  std::vector<ItemHash::Words> sums(crew.threads());
+  crew.share(batch.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+    ItemHash::Words sum{};
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool is_closed = batch.kind(i) == ItemKind::polygon;
+      const auto& rings = batch.rings(i);
+      ItemHash hash(batch.id(i), batch.kind(i), rings.size());
+      for (const auto& ring : rings) {
+        hash.begin_ring(count_corners(ring, is_closed));
+        for_each_corner(ring, is_closed, [&](const Point& point) { hash.add(point); });
+      }
+      ItemHash::add_to(sum, hash.words());
+    }
+    sums[t] = sum;
+  });
+  for (std::size_t t = 1; t < sums.size(); ++t) ItemHash::add_to(sums[0], sums[t]);
+  return sums[0];
 }
 
 template <class Geometry>
@@ -48,6 +76,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
     if (items % kItemsBetweenReports == 0) begin();
   };
   add_domain();
+  items_.add_hash(hash_of_batch(batch, crew));
   insert_sides(add_records(batch, ranks, vertex_of, empty_logs), [&](std::size_t items) {
     empty_logs(items);
     if (items % kItemsBetweenReports == 0) crew.report(ranks.size() + items);
@@ -73,6 +102,7 @@ void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const lo
     if (vertices.size() % kItemsBetweenReports == 0) crew.report(vertices.size());
   }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
+  items_.add_hash(hash_of_batch(batch, crew));
   insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
     if (items % kItemsBetweenReports == 0) crew.report(sorted.ranks.size() + items);
   });
@@ -88,6 +118,7 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
   std::size_t corner = 0;
   items_.reserve(batch.size());
   for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (i + kIdsAhead < batch.size()) items_.prefetch(batch.id(i + kIdsAhead));
     const ItemKind kind = batch.kind(i);
     const std::uint32_t slot = items_.add_item(batch.id(i), kind);
     const std::uint32_t first_rank = ranks[corner];
@@ -97,7 +128,7 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
                       [&](const Point&) { add_corner(vertex_of(ranks[corner++]), slot); });
       end_ring();
     }
-    end_item(slot);
+    items_.set_outline(slot, outline_);
     if (kind != ItemKind::point) rank_and_slot.emplace_back(first_rank, slot);
     after_record(i + 1);
   }

@@ -90,6 +90,7 @@ class ConstrainedTriangulation {
 
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
+  static constexpr std::size_t kIdsAhead = 8;
 
   /// What a side meets next on its way: a vertex, after crossing the free edges in `crossed_`, or a fixed edge.
   struct Step {
@@ -108,7 +109,8 @@ class ConstrainedTriangulation {
                            const locate::Crew& crew);
   void add_domain();
   /// Gives a batch's items their records: corner after corner at the vertices of these ranks, and sides that are still
-  /// to be inserted. Returns the slots of the items with sides, in the order of their first corners.
+  /// to be inserted. Their hashes are not counted in. Returns the slots of the items with sides, in the order of their
+  /// first corners.
   template <class Batch, class VertexOf, class AfterRecord>
   [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
                                                        VertexOf&& vertex_of, AfterRecord&& after_record);

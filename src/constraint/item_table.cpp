@@ -19,6 +19,8 @@ void ItemTable::reserve(std::size_t count) {
   make_room_in_index(count);
 }
 
+void ItemTable::prefetch(ItemId id) const { __builtin_prefetch(&index_[home(id)], 1); }
+
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
   make_room_in_index(1);
@@ -30,7 +32,7 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
   log_.push_back({slot, false});
   first_free_item_ = items_[slot].place;
   items_[slot] = {id, kNone, kind};
-  index_[position(id)] = slot;
+  index_[gap_for(id)] = slot;
   ++size_;
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
@@ -112,7 +114,7 @@ void ItemTable::roll_back() {
   for (; !log_.empty(); log_.pop_back()) {
     const auto [slot, is_removal] = log_.back();
     if (is_removal) {
-      index_[position(items_[slot].id)] = slot;
+      index_[gap_for(items_[slot].id)] = slot;
       ++size_;
     } else {
       erase_from_index(items_[slot].id);
@@ -157,6 +159,13 @@ std::size_t ItemTable::position(ItemId id) const {
   return at;
 }
 
+// Looks at no record: those of the ids that share a home lie anywhere.
+std::size_t ItemTable::gap_for(ItemId id) const {
+  std::size_t at = home(id);
+  while (index_[at] != kEmpty) at = (at + 1) & (index_.size() - 1);
+  return at;
+}
+
 void ItemTable::make_room_in_index(std::size_t count) {
   std::size_t room = index_.size();
   while (3 * (size_ + count) > 2 * room) room *= 2;
@@ -164,7 +173,7 @@ void ItemTable::make_room_in_index(std::size_t count) {
   std::vector<std::uint32_t> larger(room, kEmpty);
   index_.swap(larger);
   for (const std::uint32_t slot : larger) {
-    if (slot != kEmpty) index_[position(items_[slot].id)] = slot;
+    if (slot != kEmpty) index_[gap_for(items_[slot].id)] = slot;
   }
 }
 

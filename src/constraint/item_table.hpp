@@ -77,10 +77,13 @@ class ItemTable {
 
   /// Makes room for so many more items.
   void reserve(std::size_t count);
+  /// Has the place of an id fetched that is soon to be added.
+  void prefetch(ItemId id) const;
+  /// Requires: no item has that id.
   std::uint32_t add_item(ItemId id, ItemKind kind);
   /// Gives an item its corners and sides. To be called once.
   void set_outline(std::uint32_t item, const Outline& outline);
-  /// Counts an item's hash in. To be called once, when its corners are known.
+  /// Counts in the hash of an item, or the sum of several. To be called once for each, when its corners are known.
   void add_hash(const ItemHash::Words& hash) { ItemHash::add_to(hash_, hash); }
   /// Forgets an item and its hash. Its slot and its sides' are reused from the next begin() on.
   void remove_item(std::uint32_t slot, const ItemHash::Words& hash);
@@ -121,8 +124,10 @@ class ItemTable {
   void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
   void recycle(std::uint32_t slot);
 
-  /// Where the index has an id, or would put it.
+  /// Where the index has an id, or the gap where it isn't.
   [[nodiscard]] std::size_t position(ItemId id) const;
+  /// The gap for an id that the index doesn't have.
+  [[nodiscard]] std::size_t gap_for(ItemId id) const;
   [[nodiscard]] std::size_t home(ItemId id) const;
   void make_room_in_index(std::size_t count);
   void erase_from_index(ItemId id);

@@ -17,4 +17,12 @@ void for_each_corner(const Ring& ring, bool is_closed, Visit&& visit) {
   }
 }
 
+/// How many corners for_each_corner visits.
+template <class Ring>
+[[nodiscard]] std::size_t count_corners(const Ring& ring, bool is_closed) {
+  std::size_t count = 0;
+  for_each_corner(ring, is_closed, [&](const Point&) { ++count; });
+  return count;
+}
+
 }  // namespace waywright::constraint
