@@ -75,24 +75,35 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
 }
 
 /// A half-edge of a face in the box, as near to the point as is known at no cost: where the last change was, or where
-/// the point's sector says.
+/// the point's sector says. A vertex that a sector remembers may be elsewhere by now; then those around are asked.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
-  const mesh::Vertex v = sectors_.near(point);
-  if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return recent_;
   const auto squared_distance = [&](mesh::Vertex from) {
-    const Point place = geometry_.nearest(number(from));
+    const Point& place = geometry_.nearest(number(from));
     return (place.x - point.x) * (place.x - point.x) + (place.y - point.y) * (place.y - point.y);
   };
-  if (squared_distance(mesh_.origin(recent_)) < squared_distance(v)) return recent_;
-  const mesh::HalfEdge h = mesh_.outgoing(v);
+  mesh::Vertex nearest = mesh_.origin(recent_);
+  double least = squared_distance(nearest);
+  const auto consider = [&](mesh::Vertex v) {
+    if (!mesh_.is_alive(v)) return;
+    const double distance = squared_distance(v);
+    if (distance >= least) return;
+    nearest = v;
+    least = distance;
+  };
+  const locate::Sectors::Sector sector = sectors_.at(point);
+  const mesh::Vertex v = sectors_.near(sector);
+  if (v != mesh::kNoVertex) consider(v);
+  if (sectors_.is_far(sector, least)) sectors_.for_each_around(sector, consider);
+  if (nearest == mesh_.origin(recent_)) return recent_;
+  const mesh::HalfEdge h = mesh_.outgoing(nearest);
   return is_ghost_face(h) ? inner_side(h) : h;
 }
 
 /// Where a walk was long although it came from within the point's sector, the sector is crowded.
 template <class Geometry>
 void Triangulation<Geometry>::divide_sector(const Point& point) {
-  const mesh::Vertex v = sectors_.near(point);
+  const mesh::Vertex v = sectors_.near(sectors_.at(point));
   if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return;
   if (sectors_.are_in_one(point, geometry_.nearest(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }

@@ -28,6 +28,8 @@ class Curve {
   [[nodiscard]] Key key(const Point& point) const {
     return spread(cell(point.x, min_.x)) << 1 | spread(cell(point.y, min_.y));
   }
+  /// A squared distance in cells.
+  [[nodiscard]] double squared_cells(double squared_distance) const { return squared_distance * scale_ * scale_; }
   /// Whether the bit halves by x, or else by y.
   [[nodiscard]] static bool is_bit_of_x(int bit) { return bit % 2 == 1; }
 

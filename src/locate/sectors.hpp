@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,10 +27,28 @@ class Sectors {
  public:
   explicit Sectors(const Box& domain) : curve_(domain), sectors_(4, kNone) {}
 
-  /// The vertex that the sector of `point` remembers, or kNoVertex.
-  [[nodiscard]] mesh::Vertex near(const Point& point) const {
-    const Cell cell = sectors_[find(curve_.key(point)).index];
-    return cell == kNone ? mesh::kNoVertex : mesh::Vertex{cell};
+  struct Sector {
+    std::size_t index;
+    int shift;  ///< keys that agree above this bit are in the same sector
+  };
+  [[nodiscard]] Sector at(const Point& point) const { return find(curve_.key(point)); }
+  /// The vertex that the sector remembers, or kNoVertex.
+  [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sectors_[sector.index]); }
+  /// Whether it is far from a point to a vertex at that squared distance, so that sectors around the point's may know a
+  /// nearer one.
+  [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
+    return curve_.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
+  }
+  /// Calls visit(vertex) for what is remembered in the block of 4 x 4 sectors, or the four quarters, that the sector is
+  /// one of.
+  template <class Visit>
+  void for_each_around(const Sector& sector, Visit&& visit) const {
+    const std::size_t count = sector.shift == whole_shift_ ? std::min(kBlock, whole_count()) : 4;
+    const std::size_t block = sector.index & ~(count - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const mesh::Vertex v = vertex_of(any_vertex(sectors_[block + i]));
+      if (v != mesh::kNoVertex) visit(v);
+    }
   }
   /// Whether both points lie in one sector.
   [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const;
@@ -50,13 +69,11 @@ class Sectors {
   static constexpr Cell kNone = 0x7fffffff;
   static constexpr std::size_t kVerticesPerSector = 3;
   static constexpr std::size_t kCrowd = 8;
+  static constexpr std::size_t kBlock = 16;
+  static constexpr double kFar = 4.0;  ///< squared: twice the sector's width
   static constexpr int kKeyBits = 64;
 
-  struct Found {
-    std::size_t index;
-    int shift;  ///< keys that agree above this bit are in the same sector
-  };
-  [[nodiscard]] Found find(Curve::Key key) const {
+  [[nodiscard]] Sector find(Curve::Key key) const {
     int shift = whole_shift_;
     std::size_t index = static_cast<std::size_t>(key >> shift);
     while ((sectors_[index] & kDivided) != 0) {
@@ -66,13 +83,17 @@ class Sectors {
     return {index, shift};
   }
   [[nodiscard]] std::size_t whole_count() const { return std::size_t{1} << (kKeyBits - whole_shift_); }
+  [[nodiscard]] static mesh::Vertex vertex_of(Cell cell) {
+    return cell == kNone ? mesh::kNoVertex : mesh::Vertex{cell};
+  }
   [[nodiscard]] Cell any_vertex(Cell cell) const;
   void grow();
   void fill_sector(std::size_t index, int shift, std::span<const Curve::Key> keys, std::uint32_t first);
 
   Curve curve_;
   int whole_shift_ = kKeyBits - 2;
-  std::vector<Cell> sectors_;  ///< the whole ones along the curve, then quarters, four by four
+  std::vector<Cell>
+      sectors_;  ///< the whole ones along the curve, then quarters, four by four: groups start at multiples of 4
 };
 
 }  // namespace waywright::locate

@@ -18,19 +18,27 @@ using mesh::Vertex;
 
 constexpr Box kUnit{{0, 0}, {1, 1}};
 
+Vertex near(const Sectors& sectors, const Point& point) { return sectors.near(sectors.at(point)); }
+
+std::vector<std::uint32_t> around(const Sectors& sectors, const Point& point) {
+  std::vector<std::uint32_t> result;
+  sectors.for_each_around(sectors.at(point), [&](Vertex v) { result.push_back(number(v)); });
+  return result;
+}
+
 TEST(Sectors, RememberTheLastVertexUntilItGoes) {
   Sectors sectors(kUnit);
-  EXPECT_EQ(sectors.near({0.1, 0.1}), kNoVertex);
+  EXPECT_EQ(near(sectors, {0.1, 0.1}), kNoVertex);
   sectors.remember({0.1, 0.1}, Vertex{1}, 5);
   sectors.remember({0.9, 0.9}, Vertex{2}, 6);
   sectors.remember({0.2, 0.2}, Vertex{3}, 7);
-  EXPECT_EQ(sectors.near({0.1, 0.1}), Vertex{3});
-  EXPECT_EQ(sectors.near({0.6, 0.6}), Vertex{2});
-  EXPECT_EQ(sectors.near({0.6, 0.1}), kNoVertex);
+  EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{3});
+  EXPECT_EQ(near(sectors, {0.6, 0.6}), Vertex{2});
+  EXPECT_EQ(near(sectors, {0.6, 0.1}), kNoVertex);
   sectors.forget({0.1, 0.1}, Vertex{1}, Vertex{9});
-  EXPECT_EQ(sectors.near({0.1, 0.1}), Vertex{3}) << "vertex 1 wasn't remembered";
+  EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{3}) << "vertex 1 wasn't remembered";
   sectors.forget({0.2, 0.2}, Vertex{3}, Vertex{9});
-  EXPECT_EQ(sectors.near({0.1, 0.1}), Vertex{9});
+  EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{9});
 }
 
 TEST(Sectors, QuartersRememberWhatTheirSectorDid) {
@@ -40,11 +48,11 @@ TEST(Sectors, QuartersRememberWhatTheirSectorDid) {
   EXPECT_FALSE(sectors.are_in_one({0.1, 0.1}, {0.6, 0.1}));
   sectors.divide({0.1, 0.1}, 5);
   EXPECT_FALSE(sectors.are_in_one({0.1, 0.1}, {0.4, 0.4}));
-  EXPECT_EQ(sectors.near({0.4, 0.4}), Vertex{1});
+  EXPECT_EQ(near(sectors, {0.4, 0.4}), Vertex{1});
   sectors.remember({0.4, 0.4}, Vertex{2}, 6);
-  EXPECT_EQ(sectors.near({0.1, 0.1}), Vertex{1});
-  EXPECT_EQ(sectors.near({0.4, 0.4}), Vertex{2});
-  EXPECT_EQ(sectors.near({0.3, 0.1}), Vertex{1});
+  EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{1});
+  EXPECT_EQ(near(sectors, {0.4, 0.4}), Vertex{2});
+  EXPECT_EQ(near(sectors, {0.3, 0.1}), Vertex{1});
 }
 
 // Sectors at several depths, then ever more vertices: what was remembered at a place still is.
@@ -57,10 +65,10 @@ TEST(Sectors, GrowingLosesNothing) {
   sectors.remember({0.99, 0.5}, Vertex{3}, 5);
   for (std::size_t count = 17; count < 100000; count *= 4) {
     sectors.remember({0.5, 0.99}, Vertex{4}, count);
-    ASSERT_EQ(sectors.near(crowd), Vertex{1}) << count;
-    ASSERT_EQ(sectors.near({0.3, 0.3}), Vertex{2}) << count;
-    ASSERT_EQ(sectors.near({0.99, 0.5}), Vertex{3}) << count;
-    ASSERT_EQ(sectors.near({0.5, 0.99}), Vertex{4}) << count;
+    ASSERT_EQ(near(sectors, crowd), Vertex{1}) << count;
+    ASSERT_EQ(near(sectors, {0.3, 0.3}), Vertex{2}) << count;
+    ASSERT_EQ(near(sectors, {0.99, 0.5}), Vertex{3}) << count;
+    ASSERT_EQ(near(sectors, {0.5, 0.99}), Vertex{4}) << count;
   }
   EXPECT_FALSE(sectors.are_in_one({0.3, 0.3}, {0.31, 0.3}));
 }
@@ -74,7 +82,7 @@ TEST(Sectors, NeverGrowFarBeyondTheVertices) {
     const Point place{static_cast<double>(random.below(1024)) / 1024, static_cast<double>(random.below(1024)) / 1024};
     sectors.divide(place, 10);
     sectors.remember(place, Vertex{7}, 10);
-    ASSERT_EQ(sectors.near(place), Vertex{7});
+    ASSERT_EQ(near(sectors, place), Vertex{7});
     was_whole_again = was_whole_again || (i > 20 && sectors.are_in_one({0.01, 0.01}, {0.49, 0.49}));
   }
   EXPECT_TRUE(was_whole_again);
@@ -85,7 +93,7 @@ TEST(Sectors, DividesNoPoint) {
   Sectors sectors(kUnit);
   for (int i = 0; i < 100; ++i) sectors.divide({0.3, 0.3}, 1000);
   sectors.remember({0.3, 0.3}, Vertex{1}, 5);
-  EXPECT_EQ(sectors.near({0.3, 0.3}), Vertex{1});
+  EXPECT_EQ(near(sectors, {0.3, 0.3}), Vertex{1});
   EXPECT_TRUE(sectors.are_in_one({0.3, 0.3}, {0.3, 0.3}));
 }
 
@@ -109,6 +117,29 @@ double mean_steps(const Triangulation& triangulation, const std::vector<Point>& 
   return steps / static_cast<double>(targets.size());
 }
 
+// 8 x 8 sectors, an eighth wide: the blocks are the square's quarters. One of the sectors is divided once.
+TEST(Sectors, OnesAroundKnowWhatIsNear) {
+  Sectors sectors(kUnit);
+  sectors.remember({0.9, 0.9}, Vertex{1}, 13);
+  sectors.remember({0.9, 0.9}, Vertex{1}, 49);
+  EXPECT_EQ(around(sectors, {0.1, 0.1}), (std::vector<std::uint32_t>{}));
+  sectors.remember({0.01, 0.01}, Vertex{2}, 49);
+  sectors.remember({0.49, 0.3}, Vertex{3}, 49);
+  sectors.remember({0.51, 0.3}, Vertex{4}, 49);
+  EXPECT_EQ(around(sectors, {0.2, 0.2}), (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(around(sectors, {0.6, 0.4}), (std::vector<std::uint32_t>{4}));
+  sectors.divide({0.01, 0.01}, 49);
+  sectors.remember({0.12, 0.12}, Vertex{5}, 49);
+  EXPECT_EQ(around(sectors, {0.01, 0.01}), (std::vector<std::uint32_t>{2, 2, 2, 5}));
+  EXPECT_EQ(around(sectors, {0.2, 0.2}), (std::vector<std::uint32_t>{2, 3}));
+  const Sectors::Sector whole = sectors.at({0.2, 0.2});
+  EXPECT_FALSE(sectors.is_far(whole, 0.24 * 0.24));
+  EXPECT_TRUE(sectors.is_far(whole, 0.26 * 0.26));
+  const Sectors::Sector quarter = sectors.at({0.01, 0.01});
+  EXPECT_FALSE(sectors.is_far(quarter, 0.12 * 0.12));
+  EXPECT_TRUE(sectors.is_far(quarter, 0.13 * 0.13));
+}
+
 // However many vertices and wherever they are, and whether they came at once or not.
 TEST(Sectors, WalksAreShortInTheCrowdAndOutside) {
   for (const std::size_t count : {2000U, 20000U}) {
@@ -122,6 +153,30 @@ TEST(Sectors, WalksAreShortInTheCrowdAndOutside) {
     for (const Point& point : points) one_by_one.insert(point);
     EXPECT_LT(mean_steps(one_by_one, points), 12.0);
   }
+}
+
+// Crowds come and go, and vertices' slots are used anew, so that what a sector remembers may be anywhere by now.
+TEST(Sectors, WalksStayShortWhenCrowdsMove) {
+  Triangulation triangulation(kUnit, {1, 2, 3, 4});
+  Random random(8);
+  const auto fraction = [&] { return static_cast<double>(random.below(1 << 30)) * 0x1p-30; };
+  std::vector<std::array<Vertex, 6>> crowds;
+  const auto add_crowd = [&] {
+    const Point centre{0.02 + 0.96 * fraction(), 0.02 + 0.96 * fraction()};
+    for (Vertex& v : crowds.emplace_back()) {
+      v = triangulation.insert({centre.x + 0.01 * fraction(), centre.y + 0.01 * fraction()}).vertex;
+    }
+  };
+  while (crowds.size() < 500) add_crowd();
+  for (int i = 0; i < 5000; ++i) {
+    std::swap(crowds[random.below(500)], crowds.back());
+    for (const Vertex v : crowds.back()) triangulation.remove_vertex(v);
+    crowds.pop_back();
+    add_crowd();
+  }
+  std::vector<Point> targets;
+  while (targets.size() < 1000) targets.push_back({fraction(), fraction()});
+  EXPECT_LT(mean_steps(triangulation, targets), 6.0);
 }
 
 }  // namespace
