@@ -102,11 +102,17 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
   return mesh_.refill(hole_sides_, triangles_);
 }
 
-//           m                Over a base, the vertex whose circle with its ends holds no other. Vertices beyond the
-//        .     .             base are no candidates, and need not be asked about: on the base stands a circle that
-//     from ----- to          holds no vertex of the hole, that of the triangle beyond it or, for the first, that
-//        .  n  .             through v (the half-plane beyond it, if v lies on the base). A candidate m lies outside
-//           .                that circle, so what its own holds beyond the base is part of it, and n isn't in there.
+//           m                Over a base, the vertex whose circle with its ends holds no other. On the base stands a
+//        .     .             circle that holds no vertex of the hole: that of the triangle beyond it or, for the first,
+//     from ----- to          that through v (the half-plane beyond it, if v lies on the base). Each vertex has its own
+//        .  n  .             circle through the base's ends, and the first is the one that reaches least far in front
+//           .                of the base. A vertex beyond the base, or on its line, has a circle that reaches less far
+//                            in front than the empty one; taken for a candidate, it gives way to each in front.
+//
+// So that need not be asked: where m lies beyond the base, the determinant's sign is turned about, and it is positive
+// for n in front, which lies outside m's circle, as it is where m lies in front and its circle holds n. For n beyond,
+// it is negative where m lies in front, and where neither does, either may be chosen. Only on one circle the two
+// differ.
 //
 // No vertex in the circle can be hidden behind a side of the hole, for v lies in the circle and saw them all. Source:
 // Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*, 2011,
@@ -114,13 +120,17 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 template <class Geometry>
 typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_over(std::uint32_t from,
                                                                                   std::uint32_t to) const {
-  std::uint32_t apex = from + 1;
-  if (to == from + 2) return {from, apex, to};
   const View& a = hole_places_[from];
   const View& b = hole_places_[to];
-  while (geometry_.orientation(a, hole_places_[apex], b) != exact::Sign::positive) ++apex;
+  const auto gives_way = [&](const View& m, const View& n) {
+    const exact::Sign sign = geometry_.in_circle(a, m, b, n);
+    if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
+    return geometry_.orientation(a, m, b) != exact::Sign::positive ||
+           delaunay::tied_circle_holds(geometry_, a, m, b, n);
+  };
+  std::uint32_t apex = from + 1;
   for (std::uint32_t i = apex + 1; i < to; ++i) {
-    if (delaunay::circle_holds(geometry_, a, hole_places_[apex], b, hole_places_[i])) apex = i;
+    if (gives_way(hole_places_[apex], hole_places_[i])) apex = i;
   }
   return {from, apex, to};
 }
