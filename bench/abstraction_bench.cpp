@@ -1,4 +1,3 @@
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -13,11 +12,10 @@
 #include "registers.hpp"
 #include "waywright_contender.hpp"
 #include "workloads.hpp"
+#include "world_of.hpp"
 
 namespace waywright::bench {
 namespace {
-
-constexpr std::array<std::size_t, 3> kSquareCounts = {100, 500, 2000};
 
 /// One of the squares at a time moves a little, and back when its turn comes again.
 Workload square_moves(std::size_t count) {
@@ -40,8 +38,7 @@ Workload square_moves(std::size_t count) {
 void time_parted_ends(benchmark::State& state, std::size_t count) {
   constexpr std::size_t kQueries = 1000;
   const Workload workload = random_squares(count);
-  World world = World::create(workload.domain).value();
-  for (const Item& item : workload.before) world.insert(item.shape, item.id).value();
+  World world = world_of(workload);
   const double middle = workload.domain.max.x / 2 + 0.5;
   world.insert_segment({middle, workload.domain.min.y}, {middle, workload.domain.max.y}).value();
   std::vector<Point> left;
@@ -63,7 +60,7 @@ void time_parted_ends(benchmark::State& state, std::size_t count) {
 }  // namespace
 
 void register_abstraction() {
-  for (const std::size_t count : kSquareCounts) {
+  for (const std::size_t count : kPathSquares) {
     const std::string moves = "square_moves/" + std::to_string(count);
     register_updates<ForPaths<WaywrightReplace>>(moves, "waywright_replace_for_paths",
                                                  [count] { return square_moves(count); });

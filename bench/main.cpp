@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   waywright::bench::register_updates();
   waywright::bench::register_degenerate();
   waywright::bench::register_paths();
+  waywright::bench::register_many_paths();
   waywright::bench::register_abstraction();
   waywright::bench::register_maps();
 #ifdef WAYWRIGHT_BENCH_WITH_CGAL

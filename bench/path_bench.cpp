@@ -2,7 +2,6 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,16 +16,23 @@
 #include "real_scenes.hpp"
 #include "registers.hpp"
 #include "workloads.hpp"
+#include "world_of.hpp"
 
 namespace waywright::bench {
 namespace {
 
-struct NamedAlgorithm {
+/// How a path is asked for.
+struct PathContender {
   const char* name;
   PathAlgorithm algorithm;
+  PathBudget budget;
 };
-constexpr std::array<NamedAlgorithm, 3> kAlgorithms = {
-    {{"ta", PathAlgorithm::ta}, {"tra", PathAlgorithm::tra}, {"optimal", PathAlgorithm::optimal}}};
+constexpr std::array<PathContender, 4> kContenders = {{
+    {"waywright_ta", PathAlgorithm::ta, {}},
+    {"waywright_ta_proven", PathAlgorithm::ta, {.expansions = PathBudget::kNoLimit}},
+    {"waywright_tra", PathAlgorithm::tra, {}},
+    {"waywright_optimal", PathAlgorithm::optimal, {}},
+}};
 
 struct MapQueries {
   const char* map;
@@ -41,21 +47,6 @@ constexpr std::array<MapQueries, 6> kMapQueries = {{
     {"grid/random/random512-20-0.map", "grid/anyangle/random512-20-0.anyangle.scen"},
 }};
 
-World build(const Workload& workload) {
-  World world = World::create(workload.domain).value();
-  for (const Item& item : workload.before) static_cast<void>(world.insert(item.shape, item.id).value());
-  for (const Update& update : workload.updates) {
-    static_cast<void>(world.insert(update.inserted.shape, update.inserted.id).value());
-  }
-  return world;
-}
-
-/// Algorithms that this version does not carry out are left out.
-bool is_supported(PathAlgorithm algorithm) {
-  const World world = World::create({{0.0, 0.0}, {1.0, 1.0}}).value();
-  return world.find_path({{0.25, 0.25}, {0.75, 0.75}, 0.0, algorithm}).ok();
-}
-
 /// What a series of queries found.
 struct PathTotals {
   std::size_t found = 0;
@@ -63,26 +54,32 @@ struct PathTotals {
   double shortest = 0.0;  ///< of those found, where it is known
 };
 
-/// Asks every query once with a warm context. The mean comes from the processor's time, the median from a clock around
-/// each query.
+PathQuery query_between(const KnownPath& ends, const PathContender& contender) {
+  return {ends.start, ends.goal, 0.0, contender.algorithm, contender.budget};
+}
+
+/// Asks every query twice: first with a clock around each, for the median; then on the benchmark's clock, for the mean.
 void time_queries(benchmark::State& state, const World& world, const std::vector<KnownPath>& queries,
-                  PathAlgorithm algorithm) {
+                  const PathContender& contender) {
   using Clock = std::chrono::steady_clock;
   QueryContext context;
   Path path;
-  std::vector<double> times(queries.size());
+  std::vector<double> times;
   PathTotals totals;
+  for (const KnownPath& query : queries) {
+    const auto start = Clock::now();
+    const Result<void> done = world.find_path(query_between(query, contender), context, path);
+    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+    if (!done.ok()) return state.SkipWithError(done.error().message.c_str());
+    if (path.status != PathStatus::found) continue;
+    ++totals.found;
+    totals.length += path.length;
+    totals.shortest += query.length;
+  }
   for ([[maybe_unused]] const auto iteration : state) {
-    totals = {};
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const auto start = Clock::now();
-      const Result<void> done = world.find_path({queries[i].start, queries[i].goal, 0.0, algorithm}, context, path);
-      times[i] = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-      if (!done.ok()) return state.SkipWithError(done.error().message.c_str());
-      if (path.status != PathStatus::found) continue;
-      ++totals.found;
-      totals.length += path.length;
-      totals.shortest += queries[i].length;
+    for (const KnownPath& query : queries) {
+      world.find_path(query_between(query, contender), context, path).value();
+      benchmark::DoNotOptimize(path.length);
     }
   }
   std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
@@ -93,44 +90,41 @@ void time_queries(benchmark::State& state, const World& world, const std::vector
   if (totals.shortest > 0.0) state.counters["length_ratio"] = totals.length / totals.shortest;
 }
 
-void time_map_paths(benchmark::State& state, const MapQueries& files, PathAlgorithm algorithm) {
+void time_map_paths(benchmark::State& state, const MapQueries& files, const PathContender& contender) {
   const auto workload = read_real_scene(files.map);
   if (!workload) return skip_without_data(state, files.map);
   const auto queries = read_known_paths(files.queries);
   if (!queries) return skip_without_data(state, files.queries);
-  time_queries(state, build(*workload), *queries, algorithm);
+  time_queries(state, world_of(*workload), *queries, contender);
 }
 
-void time_square_paths(benchmark::State& state, std::size_t count, PathAlgorithm algorithm) {
+void time_square_paths(benchmark::State& state, std::size_t count, const PathContender& contender) {
   constexpr std::size_t kQueries = 1000;
   const Workload workload = random_squares(count);
   const std::vector<Point> ends = free_points(workload, 2 * kQueries);
   std::vector<KnownPath> queries;
   for (std::size_t i = 0; i < kQueries; ++i) queries.push_back({ends[2 * i], ends[2 * i + 1], 0.0});
-  time_queries(state, build(workload), queries, algorithm);
+  time_queries(state, world_of(workload), queries, contender);
+}
+
+template <class Run>
+void register_queries(const std::string& name, Run&& run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)->Iterations(1)->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
 
 void register_paths() {
-  for (const auto& [name, algorithm] : kAlgorithms) {
-    if (!is_supported(algorithm)) continue;
-    for (const std::size_t count : {100U, 500U, 2000U}) {
-      const std::string full = "path_squares/" + std::to_string(count) + "/waywright_" + name;
-      benchmark::RegisterBenchmark(
-          full.c_str(),
-          [count, algorithm = algorithm](benchmark::State& state) { time_square_paths(state, count, algorithm); })
-          ->Iterations(1)
-          ->Unit(benchmark::kMillisecond);
+  for (const PathContender& contender : kContenders) {
+    const auto name = [&](const std::string& workload) { return workload + '/' + contender.name; };
+    for (const std::size_t count : kPathSquares) {
+      register_queries(name("path_squares/" + std::to_string(count)),
+                       [count, contender](benchmark::State& state) { time_square_paths(state, count, contender); });
     }
     for (const MapQueries& files : kMapQueries) {
       const std::string map = files.map;
-      const std::string full = "path/" + map.substr(map.rfind('/') + 1) + "/waywright_" + name;
-      benchmark::RegisterBenchmark(
-          full.c_str(),
-          [files, algorithm = algorithm](benchmark::State& state) { time_map_paths(state, files, algorithm); })
-          ->Iterations(1)
-          ->Unit(benchmark::kMillisecond);
+      register_queries(name("path/" + map.substr(map.rfind('/') + 1)),
+                       [files, contender](benchmark::State& state) { time_map_paths(state, files, contender); });
     }
   }
 }

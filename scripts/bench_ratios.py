@@ -18,7 +18,7 @@ from collections import defaultdict
 
 OURS = "waywright"
 FAILED = "failed: "
-TIMED_BY = ("manual_time", "real_time")  # what the benchmark library adds to names
+TIMED_BY = ("manual_time", "process_time", "real_time")  # what the benchmark library adds to names
 
 
 def is_ours(contender):

@@ -25,7 +25,8 @@ class PathSearch {
   PathSearch& operator=(PathSearch&&) noexcept;
 
   /// Starts a search, and gives up the one before. The world must outlive its steps; it may be moved.
-  /// Errors: those of World::find_path; there is no search then.
+  /// Errors: those of World::find_path; there is no search then. Cost: the location of both ends, and what the straight
+  /// way between them crosses up to the first wall; where it meets none, the first step is the last.
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. Of `tra` the

@@ -125,7 +125,7 @@ const std::vector<mesh::HalfEdge>& Cover::open_faces(const ExactTriangulation& t
   faces_at(triangulation, place, around_);
   open_.clear();
   for (const mesh::HalfEdge h : around_) {
-    if (of_face(triangulation, h).empty()) open_.push_back(h);
+    if (!is_covered(triangulation, h)) open_.push_back(h);
   }
   return open_;
 }

@@ -20,6 +20,11 @@ class Cover {
   /// through faces to the domain's border; who keeps them by face knows a better one.
   virtual const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
 
+  /// Whether a polygon covers the inside of the face of `h`.
+  virtual bool is_covered(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
+    return !of_face(triangulation, h).empty();
+  }
+
   /// The polygons, by slot, that cover the place, their boundary included; each once, in no order.
   const std::vector<std::uint32_t>& of_place(const ExactTriangulation& triangulation, const locate::Located& place);
 

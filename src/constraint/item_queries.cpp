@@ -51,7 +51,7 @@ Point meeting_place(const ExactTriangulation& triangulation, mesh::HalfEdge h, c
 }
 
 /// Turns what a segment walk meets into items and places.
-class CrossedItems {
+class CrossedItems : public SegmentVisitor {
  public:
   CrossedItems(const ExactTriangulation& triangulation, const Point& from, const Point& to)
       : triangulation_(triangulation), from_(from), to_(to) {}
@@ -70,7 +70,7 @@ class CrossedItems {
     return true;
   }
 
-  bool at_edge(mesh::HalfEdge h) {
+  bool at_edge(mesh::HalfEdge h, bool /*ends_here*/) {
     last_vertex_ = mesh::kNoVertex;
     last_edge_ = h;
     if (!triangulation_.topology().is_fixed(h)) return true;
@@ -105,7 +105,7 @@ class CrossedItems {
 };
 
 /// Stops a segment walk at the first wall.
-class FirstWall {
+class FirstWall : public SegmentVisitor {
  public:
   FirstWall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit)
       : triangulation_(triangulation), from_(from), to_(to), hit_(hit) {}
@@ -117,7 +117,7 @@ class FirstWall {
     return false;
   }
 
-  bool at_edge(mesh::HalfEdge h) {
+  bool at_edge(mesh::HalfEdge h, bool /*ends_here*/) {
     if (!triangulation_.topology().is_fixed(h)) return true;
     append_items(h);
     hit_.at = meeting_place(triangulation_, h, from_, to_);

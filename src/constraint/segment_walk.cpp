@@ -2,12 +2,6 @@
 
 namespace waywright::constraint {
 
-/// The exit edge has the segment's end beyond it, or on it; otherwise the segment ends in the face.
-SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
-  const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to_);
-  return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero};
-}
-
 // Around the vertex: along an edge whose far end lies ahead on the line, or into the face whose first corner lies on
 // the line's right and whose second lies on its left.
 SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
@@ -25,7 +19,7 @@ SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
 
 SegmentWalk::Stand SegmentWalk::leave_start_edge() const {
   const mesh::HalfEdge h = start_.h;
-  const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to_);
+  const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to());
   if (end_side == Sign::positive) return leave_face(h);
   if (end_side == Sign::negative) return leave_face(mesh_.twin(h));
   return stand_at(is_ahead(mesh_.origin(h), mesh_.target(h)) ? mesh_.target(h) : mesh_.origin(h));
@@ -41,7 +35,7 @@ SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
     const mesh::Vertex v = mesh_.origin(sides[i]);
     // A corner on the line lies ahead when the corner after it is on the left and the one before it on the right.
     if (corner[i] == Sign::zero && corner[next] == Sign::positive && corner[(i + 2) % 3] == Sign::negative) {
-      return stand_at(v);
+      return stand_at(v, any);
     }
     if (corner[i] == Sign::negative && corner[next] == Sign::positive) {
       return stand_before(sides[i]);
@@ -49,14 +43,6 @@ SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
   }
   // Unreachable: a line through a place inside a face leaves it across a side or through a corner.
   return {mesh::kNoVertex, mesh::kNoHalfEdge, true};  // GCOVR_EXCL_LINE
-}
-
-/// Across an edge with its origin on the line's left and its target on the right, as seen from the face it comes into.
-SegmentWalk::Stand SegmentWalk::enter_face(mesh::HalfEdge entry) const {
-  const mesh::Vertex apex = mesh_.apex(entry);
-  const Sign apex_side = side(apex);
-  if (apex_side == Sign::zero) return stand_at(apex);
-  return stand_before(apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry));
 }
 
 }  // namespace waywright::constraint

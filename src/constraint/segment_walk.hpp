@@ -7,8 +7,21 @@
 
 namespace waywright::constraint {
 
-/// Follows a straight segment through the mesh and tells, in order from `from` to `to`, of every vertex it runs through
-/// and every edge it crosses or starts or ends on, both ends included. Exact throughout.
+/// What a segment walk tells of; a visitor has its own of what it wants to know. Where one returns false, the walk
+/// ends.
+class SegmentVisitor {
+ public:
+  /// The segment runs through the vertex, or starts or ends there.
+  bool at_vertex(mesh::Vertex) { return true; }
+  /// It crosses the edge, coming from the face of `h`, or starts or ends on it.
+  bool at_edge(mesh::HalfEdge, bool /*ends_here*/) { return true; }
+  /// It runs through the inside of the face of `h`.
+  bool through_face(mesh::HalfEdge) { return true; }
+};
+
+/// Follows a straight segment through the mesh and tells, in order from `from` to `to`, of every vertex it runs
+/// through, every edge it crosses or starts or ends on, and every face it runs through, both ends included. Exact
+/// throughout.
 class SegmentWalk {
  public:
   using Delaunay = ExactTriangulation::Triangulation;
@@ -17,12 +30,12 @@ class SegmentWalk {
   SegmentWalk(const ExactTriangulation& triangulation, const Point& from, const Point& to, const locate::Located& start)
       : delaunay_(triangulation.triangulation()),
         mesh_(triangulation.topology()),
-        from_(exact::explicit_point(from)),
-        to_(exact::explicit_point(to)),
-        ascends_(exact::compare(from_, to_) < 0),
+        from_(from),
+        to_(to),
+        ascends_(exact::compare(this->from(), this->to()) < 0),
         start_(start) {}
 
-  /// Calls visitor.at_vertex(v) and visitor.at_edge(h) until one returns false or the segment ends.
+  /// Tells a SegmentVisitor.
   template <class Visitor>
   void run(Visitor&& visitor);
 
@@ -35,14 +48,17 @@ class SegmentWalk {
     mesh::HalfEdge exit = mesh::kNoHalfEdge;
     bool has_ended = false;  ///< before it gets there
     bool ends_on_exit = false;
+    mesh::HalfEdge through = mesh::kNoHalfEdge;  ///< of the face on the way there; of none along an edge
   };
 
+  [[nodiscard]] exact::ExactPoint from() const { return exact::explicit_point(from_); }
+  [[nodiscard]] exact::ExactPoint to() const { return exact::explicit_point(to_); }
   [[nodiscard]] Sign side(mesh::Vertex v) const {
-    return v == delaunay_.ghost() ? Sign::zero : exact::orientation(from_, to_, delaunay_.view(v));
+    return v == delaunay_.ghost() ? Sign::zero : exact::orientation(from(), to(), delaunay_.view(v));
   }
   /// Whether the end comes before `v`, a vertex on the segment's line ahead.
   [[nodiscard]] bool ends_before(mesh::Vertex v) const {
-    const auto order = exact::compare(to_, delaunay_.view(v));
+    const auto order = exact::compare(to(), delaunay_.view(v));
     return ascends_ ? order < 0 : order > 0;
   }
   [[nodiscard]] bool is_ahead(mesh::Vertex u, mesh::Vertex v) const { return delaunay_.comes_before(u, v) == ascends_; }
@@ -51,16 +67,33 @@ class SegmentWalk {
   [[nodiscard]] Stand leave_start_edge() const;
   [[nodiscard]] Stand leave_face(mesh::HalfEdge any) const;
   [[nodiscard]] Stand enter_face(mesh::HalfEdge entry) const;
-  [[nodiscard]] Stand stand_at(mesh::Vertex v) const { return {v, mesh::kNoHalfEdge, ends_before(v)}; }
+  [[nodiscard]] Stand stand_at(mesh::Vertex v, mesh::HalfEdge through = mesh::kNoHalfEdge) const {
+    return {v, mesh::kNoHalfEdge, ends_before(v), false, through};
+  }
   [[nodiscard]] Stand stand_before(mesh::HalfEdge exit) const;
 
   const Delaunay& delaunay_;
   const mesh::TriangleMesh& mesh_;
-  exact::ExactPoint from_;
-  exact::ExactPoint to_;
+  Point from_;
+  Point to_;
   bool ascends_;
   locate::Located start_;
 };
+
+/// The exit edge has the segment's end beyond it, or on it; otherwise the segment ends in the face.
+inline SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
+  const Sign end_side =
+      exact::orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to());
+  return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero, exit};
+}
+
+/// Across an edge with its origin on the line's left and its target on the right, as seen from the face it comes into.
+inline SegmentWalk::Stand SegmentWalk::enter_face(mesh::HalfEdge entry) const {
+  const mesh::Vertex apex = mesh_.apex(entry);
+  const Sign apex_side = side(apex);
+  if (apex_side == Sign::zero) return stand_at(apex, entry);
+  return stand_before(apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry));
+}
 
 template <class Visitor>
 void SegmentWalk::run(Visitor&& visitor) {
@@ -68,19 +101,22 @@ void SegmentWalk::run(Visitor&& visitor) {
   if (start_.spot == locate::Spot::vertex) {
     stand = stand_at(mesh_.origin(start_.h));
   } else if (start_.spot == locate::Spot::edge) {
-    if (!visitor.at_edge(start_.h) || exact::compare(from_, to_) == 0) return;
+    const bool is_point = exact::compare(from(), to()) == 0;
+    if (!visitor.at_edge(start_.h, is_point) || is_point) return;
     stand = leave_start_edge();
   } else {
-    if (exact::compare(from_, to_) == 0) return;
+    if (exact::compare(from(), to()) == 0) return;
     stand = leave_face(start_.h);
   }
-  while (!stand.has_ended) {
+  for (;;) {
+    if (stand.through != mesh::kNoHalfEdge && !visitor.through_face(stand.through)) return;
+    if (stand.has_ended) return;
     if (stand.vertex != mesh::kNoVertex) {
       if (!visitor.at_vertex(stand.vertex)) return;
-      if (exact::compare(to_, delaunay_.view(stand.vertex)) == 0) return;
+      if (exact::compare(to(), delaunay_.view(stand.vertex)) == 0) return;
       stand = leave_vertex(stand.vertex);
     } else {
-      if (!visitor.at_edge(stand.exit)) return;
+      if (!visitor.at_edge(stand.exit, stand.ends_on_exit)) return;
       if (stand.ends_on_exit) return;
       stand = enter_face(mesh_.twin(stand.exit));
     }

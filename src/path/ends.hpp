@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,17 +17,18 @@ class Ends {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Finds both ends, with the help of an abstraction if there is one. Returns how the search ends where there is
-  /// nothing to search: an end is blocked or walled in, or the straight way is free because both ends lie at one face
-  /// or in one place. Requires: both lie in the domain.
-  std::optional<PathStatus> find(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
-                                 const Point& goal);
+  /// Finds the start, with the help of an abstraction if there is one; both must stay as they are. Requires: it lies in
+  /// the domain.
+  void set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start);
+  /// Finds the goal. Returns how the search ends where there is nothing to search: the straight way is free, or an end
+  /// is blocked or walled in. Requires: it lies in the domain.
+  std::optional<PathStatus> set_goal(const Point& goal);
 
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_place() const { return start_place_; }
-  [[nodiscard]] const locate::Located& goal_place() const { return goal_place_; }
-  /// The open faces around the end, as constraint::Cover::open_faces names and orders them.
+  /// The open faces around the end, as constraint::Cover::open_faces names and orders them. Requires: there is
+  /// something to search.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
   [[nodiscard]] const std::vector<mesh::HalfEdge>& goal_faces() const { return goal_faces_; }
   [[nodiscard]] bool is_goal(mesh::Face f) const {
@@ -37,16 +37,26 @@ class Ends {
     }
     return false;
   }
+  /// The edges that the straight way crosses, in the faces before them. Requires: it is free.
+  [[nodiscard]] const std::vector<mesh::HalfEdge>& crossed() const { return crossed_; }
 
  private:
+  class StraightWay;
+
+  [[nodiscard]] bool sees_goal();
+  void find_start_faces();
   [[nodiscard]] bool are_joined(const Components& components) const;
 
+  const Triangulation* triangulation_ = nullptr;
+  const Abstraction* abstraction_ = nullptr;  ///< or null
   Point start_;
   Point goal_;
   locate::Located start_place_;
-  locate::Located goal_place_;
+  bool is_start_known_ = false;    ///< whether the next two are
+  bool is_start_blocked_ = false;  ///< it lies strictly inside a polygon
   std::vector<mesh::HalfEdge> start_faces_;
   std::vector<mesh::HalfEdge> goal_faces_;
+  std::vector<mesh::HalfEdge> crossed_;
   KeptCover cover_;
 };
 

@@ -24,13 +24,6 @@ void clear(Path& path) {
   path.time = {};
 }
 
-void write_straight(const Point& start, const Point& goal, Path& path) {
-  path.length = distance(start, goal);
-  path.lower_bound = path.length;
-  path.points.push_back(start);
-  path.points.push_back(goal);
-}
-
 }  // namespace
 
 void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
@@ -40,13 +33,14 @@ void Finder::begin(const Triangulation& triangulation, const Abstraction* abstra
   query_ = query;
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
   clear(path);
-  const std::optional<PathStatus> known = ends_.find(triangulation, abstraction, query.start, query.goal);
+  ends_.set_start(triangulation, abstraction, query.start);
+  const std::optional<PathStatus> known = ends_.set_goal(query.goal);
   is_searched_ = !known.has_value();
   is_done_ = !is_searched_;
   is_proving_ = false;
   if (is_done_) {
     path.status = *known;
-    if (path.status == PathStatus::found) write_straight(query.start, query.goal, path);
+    if (path.status == PathStatus::found) write_straight(query.wants_channel, path);
     finish(path);
   } else if (query.algorithm == PathAlgorithm::ta) {
     ta_.begin(triangulation, ends_);
@@ -54,6 +48,21 @@ void Finder::begin(const Triangulation& triangulation, const Abstraction* abstra
     tra_.begin(triangulation, *abstraction, ends_);
   } else {
     begin_optimal(std::numeric_limits<double>::infinity());
+  }
+}
+
+void Finder::write_straight(bool wants_channel, Path& path) const {
+  path.length = distance(ends_.start(), ends_.goal());
+  path.lower_bound = path.length;
+  path.points.push_back(ends_.start());
+  path.points.push_back(ends_.goal());
+  path.expansions = ends_.crossed().size();
+  if (!wants_channel) return;
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
+  const exact::Geometry& geometry = triangulation_->triangulation().geometry();
+  const auto place = [&](mesh::Vertex v) { return geometry.nearest(number(v)); };
+  for (const mesh::HalfEdge h : ends_.crossed()) {
+    path.channel.push_back({place(mesh.target(h)), place(mesh.origin(h))});
   }
 }
 
@@ -112,15 +121,17 @@ bool Finder::search_optimal(std::size_t limit, Path& path) {
 
 void Finder::find_all(const Triangulation& triangulation, const Abstraction* abstraction, const ManyGoalsQuery& query,
                       std::vector<Path>& paths) {
+  triangulation_ = &triangulation;
   abstraction_ = abstraction;
   paths.resize(query.goals.size());
   searched_.clear();
+  ends_.set_start(triangulation, abstraction, query.start);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     clear(paths[i]);
-    const std::optional<PathStatus> known = ends_.find(triangulation, abstraction, query.start, query.goals[i]);
+    const std::optional<PathStatus> known = ends_.set_goal(query.goals[i]);
     if (known) {
       paths[i].status = *known;
-      if (*known == PathStatus::found) write_straight(query.start, query.goals[i], paths[i]);
+      if (*known == PathStatus::found) write_straight(false, paths[i]);
       if (!query.wants_points) paths[i].points.clear();
       continue;
     }
@@ -128,10 +139,9 @@ void Finder::find_all(const Triangulation& triangulation, const Abstraction* abs
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
     searched_.push_back(i);
   }
-  if (searched_.empty()) return;
-  optimal_.start();
   std::size_t expansions = 0;
-  while (!optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
+  if (!searched_.empty()) optimal_.start();
+  while (!searched_.empty() && !optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
   }
   for (std::size_t goal = 0; goal < searched_.size(); ++goal) {
     if (optimal_.is_found(goal)) optimal_.write_path(goal, query.wants_points, paths[searched_[goal]]);

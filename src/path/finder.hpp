@@ -36,6 +36,7 @@ class Finder {
   [[nodiscard]] bool search_ta(std::size_t limit, Path& path);
   [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
   void begin_optimal(double known_length);
+  void write_straight(bool wants_channel, Path& path) const;
   [[nodiscard]] bool is_over_budget(const Path& path) const;
   [[nodiscard]] bool has_time_limit() const;
   void finish(Path& path) const;

@@ -24,6 +24,10 @@ class KeptCover final : public constraint::Cover {
     return polygons_;
   }
 
+  bool is_covered(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge h) override {
+    return components_ == nullptr ? Cover::is_covered(triangulation, h) : components_->is_covered(mesh::face(h));
+  }
+
  private:
   const Components* components_ = nullptr;
   std::vector<std::uint32_t> polygons_;

@@ -45,6 +45,40 @@ TEST_P(PointPaths, StraightThroughEmptySpace) {
   EXPECT_DOUBLE_EQ(path.length, 10.0);
 }
 
+// The box's diagonal is the one through its first corner.
+TEST_P(PointPaths, AStraightWayCrossesTheEdgesOnIt) {
+  const World world = world_of(kTen, {});
+  PathQuery query{{1, 2}, {9, 7}, 0.0, GetParam()};
+  query.wants_channel = true;
+  const Path there = world.find_path(query).value();
+  EXPECT_EQ(there.channel, (std::vector<Portal>{{{10, 10}, {0, 0}}}));
+  EXPECT_EQ(there.expansions, 1U);
+  EXPECT_EQ(there.lower_bound, there.length);
+  std::swap(query.start, query.goal);
+  EXPECT_EQ(world.find_path(query)->channel, (std::vector<Portal>{{{0, 0}, {10, 10}}}));
+  query.goal = {4, 4};
+  EXPECT_EQ(world.find_path(query)->channel, std::vector<Portal>{}) << "an edge that it ends on is not crossed";
+}
+
+TEST_P(PointPaths, StraightFromWallToWall) {
+  const World world = world_of(kTen, {wall({3, 0}, {3, 6}), wall({7, 4}, {7, 10}), rectangle(8, 1, 9, 2)});
+  const auto expect_straight = [&](Point start, Point goal) {
+    EXPECT_EQ(path_of(world, start, goal).points, (std::vector<Point>{start, goal}));
+    EXPECT_EQ(path_of(world, goal, start).points, (std::vector<Point>{goal, start}));
+  };
+  expect_straight({3, 5}, {7, 5});   // from side to side
+  expect_straight({3, 6}, {7, 4});   // from end to end
+  expect_straight({3, 6}, {7, 10});  // from an end to the border
+  expect_straight({3, 2}, {3, 6});   // along a wall
+  expect_straight({8, 1.5}, {3, 6});
+  expect_straight({8, 2}, {9, 2});
+  // Seen through a wall, or through a solid's inside, nothing is near.
+  EXPECT_EQ(path_of(world, {1, 5}, {3, 5}).length, 2.0) << "the wall's near side is its far side too";
+  EXPECT_DOUBLE_EQ(path_of(world, {2, 5}, {4, 5}).length, 2 * std::numbers::sqrt2);
+  EXPECT_DOUBLE_EQ(path_of(world, {8, 1}, {9, 2}).length, 2.0);
+  EXPECT_DOUBLE_EQ(path_of(world, {8, 1.5}, {9, 1.5}).length, 2.0);
+}
+
 TEST_P(PointPaths, AroundAWallsEnd) {
   const World world = world_of(kTen, {wall({5, 0}, {5, 6})});
   const Path path = path_of(world, {1, 3}, {9, 3});

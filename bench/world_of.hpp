@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "waywright/world.hpp"
+
+#include "workloads.hpp"
+
+namespace waywright::bench {
+
+/// The counts of squares in the worlds that paths are asked for in.
+inline constexpr std::array<std::size_t, 3> kPathSquares = {100, 500, 2000};
+
+/// The world that a workload without removals leaves.
+[[nodiscard]] inline World world_of(const Workload& workload) {
+  World world = World::create(workload.domain).value();
+  for (const Item& item : workload.before) static_cast<void>(world.insert(item.shape, item.id).value());
+  for (const Update& update : workload.updates) {
+    static_cast<void>(world.insert(update.inserted.shape, update.inserted.id).value());
+  }
+  return world;
+}
+
+}  // namespace waywright::bench
