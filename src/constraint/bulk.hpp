@@ -53,42 +53,40 @@ ItemHash::Words hash_of_batch(const Batch& batch, const locate::Crew& crew) {
   return sums[0];
 }
 
+// Which vertices the corners are is known as soon as they are sorted, so records are made while the mesh is. Nobody has
+// seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and then.
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
                                                              const locate::Crew& crew)
-    : ConstrainedTriangulation(domain, batch, sort_corners(domain, batch, Triangulation::corners_of(domain), crew),
-                               crew) {}
-
-// Nobody has seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and
-// then.
-template <class Geometry>
-template <class Batch>
-ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
-                                                             locate::SortedPoints&& sorted, const locate::Crew& crew)
-    : domain_(domain),
-      triangulation_(domain, {UseLists::of(0), UseLists::of(1), UseLists::of(2), UseLists::of(3)}, std::move(sorted),
-                     crew),
-      corner_uses_(topology().vertex_slots(), UseLists::kNone) {
-  const std::span<const std::uint32_t> ranks = std::span(sorted.ranks).subspan(4);
-  const auto vertex_of = [](std::uint32_t rank) { return Triangulation::vertex_of_rank(rank); };
-  const auto empty_logs = [&](std::size_t items) {
-    if (items % kItemsBetweenReports == 0) begin();
-  };
-  add_domain();
+    : domain_(domain), triangulation_(domain, kSidesOfBox) {
+  locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), crew);
+  const std::span<const std::uint32_t> ranks(sorted.ranks);
+  corner_uses_.resize(sorted.points.size() + 1, UseLists::kNone);
+  std::vector<std::uint32_t> with_sides;
+  const std::array<locate::Job, 1> jobs = {[&] {
+    add_domain(ranks.first(4));
+    with_sides = add_records(batch, ranks.subspan(4), Triangulation::vertex_of_rank, [&](std::size_t items) {
+      if (items % kItemsBetweenReports == 0) begin_records();
+    });
+  }};
+  triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), crew, jobs);
+  items_.outline(ItemTable::kDomain, outline_);
+  items_.add_hash(hash_of(ItemTable::kDomain, outline_));
   items_.add_hash(hash_of_batch(batch, crew));
-  insert_sides(add_records(batch, ranks, vertex_of, empty_logs), [&](std::size_t items) {
-    empty_logs(items);
-    if (items % kItemsBetweenReports == 0) crew.report(ranks.size() + items);
+  insert_sides(with_sides, [&](std::size_t items) {
+    if (items % kItemsBetweenReports != 0) return;
+    begin();
+    crew.report(ranks.size() - 4 + items);
   });
   begin();
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::add_domain() {
-  for (const mesh::Vertex corner : triangulation_.box_corners()) add_corner(corner, ItemTable::kDomain);
+void ConstrainedTriangulation<Geometry>::add_domain(std::span<const std::uint32_t> ranks) {
+  for (const std::uint32_t rank : ranks) add_corner(Triangulation::vertex_of_rank(rank), ItemTable::kDomain);
   end_ring();
-  end_item(ItemTable::kDomain);
+  items_.set_outline(ItemTable::kDomain, outline_);
 }
 
 template <class Geometry>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -91,6 +92,9 @@ class ConstrainedTriangulation {
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
   static constexpr std::size_t kIdsAhead = 8;
+  /// The first sides are the domain's.
+  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::of(0), UseLists::of(1), UseLists::of(2),
+                                                             UseLists::of(3)};
 
   /// What a side meets next on its way: a vertex, after crossing the free edges in `crossed_`, or a fixed edge.
   struct Step {
@@ -100,14 +104,13 @@ class ConstrainedTriangulation {
   };
 
   void begin();
+  void begin_records();
   void roll_back();
   void set_corner_uses(mesh::Vertex v, Uses uses);
   void grow_corner_uses();
 
-  template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch, locate::SortedPoints&& sorted,
-                           const locate::Crew& crew);
-  void add_domain();
+  /// Gives the domain its record, of corners of these ranks.
+  void add_domain(std::span<const std::uint32_t> ranks);
   /// Gives a batch's items their records: corner after corner at the vertices of these ranks, and sides that are still
   /// to be inserted. Their hashes are not counted in. Returns the slots of the items with sides, in the order of their
   /// first corners.

@@ -7,6 +7,11 @@ namespace waywright::constraint {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::begin() {
   triangulation_.begin();
+  begin_records();
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::begin_records() {
   items_.begin();
   uses_.begin();
   corner_uses_log_.clear();

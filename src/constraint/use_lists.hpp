@@ -16,7 +16,7 @@ class UseLists {
   static constexpr Uses kNone = 0;
   static constexpr std::uint32_t kLargestUser = 0x7ffffffd;
 
-  [[nodiscard]] static Uses of(std::uint32_t user) { return user + 1; }
+  [[nodiscard]] static constexpr Uses of(std::uint32_t user) { return user + 1; }
 
   [[nodiscard]] Uses add(Uses list, std::uint32_t user);
   [[nodiscard]] Uses copy(Uses list);

@@ -43,8 +43,9 @@ class DivideAndConquer {
                    std::span<Corner> corners)
       : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
 
-  /// Triangulates all points, of which there are two or more. Reports how many are done.
-  void run(const locate::Crew& crew);
+  /// Triangulates all points, of which there are two or more, and does `jobs` meanwhile. Reports how many points are
+  /// done.
+  void run(const locate::Crew& crew, std::span<const locate::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
 
@@ -147,19 +148,18 @@ class DivideAndConquer {
 
 // The cuts are the same whoever works: tasks are parts that would come about anyway.
 template <class Geometry>
-void DivideAndConquer<Geometry>::run(const locate::Crew& crew) {
+void DivideAndConquer<Geometry>::run(const locate::Crew& crew, std::span<const locate::Job> jobs) {
   const auto count = static_cast<std::uint32_t>(points_.size());
   const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * crew.threads()));
   tasks_.clear();
   list_tasks(0, count, std::max(kSmallestTask, static_cast<std::uint32_t>(most)));
-  std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};
-  crew.run([&](std::size_t thread) {
-    for (std::size_t i = next++; i < tasks_.size(); i = next++) {
-      tasks_[i].part = triangulate(tasks_[i].begin, tasks_[i].end);
-      done += tasks_[i].end - tasks_[i].begin;
-      if (thread == 0) crew.report(done);
-    }
+  crew.take_turns(jobs.size() + tasks_.size(), [&](std::size_t thread, std::size_t i) {
+    if (i < jobs.size()) return jobs[i]();
+    Task& task = tasks_[i - jobs.size()];
+    task.part = triangulate(task.begin, task.end);
+    done += task.end - task.begin;
+    if (thread == 0) crew.report(done);
   });
   std::size_t next_task = 0;
   (void)merge_tasks(0, count, next_task);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "waywright/point.hpp"
@@ -31,9 +32,10 @@ class Triangulation {
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels)
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
   /// The same with a vertex at each of `sorted`, made all at once. The first four points given to sort were the box's
-  /// corners, as corners_of() lists them. Source: see DivideAndConquer.
+  /// corners, as corners_of() lists them; its ranks are left alone. Does `jobs` meanwhile. Source: see
+  /// DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
-                const locate::Crew& crew = {});
+                const locate::Crew& crew = {}, std::span<const locate::Job> jobs = {});
 
   /// The box's corners, counter-clockwise from its smallest.
   [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {
@@ -135,6 +137,7 @@ class Triangulation {
     mesh::HalfEdge base;  ///< kNoHalfEdge: by the chain edge
   };
 
+  void place_all(std::span<const Point> points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.

@@ -12,28 +12,34 @@ using mesh::next;
 using mesh::number;
 using mesh::previous;
 
+// Divide and conquer asks about points as they are, so their places can be noted and their sectors filled meanwhile.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
-                                       locate::SortedPoints&& sorted, const locate::Crew& crew)
+                                       locate::SortedPoints&& sorted, const locate::Crew& crew,
+                                       std::span<const locate::Job> jobs)
     : sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
-  const auto count = static_cast<std::uint32_t>(sorted.points.size());
-  {
-    std::vector<mesh::TriangleMesh::Corner> corners(6 * std::size_t{count} - 6);
-    DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew);
-    mesh_ = mesh::TriangleMesh(std::move(corners), count + std::size_t{1});
-    sectors_.fill(sorted.keys, number(vertex_of_rank(0)));
-  }
+  std::vector<mesh::TriangleMesh::Corner> corners(6 * sorted.points.size() - 6);
+  std::vector<locate::Job> all_jobs(jobs.begin(), jobs.end());
+  all_jobs.emplace_back([&] { place_all(sorted.points); });
+  all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
+  DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
+  const std::size_t vertex_count = sorted.points.size() + 1;
   sorted.keys = {};
-  if constexpr (requires { geometry_.reserve(count); }) geometry_.reserve(count + std::size_t{1});
-  geometry_.place(number(ghost_), Point{});
-  for (std::uint32_t rank = 0; rank < count; ++rank) {
-    geometry_.place(number(vertex_of_rank(rank)), sorted.points[rank]);
-    if (rank % kPlacesBetweenLogs == 0) geometry_.begin();
-  }
   sorted.points = {};
+  mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
   fix_border(side_labels);
   begin();
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::place_all(std::span<const Point> points) {
+  if constexpr (requires { geometry_.reserve(points.size()); }) geometry_.reserve(points.size() + 1);
+  geometry_.place(number(ghost_), Point{});
+  for (std::uint32_t rank = 0; rank < points.size(); ++rank) {
+    geometry_.place(number(vertex_of_rank(rank)), points[rank]);
+    if (rank % kPlacesBetweenLogs == 0) geometry_.begin();
+  }
 }
 
 // Around the ghost, clockwise, stand the vertices on the border, counter-clockwise around the box.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <future>
@@ -7,6 +8,9 @@
 #include <vector>
 
 namespace waywright::locate {
+
+/// A piece of work that one thread does while others do something else.
+using Job = std::function<void()>;
 
 /// Who works on something large: the calling thread and, where asked for, others. What comes out never depends on it.
 class Crew {
@@ -36,6 +40,15 @@ class Crew {
   template <class Work>
   void share(std::size_t count, const Work& work) const {
     run([&](std::size_t t) { work(t, count * t / threads_, count * (t + 1) / threads_); });
+  }
+
+  /// Calls work(t, i) once for each i below `count`, the lowest first, on whichever thread t has nothing to do.
+  template <class Work>
+  void take_turns(std::size_t count, const Work& work) const {
+    std::atomic<std::size_t> next{0};
+    run([&](std::size_t t) {
+      for (std::size_t i = next++; i < count; i = next++) work(t, i);
+    });
   }
 
   /// To be called by the calling thread.
