@@ -6,6 +6,7 @@
 
 #include "waywright/world.hpp"
 
+#include "at_once.hpp"
 #include "constraint_benchmarks.hpp"
 #include "harness.hpp"
 #include "point_benchmarks.hpp"
@@ -16,34 +17,10 @@
 namespace waywright::bench {
 namespace {
 
-/// Times what `insert` does with a fresh world. Its destruction is off the clock.
-template <class Insert>
-void time_at_once(benchmark::State& state, const Workload& workload, const WorldOptions& options, Insert&& insert) {
-  for ([[maybe_unused]] const auto iteration : state) {
-    state.PauseTiming();
-    {
-      World world = World::create(workload.domain, options).value();
-      state.ResumeTiming();
-      insert(world);
-      state.PauseTiming();
-      state.counters["vertices"] = static_cast<double>(world.vertex_count());
-    }
-    state.ResumeTiming();
-  }
-  report_time_per_operation(state, workload.updates.size());
-}
-
 void time_points(benchmark::State& state, const Workload& workload, const WorldOptions& options, std::size_t threads) {
   std::vector<Point> points;
   for (const Update& update : workload.updates) points.push_back(update.inserted.shape.rings[0][0]);
   time_at_once(state, workload, options, [&](World& world) { world.insert_points(points, {}, {threads, {}}).value(); });
-}
-
-void time_items(benchmark::State& state, const Workload& workload) {
-  std::vector<Item> items;
-  for (const Update& update : workload.updates) items.push_back(update.inserted);
-  time_at_once(state, workload, kMeshOnly,
-               [&](World& world) { benchmark::DoNotOptimize(world.insert_all(items).value()); });
 }
 
 /// As wall time: the processors' would add up the threads'.
@@ -88,8 +65,9 @@ void register_insertions() {
   for (const PointSize& size : growing_sizes()) {
     register_points(size.name("growth"), [size] { return uniform_points(size.count); });
   }
-  benchmark::RegisterBenchmark(("bulk_segments/" + std::to_string(kSegmentCount) + "/waywright").c_str(),
-                               [](benchmark::State& state) { time_items(state, disjoint_segments(kSegmentCount)); })
+  benchmark::RegisterBenchmark(
+      ("bulk_segments/" + std::to_string(kSegmentCount) + "/waywright").c_str(),
+      [](benchmark::State& state) { time_items_at_once(state, disjoint_segments(kSegmentCount), kMeshOnly); })
       ->Iterations(1)
       ->Unit(benchmark::kMillisecond);
   register_segments<Waywright>("waywright");
