@@ -205,9 +205,10 @@ class World {
   /// Requires: `threads` is 1 or more.
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads) const;
 
-  /// The shortest path to each goal, in their order, by one search from the start outwards. Its expansions stand in
-  /// every answer. Errors: those of find_path; the error's index is 0 for the start and else the goal's position + 1.
-  /// Cost: that of the farthest goal, and a little for each.
+  /// The shortest path to each goal, in their order. The expansions of all searches stand in every answer. Errors:
+  /// those of find_path; the error's index is 0 for the start and else the goal's position + 1. Cost: of a few goals
+  /// that of as many paths; from some hundreds on, one search from the start outwards finds them all, which costs what
+  /// lies nearer than the farthest goal, and a little for each.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "waywright/point.hpp"
 
@@ -36,11 +37,17 @@ namespace waywright::path {
 }
 
 /// Where the ray from `p` in a direction meets the edge from `a` along `edge`; the edge's nearer end where it hardly
-/// does.
-[[nodiscard]] inline Point meeting(const Point& p, const Point& direction, const Point& a, const Point& edge) {
-  const double at = cross(direction, {p.x - a.x, p.y - a.y}) / cross(direction, edge);
+/// does. Nothing where the two are so nearly parallel that rounding could shift the place by more than 2^-34 of its
+/// distance from `p`.
+[[nodiscard]] inline std::optional<Point> meeting(const Point& p, const Point& direction, const Point& a,
+                                                  const Point& edge) {
+  const double one = direction.x * edge.y;
+  const double other = direction.y * edge.x;
+  const double across = one - other;
+  if (!(std::abs(across) > 0x1p-16 * (std::abs(one) + std::abs(other)))) return std::nullopt;
+  const double at = cross(direction, {p.x - a.x, p.y - a.y}) / across;
   const double share = at > 0.0 ? std::min(at, 1.0) : 0.0;
-  return {a.x + share * edge.x, a.y + share * edge.y};
+  return Point{a.x + share * edge.x, a.y + share * edge.y};
 }
 
 [[nodiscard]] inline double length_by_way_of(const Point& p, const Point& between, const Point& q) {

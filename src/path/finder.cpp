@@ -10,6 +10,10 @@ namespace {
 /// Triangles between two looks at the clock.
 constexpr std::size_t kSlice = 256;
 
+/// So many goals are searched for in all directions at once; fewer one by one, each on the way there. About where the
+/// two cost the same among some hundreds of obstacles.
+constexpr std::size_t kManyGoals = 256;
+
 std::size_t add_or_stay_largest(std::size_t a, std::size_t b) {
   return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max() : a + b;
 }
@@ -125,6 +129,7 @@ void Finder::find_all(const Triangulation& triangulation, const Abstraction* abs
   abstraction_ = abstraction;
   paths.resize(query.goals.size());
   searched_.clear();
+  std::size_t expansions = 0;
   ends_.set_start(triangulation, abstraction, query.start);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     clear(paths[i]);
@@ -138,15 +143,22 @@ void Finder::find_all(const Triangulation& triangulation, const Abstraction* abs
     if (searched_.empty()) optimal_.begin(triangulation, abstraction_, ends_, false);
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
     searched_.push_back(i);
+    if (paths.size() < kManyGoals) settle(query.wants_points, expansions, paths);
   }
-  std::size_t expansions = 0;
-  if (!searched_.empty()) optimal_.start();
-  while (!searched_.empty() && !optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
+  settle(query.wants_points, expansions, paths);
+  for (Path& path : paths) path.expansions = expansions;
+}
+
+/// Finds the paths to the goals that the search knows.
+void Finder::settle(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
+  if (searched_.empty()) return;
+  optimal_.start();
+  while (!optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
   }
   for (std::size_t goal = 0; goal < searched_.size(); ++goal) {
-    if (optimal_.is_found(goal)) optimal_.write_path(goal, query.wants_points, paths[searched_[goal]]);
+    if (optimal_.is_found(goal)) optimal_.write_path(goal, wants_points, paths[searched_[goal]]);
   }
-  for (Path& path : paths) path.expansions = expansions;
+  searched_.clear();
 }
 
 bool Finder::is_over_budget(const Path& path) const {

@@ -35,6 +35,7 @@ class Finder {
   [[nodiscard]] bool search(std::size_t limit, Path& path);
   [[nodiscard]] bool search_ta(std::size_t limit, Path& path);
   [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
+  void settle(bool wants_points, std::size_t& expansions, std::vector<Path>& paths);
   void begin_optimal(double known_length);
   void write_straight(bool wants_channel, Path& path) const;
   [[nodiscard]] bool is_over_budget(const Path& path) const;
@@ -53,7 +54,7 @@ class Finder {
   TaStar ta_;
   TraStar tra_;
   Optimal optimal_;
-  std::vector<std::size_t> searched_;  ///< of many goals, those that are not settled at once
+  std::vector<std::size_t> searched_;  ///< of many goals, those that are not settled yet
 };
 
 }  // namespace waywright::path

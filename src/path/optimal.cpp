@@ -1,6 +1,7 @@
 #include "path/optimal.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "path/distance.hpp"
 
@@ -299,6 +300,7 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   Reached& reached_before = reached(v);
   if (length >= reached_before.length) return;
   reached_before.length = length;
+  reached_before.spoke = is_left ? window.entry : mesh_->twin(window.entry);
   nodes_.push_back(window);
   nodes_.back().kind = kind;
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
@@ -308,7 +310,7 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
 Optimal::Reached& Optimal::reached(mesh::Vertex v) {
   Reached& entry = reached_[number(v)];
   if (entry.query == query_) return entry;
-  entry = {has_walls(v) ? kInfinity : -kInfinity, query_};
+  entry = {has_walls(v) ? kInfinity : -kInfinity, query_, mesh::kNoHalfEdge};
   return entry;
 }
 
@@ -396,7 +398,7 @@ void Optimal::offer(const Node& window) { offer(window, Cone(*this, window)); }
 
 void Optimal::offer(const Node& window, const Cone& cone) {
   const double least = bound(window, cone);
-  if (least >= longest_) return;
+  if (least >= longest_ || is_outdone(window, window.entry) || is_outdone(window, mesh_->twin(window.entry))) return;
   if (least <= at_once_bound_) {
     at_once_.push_back(window);
     return;
@@ -405,29 +407,58 @@ void Optimal::offer(const Node& window, const Cone& cone) {
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
+/// Whether the known way to one end of the window's edge, from where `from_end` runs along it, and on along the edge
+/// leads to its other end sooner than the straight way from the root would. By the triangle inequality it then leads
+/// sooner to every place between, so that no shortest path comes through the window. By more than rounding can make of
+/// a sum of lengths: of two ways that are equally long, neither outdoes the other.
+bool Optimal::is_outdone(const Node& window, mesh::HalfEdge from_end) const {
+  constexpr double kSurely = 1.0 + 0x1p-40;
+  const mesh::Vertex end = mesh_->origin(from_end);
+  const Reached& way = reached_[number(end)];
+  if (way.query != query_ || way.spoke == mesh::kNoHalfEdge) return false;
+  const Point& other_end = place(mesh_->target(from_end));
+  const Root& root = roots_[window.root];
+  const bool is_sooner =
+      (way.length + distance(place(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
+  return is_sooner && are_in_one_wedge(from_end, way.spoke);
+}
+
+/// Whether no wall lies between two free edges from a vertex with walls, on one of the ways around.
+bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
+  for (mesh::HalfEdge at = g; !mesh_->is_fixed(at); at = mesh_->next_around(at)) {
+    if (at == h) return true;
+  }
+  for (mesh::HalfEdge at = g; !mesh_->is_fixed(at); at = mesh_->previous_around(at)) {
+    if (at == h) return true;
+  }
+  return false;
+}
+
 /// No path from `p` to a goal is shorter.
 double Optimal::bound_from(const Point& p) const {
   return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
 }
 
 /// No path through the window is shorter: with one goal, the way through the window and on to the goal; with more, the
-/// way to the window. A bound in doubles: it decides what is looked at first, nothing else.
+/// way to the window. A bound in doubles: it decides what is looked at first, nothing else. Where the cone's bound
+/// meets the edge at so small an angle that doubles don't tell where, the window is as wide as the edge.
 double Optimal::bound(const Node& window, const Cone& cone) const {
   const Point& a = place(mesh_->origin(window.entry));
   const Point& b = place(mesh_->target(window.entry));
   const Point p = cone.root();
   const Point edge{b.x - a.x, b.y - a.y};
+  const double length = roots_[window.root].length;
   const bool has_one_goal = goals_.size() == 1;
   const Point q = has_one_goal ? beyond(p, a, edge, goals_.front().point) : foot(p, a, edge);
   const Point way{q.x - p.x, q.y - p.y};
-  Point between = q;
+  std::optional<Point> between = q;
   if (const Point left = cone.left_direction(); cross(left, way) > 0.0) {
     between = meeting(p, left, a, edge);
   } else if (const Point right = cone.right_direction(); cross(right, way) < 0.0) {
     between = meeting(p, right, a, edge);
   }
-  const double to_window = roots_[window.root].length + distance(p, between);
-  return has_one_goal ? to_window + distance(between, q) : to_window;
+  if (!between) return has_one_goal ? length + distance_by_way_of(p, a, b, q) : length;
+  return length + distance(p, *between) + (has_one_goal ? distance(*between, q) : 0.0);
 }
 
 Optimal::Geometry::View Optimal::view(const Root& root) const {

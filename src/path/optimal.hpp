@@ -25,7 +25,9 @@ namespace waywright::path {
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and leaving out roots that have been reached on a shorter way. Departures: no interval's end is
 /// ever computed to decide where a search goes; the windows beyond a turn are made only when no other way looks
-/// shorter; windows whose bound is not above the least one are followed at once, without passing the open list.
+/// shorter; windows whose bound is not above the least one are followed at once, without passing the open list; windows
+/// all of whose places are reached sooner by way of an end of their edge are left out (Xin and Wang, *Improving Chen
+/// and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
 class Optimal {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -98,6 +100,7 @@ class Optimal {
   struct Reached {
     double length = 0.0;
     std::uint32_t query = 0;
+    mesh::HalfEdge spoke = mesh::kNoHalfEdge;  ///< an edge from there in the wedge between walls that the way came to
   };
 
   /// How many of the goals' faces lie at a face outside the core or beyond it, as seen from the core, in the query that
@@ -129,6 +132,8 @@ class Optimal {
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
   void offer(const Node& window, const Cone& cone);
   void offer(const Node& window);
+  [[nodiscard]] bool is_outdone(const Node& window, mesh::HalfEdge from_end) const;
+  [[nodiscard]] bool are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const;
   /// Calls visit(goal) for each goal at the face.
   template <class Visit>
   void for_each_goal(mesh::Face f, Visit&& visit) const;

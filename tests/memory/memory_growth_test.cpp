@@ -82,7 +82,10 @@ TEST(MemoryGrowth, WarmQueriesAllocateNothing) {
   Location location;
   RayHit hit;
   std::vector<Path> paths;
+  std::vector<Path> many_paths;
   const std::vector<Point> goals = {{990, 990}, {-990, 990}, {15, 27}, {990, -990}};
+  std::vector<Point> many_goals;
+  for (int i = 0; i < 300; ++i) many_goals.push_back({990 - 6.5 * i, 6.0 * i - 900});
   const auto ask_all = [&] {
     for (int i = 0; i < 40; ++i) {
       const Point start{-990 + 20.0 * i, -990};
@@ -91,6 +94,7 @@ TEST(MemoryGrowth, WarmQueriesAllocateNothing) {
         world.find_path({start, goal, 0.0, algorithm, {PathBudget::kNoLimit}, true}, context, path).value();
       }
       world.find_paths_from({start, goals, 0.0, true}, context, paths).value();
+      world.find_paths_from({start, many_goals, 0.0, true}, context, many_paths).value();
       world.locate(start, context, location).value();
       world.ray(start, {990 - 10.0 * i, 990}, hit).value();
       world.locate({10.0 * i, 5.0 * i}, context, location).value();

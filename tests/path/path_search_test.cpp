@@ -148,13 +148,19 @@ TEST(ManyPaths, OnManyThreadsAreThoseFoundAlone) {
   EXPECT_EQ(refused.error().index, 5U);
 }
 
-TEST(ManyPaths, FromOneStartAreAsLongAsThoseFoundAlone) {
+class FromOneStart : public testing::TestWithParam<std::size_t> {};
+
+// Few goals are searched for one by one, many all at once.
+INSTANTIATE_TEST_SUITE_P(GoalCounts, FromOneStart, testing::Values(60, 600));
+
+TEST_P(FromOneStart, PathsAreAsLongAsThoseFoundAlone) {
   for (const std::uint64_t seed : {13U, 14U, 15U, 16U}) {
     const Setting setting = random_setting(seed);
     ManyGoalsQuery query;
     query.start = setting.queries[0].start;
     std::vector<Point> goals = {query.start, setting.queries[0].goal, setting.queries[0].goal};
-    for (const PathQuery& other : setting.queries) goals.push_back(other.start);
+    Random random(seed + 100);
+    while (goals.size() < GetParam()) goals.push_back(random_point(Flavour::small, setting.world.domain(), random));
     query.goals = goals;
     query.wants_points = true;
     const std::vector<Path> paths = setting.world.find_paths_from(query).value();
@@ -172,6 +178,9 @@ TEST(ManyPaths, FromOneStartAreAsLongAsThoseFoundAlone) {
       EXPECT_EQ(paths[i].points.back(), goals[i]);
     }
   }
+}
+
+TEST(ManyPaths, FromOneStartAreRefusedAsOne) {
   const World world = World::create({{0, 0}, {10, 10}}).value();
   const std::vector<Point> outside = {{1, 1}, {11, 1}};
   const auto refused = world.find_paths_from({{5, 5}, outside});

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -165,6 +166,45 @@ TEST_P(PointPaths, StartAndGoalInOnePlace) {
   const Path path = path_of(world, {4, 4}, {4, 4});
   EXPECT_EQ(path.status, PathStatus::found);
   EXPECT_EQ(path.length, 0.0);
+}
+
+double length_of(const std::vector<Point>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+  }
+  return length;
+}
+
+// A wall that begins 10^-20 above another, as exact arithmetic tells: the shortest way leads through between them.
+TEST(ShortestPaths, ThroughAGapBetweenWallsThatSeemToTouch) {
+  const Point end{-0.7959918567436949, -0.00013992622587844495};
+  const Point tip{-0.8163014956418463, -0.0040801744508494105};
+  const World world = world_of({{-1, -1}, {1, 1}}, {wall(end, {-0.8569207734381491, -0.011960670900791342}),
+                                                    wall(tip, {-0.543217257907694, 0.1472487340776012})});
+  const PathQuery query{{-0.5779020981534886, -0.17469550198635064}, {-0.8154634610772286, 1.7861308928303587e-06}};
+  const Path path = world.find_path(query).value();
+  EXPECT_NEAR(path.length, length_of({query.start, end, tip, query.goal}), 1e-12);
+}
+
+TEST(ShortestPaths, AroundATipThatAlmostTouchesAWall) {
+  const Point corner{-0.7046079265601128, 0.1763215604562075};
+  const Point end{-0.8104237720459804, 0.28636250175253153};
+  const Point tip{-0.5454068349674981, 0.019255250921814793};
+  const std::vector<Point> walls = {
+      {-1, -0.33959029372497385}, {-0.38620574337488345, -0.1378110586125778}, corner, end};
+  const World world =
+      world_of({{-1.5, -2}, {2.5, 1.5}}, {{ItemKind::polyline, {walls}}, wall(tip, {-1, 0.2766477831232632})});
+  const PathQuery query{{1, 1}, {-0.5454068349674981, 0.01925525092181468}};
+  const Path path = world.find_path(query).value();
+  EXPECT_NEAR(path.length, length_of({query.start, end, corner, tip, query.goal}), 1e-12);
+}
+
+// On one side of a bent wall the corner is known to be near; on the other, where it is far, that says nothing.
+TEST(ShortestPaths, WhatIsNearOnOneSideOfAWallIsNotOnTheOther) {
+  const World world = world_of(kTen, {{ItemKind::polyline, {{{0, 6}, {6, 6}, {6, 1}}}}});
+  const Path path = world.find_path({{9, 7}, {1, 5}}).value();
+  EXPECT_NEAR(path.length, length_of({{9, 7}, {6, 1}, {1, 5}}), 1e-12);
 }
 
 TEST(PathQueries, RefuseWhatCannotBeDone) {
