@@ -40,7 +40,7 @@ std::string number_after(const std::string& text, const std::string& name) {
 }
 
 TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
-  for (const std::string algorithm : {"optimal", "ta"}) {
+  for (const std::string algorithm : {"optimal", "ta", "tra"}) {
     const Files files;
     const auto result = run_command({"scenario", files.map, files.scenario, "--algorithm", algorithm});
     EXPECT_EQ(result.status, 0);
@@ -52,9 +52,22 @@ TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
     EXPECT_EQ(number_after(result.out, "longer than given"), "1");
     EXPECT_EQ(number_after(result.out, "no path where one is given"), "1");
     EXPECT_EQ(number_after(result.out, "a path where none is given"), "1");
+    EXPECT_EQ(number_after(result.out, "an end between two cells"), "0");
     // Of three lengths above 0: 1, 3 / 3.5 and 2 / 1.9.
     EXPECT_NEAR(std::stod(number_after(result.out, "length / given")), (1 + 3 / 3.5 + 2 / 1.9) / 3, 1e-6);
   }
+}
+
+// Two blocked cells touch at (1, 1): who starts there may be on either side, and the sides are far from each other.
+TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
+  TemporaryFolder folder;
+  const std::string map = folder.file("d.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n.@..\n....\n....\n");
+  const std::string scenario = folder.file(
+      "d.map.scen", "version 1\n" + query("1\t1\t3\t0", "2.2360679775") + query("0\t3\t1\t1", "2.2360679775") +
+                        query("2\t2\t3\t3", "1.4142135624") + query("2\t1\t3\t1", "1"));
+  const auto result = run_command({"scenario", map, scenario});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(number_after(result.out, "an end between two cells"), "2");
 }
 
 TEST(ScenarioCommand, WritesALineForEachQuery) {
@@ -148,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadScenarioArguments,
 
 TEST(PathCommand, TakesTheNameOfAnAlgorithm) {
   const Files files;
-  for (const std::string algorithm : {"optimal", "ta"}) {
+  for (const std::string algorithm : {"optimal", "ta", "tra"}) {
     const auto lines = json_lines(
         run_command({"path", files.map, "--from", "0", "0", "--to", "3", "0", "--algorithm", algorithm}).out);
     ASSERT_EQ(lines.size(), 1U);

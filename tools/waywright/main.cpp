@@ -48,7 +48,8 @@ constexpr const char* kScenarioExamples =
     "  waywright scenario arena.map arena.map.scen --algorithm ta --csv arena.csv\n"
     "  waywright scenario arena.map arena.map.scen --svg arena.svg --query 17 --query 160\n"
     "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
-    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1.\n";
+    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. It also counts the queries\n"
+    "with an end where two blocked cells touch at a corner: there the given length may start on the other side.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"

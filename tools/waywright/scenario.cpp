@@ -49,6 +49,20 @@ Verdict verdict_of(const ScenarioQuery& query, const Path& path) {
   return path.length < query.length ? Verdict::shorter : Verdict::longer;
 }
 
+/// Whether the point is the corner of two blocked cells of a map that meet there alone: whoever stands there may be
+/// thought to be on either side, so that lengths others give may be for the other.
+bool is_between_cells(const World& world, const Point& point, QueryContext& context) {
+  if (std::floor(point.x) != point.x || std::floor(point.y) != point.y) return false;
+  const auto is_blocked = [&](double dx, double dy) {
+    Location location;
+    const Result<void> done = world.locate({point.x + dx, point.y + dy}, context, location);
+    return done.ok() && !location.inside.empty();
+  };
+  const bool low = is_blocked(-0.5, -0.5);
+  const bool right = is_blocked(0.5, -0.5);
+  return low != right && is_blocked(0.5, 0.5) == low && is_blocked(-0.5, 0.5) == right;
+}
+
 /// The queries to be drawn, as positions. Throws Failure.
 std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::size_t count) {
   if (options.svg.empty() != options.queries.empty()) {
@@ -78,6 +92,9 @@ class ScenarioRun {
     for (const ScenarioQuery& query : queries_) {
       progress.show(answers_.size(), queries_.size());
       ask(query, context, path);
+      const bool is_ambiguous =
+          is_between_cells(world_, query.start, context) || is_between_cells(world_, query.goal, context);
+      ambiguous_count_ += is_ambiguous ? 1 : 0;
       const std::chrono::duration<double, std::micro> time = path.time;
       answers_.push_back({path.status, path.length, path.expansions, time.count(), verdict_of(query, path)});
     }
@@ -125,6 +142,7 @@ class ScenarioRun {
     line("longer than given", Verdict::longer);
     line("no path where one is given", Verdict::missing);
     line("a path where none is given", Verdict::surprising);
+    fmt::format_to(std::back_inserter(out), "{:<28}{:>9}\n", "an end between two cells", ambiguous_count_);
     append_percentiles(out);
     out.pop_back();
     return out;
@@ -174,6 +192,7 @@ class ScenarioRun {
   const World& world_;
   std::vector<ScenarioQuery> queries_;
   std::vector<Answer> answers_;
+  std::size_t ambiguous_count_ = 0;  ///< of queries with an end between two cells
 };
 
 }  // namespace
