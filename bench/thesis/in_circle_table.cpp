@@ -110,10 +110,10 @@ double nearest(const mpq_class& number) {
   return abs(number - mpq_class(cut)) <= abs(mpq_class(beyond) - number) ? cut : beyond;
 }
 
-template <class Geometry, class Points>
-Sign ask(const Points& points) {
-  return Geometry::in_circle(Geometry::view(points[0]), Geometry::view(points[1]), Geometry::view(points[2]),
-                             Geometry::view(points[3]));
+template <class Arithmetic, class Points>
+Sign ask(const Points& points, const Arithmetic& arithmetic) {
+  return arithmetic.in_circle(arithmetic.view(points[0]), arithmetic.view(points[1]), arithmetic.view(points[2]),
+                              arithmetic.view(points[3]));
 }
 
 struct Wrong {
@@ -133,10 +133,10 @@ void try_once(const MovedRectangle& rectangle, Wrong& wrong) {
     places[i] = IntervalArithmetic::at(corners[i]);
   }
   const Sign of_rationals = rectangle.in_circle();
-  const Sign of_doubles = ask<RationalGeometry>(rounded);
-  const Sign by_double = ask<DoubleGeometry>(rounded);
-  const Sign by_intervals = ask<IntervalArithmetic>(places);
-  const Sign by_us = ask<exact::Geometry>(rounded);
+  const Sign of_doubles = ask(rounded, RationalArithmetic());
+  const Sign by_double = ask(rounded, DoubleArithmetic());
+  const Sign by_intervals = ask(places, IntervalArithmetic());
+  const Sign by_us = ask(rounded, exact::Geometry(Box{{-101.0, -101.0}, {101.0, 101.0}}));
   wrong.double_of_rationals += by_double != of_rationals ? 1 : 0;
   wrong.double_of_doubles += by_double != of_doubles ? 1 : 0;
   wrong.intervals += by_intervals != of_rationals ? 1 : 0;

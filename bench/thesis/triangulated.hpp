@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "constraint/exact_triangulation.hpp"
+#include "exact/predicates.hpp"
 #include "thesis/triangulations.hpp"
 #include "workloads.hpp"
 

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "constraint/segment_walk.hpp"
+#include "exact/predicates.hpp"
 
 namespace waywright::constraint {
 
@@ -193,15 +194,15 @@ class BoxFlood {
   // Sides and corners are explicit, so about them the test is exact; that it may go too far over an edge does no harm.
   void visit(mesh::HalfEdge h) {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
-    const auto& delaunay = triangulation_.triangulation();
+    const exact::Geometry& geometry = triangulation_.triangulation().geometry();
     const mesh::Vertex v = mesh.origin(h);
-    if (delaunay.view(v).is_explicit() && test_.holds(delaunay.geometry().nearest(number(v)))) {
+    if (geometry.is_explicit(number(v)) && test_.holds(geometry.nearest(number(v)))) {
       triangulation_.uses().for_each(triangulation_.corner_uses(v),
                                      [&](std::uint32_t item) { found_.push_back(item); });
     }
-    if (!test_.meets(delaunay.view(v), delaunay.view(mesh.target(h)))) return;
+    if (!test_.meets(geometry.exact(number(v)), geometry.exact(number(mesh.target(h))))) return;
     triangulation_.for_each_side(h, [&](const Side& side) {
-      if (test_.meets(delaunay.view(side.from), delaunay.view(side.to))) found_.push_back(side.item);
+      if (test_.meets(geometry.exact(number(side.from)), geometry.exact(number(side.to)))) found_.push_back(side.item);
     });
     reach(mesh.twin(h));
   }

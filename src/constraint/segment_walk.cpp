@@ -19,7 +19,7 @@ SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
 
 SegmentWalk::Stand SegmentWalk::leave_start_edge() const {
   const mesh::HalfEdge h = start_.h;
-  const Sign end_side = exact::orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to());
+  const Sign end_side = geometry().orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to());
   if (end_side == Sign::positive) return leave_face(h);
   if (end_side == Sign::negative) return leave_face(mesh_.twin(h));
   return stand_at(is_ahead(mesh_.origin(h), mesh_.target(h)) ? mesh_.target(h) : mesh_.origin(h));

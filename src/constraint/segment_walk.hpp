@@ -32,7 +32,7 @@ class SegmentWalk {
         mesh_(triangulation.topology()),
         from_(from),
         to_(to),
-        ascends_(exact::compare(this->from(), this->to()) < 0),
+        ascends_(geometry().order(this->from(), this->to()) < 0),
         start_(start) {}
 
   /// Tells a SegmentVisitor.
@@ -51,14 +51,15 @@ class SegmentWalk {
     mesh::HalfEdge through = mesh::kNoHalfEdge;  ///< of the face on the way there; of none along an edge
   };
 
-  [[nodiscard]] exact::ExactPoint from() const { return exact::explicit_point(from_); }
-  [[nodiscard]] exact::ExactPoint to() const { return exact::explicit_point(to_); }
+  [[nodiscard]] const exact::Geometry& geometry() const { return delaunay_.geometry(); }
+  [[nodiscard]] exact::Geometry::View from() const { return exact::Geometry::view(from_); }
+  [[nodiscard]] exact::Geometry::View to() const { return exact::Geometry::view(to_); }
   [[nodiscard]] Sign side(mesh::Vertex v) const {
-    return v == delaunay_.ghost() ? Sign::zero : exact::orientation(from(), to(), delaunay_.view(v));
+    return v == delaunay_.ghost() ? Sign::zero : geometry().orientation(from(), to(), delaunay_.view(v));
   }
   /// Whether the end comes before `v`, a vertex on the segment's line ahead.
   [[nodiscard]] bool ends_before(mesh::Vertex v) const {
-    const auto order = exact::compare(to(), delaunay_.view(v));
+    const auto order = geometry().order(to(), delaunay_.view(v));
     return ascends_ ? order < 0 : order > 0;
   }
   [[nodiscard]] bool is_ahead(mesh::Vertex u, mesh::Vertex v) const { return delaunay_.comes_before(u, v) == ascends_; }
@@ -83,7 +84,7 @@ class SegmentWalk {
 /// The exit edge has the segment's end beyond it, or on it; otherwise the segment ends in the face.
 inline SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
   const Sign end_side =
-      exact::orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to());
+      geometry().orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to());
   return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero, exit};
 }
 
@@ -101,11 +102,11 @@ void SegmentWalk::run(Visitor&& visitor) {
   if (start_.spot == locate::Spot::vertex) {
     stand = stand_at(mesh_.origin(start_.h));
   } else if (start_.spot == locate::Spot::edge) {
-    const bool is_point = exact::compare(from(), to()) == 0;
+    const bool is_point = geometry().order(from(), to()) == 0;
     if (!visitor.at_edge(start_.h, is_point) || is_point) return;
     stand = leave_start_edge();
   } else {
-    if (exact::compare(from(), to()) == 0) return;
+    if (geometry().order(from(), to()) == 0) return;
     stand = leave_face(start_.h);
   }
   for (;;) {
@@ -113,7 +114,7 @@ void SegmentWalk::run(Visitor&& visitor) {
     if (stand.has_ended) return;
     if (stand.vertex != mesh::kNoVertex) {
       if (!visitor.at_vertex(stand.vertex)) return;
-      if (exact::compare(to(), delaunay_.view(stand.vertex)) == 0) return;
+      if (geometry().order(to(), delaunay_.view(stand.vertex)) == 0) return;
       stand = leave_vertex(stand.vertex);
     } else {
       if (!visitor.at_edge(stand.exit, stand.ends_on_exit)) return;

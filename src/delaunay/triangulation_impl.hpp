@@ -17,7 +17,7 @@ template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
                                        locate::SortedPoints&& sorted, const locate::Crew& crew,
                                        std::span<const locate::Job> jobs)
-    : sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
+    : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
   std::vector<mesh::TriangleMesh::Corner> corners(6 * sorted.points.size() - 6);
   std::vector<locate::Job> all_jobs(jobs.begin(), jobs.end());
   all_jobs.emplace_back([&] { place_all(sorted.points); });

@@ -11,13 +11,14 @@
 namespace waywright::exact {
 
 /// What the triangulations ask of the arithmetic below them: the places of vertices, named by index, and four questions
-/// about them. `exact::Geometry` is the library's; its members say what each of these does. Any other that answers the
-/// questions alike may take its place; one whose answers are wrong (rounded ones) gets meshes that are.
+/// about them; all lie in the box that it is made with. `exact::Geometry` is the library's; its members say what each
+/// of these does. Any other that answers the questions alike may take its place; one whose answers are wrong (rounded
+/// ones) gets meshes that are.
 ///
 /// `View` is how a place is handed to a question. One of a vertex stays valid until a vertex is added; one of a point
 /// does so for as long as it is kept.
 template <class G>
-concept AnyGeometry = std::default_initializable<G> && std::copyable<typename G::View> &&
+concept AnyGeometry = std::constructible_from<G, const Box&> && std::copyable<typename G::View> &&
     requires(G& changed, const G& asked, std::uint32_t vertex, const Point& point, const typename G::View& view) {
   // Places come and go, and can be taken back to the last begin().
   changed.place(vertex, point);

@@ -1,5 +1,7 @@
 #include "exact/crossing.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -119,6 +121,71 @@ std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
 
 }  // namespace by_construction
 
+namespace doubles {
+
+namespace {
+
+constexpr double kLargestExact = 0x1p53;
+
+bool is_whole(double value) {
+  return std::abs(value) < kLargestExact && value == static_cast<double>(static_cast<std::int64_t>(value));
+}
+bool is_whole(const Point& point) { return is_whole(point.x) && is_whole(point.y); }
+
+/// A product, exactly. Source: Dekker, *A floating-point technique for extending the available precision*, 1971.
+struct Product {
+  double rounded;
+  double error;
+};
+Product multiply_exactly(double a, double b) {
+  const auto split = [](double value) -> Product {
+    const double shifted = 0x1.0000002p27 * value;
+    const double high = shifted - (shifted - value);
+    return {high, value - high};
+  };
+  const double product = a * b;
+  const auto [a_high, a_low] = split(a);
+  const auto [b_high, b_low] = split(b);
+  return {product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)};
+}
+
+/// Both are whole and exact, so that IEEE's division rounds the quotient correctly.
+RoundedNumber divide(double numerator, double denominator) {
+  const double nearest = numerator / denominator + 0.0;  // never -0
+  const Product product = multiply_exactly(nearest, denominator);
+  return {nearest, product.rounded == numerator && product.error == 0.0};
+}
+
+}  // namespace
+
+// The sum of two whole numbers, and their product, is a whole number; if that is rounded to less than 2^53, it wasn't
+// rounded at all. So it is enough to look at the results.
+std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
+  const auto& [a, b, c, d] = crossing;
+  if (!(is_whole(a) && is_whole(b) && is_whole(c) && is_whole(d))) return std::nullopt;
+  const Point ab{b.x - a.x, b.y - a.y};
+  const Point ac{c.x - a.x, c.y - a.y};
+  const Point cd{d.x - c.x, d.y - c.y};
+  const Point w_terms{ab.x * cd.y, ab.y * cd.x};
+  const Point t_terms{ac.x * cd.y, ac.y * cd.x};
+  const double w = w_terms.x - w_terms.y;
+  const double t = t_terms.x - t_terms.y;
+  const Point bases{a.x * w, a.y * w};
+  const Point ways{t * ab.x, t * ab.y};
+  double largest = 0.0;
+  for (const Point& p : {ab, ac, cd, w_terms, t_terms, Point{w, t}, bases, ways}) {
+    largest = std::max(largest, std::max(std::abs(p.x), std::abs(p.y)));
+  }
+  const Point numerator{bases.x + ways.x, bases.y + ways.y};
+  largest = std::max(largest, std::max(std::abs(numerator.x), std::abs(numerator.y)));
+  if (!(largest < kLargestExact)) return std::nullopt;
+  const RoundedNumber x = divide(numerator.x, w);
+  const RoundedNumber y = divide(numerator.y, w);
+  return RoundedCrossing{{x.nearest, y.nearest}, x.is_exact && y.is_exact};
+}
+
+}  // namespace doubles
+
 namespace lattice {
 
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
@@ -143,6 +210,10 @@ RoundedCrossing round_to_nearest(const Crossing& crossing) {
 
 RoundedCrossing round_to_nearest(const Crossing& crossing) {
   if (const auto rounded = by_construction::round_to_nearest(crossing)) {
+    ++counts.crossing.doubles;
+    return *rounded;
+  }
+  if (const auto rounded = doubles::round_to_nearest(crossing)) {
     ++counts.crossing.doubles;
     return *rounded;
   }

@@ -23,6 +23,10 @@ namespace by_construction {
 /// Of two lines parallel to the axes, which cross in a pair of their coordinates. Empty where they aren't.
 [[nodiscard]] std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing);
 }  // namespace by_construction
+namespace doubles {
+/// Of whole numbers so small that nothing but the quotient is rounded. Empty where the points aren't such.
+[[nodiscard]] std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing);
+}  // namespace doubles
 namespace lattice {
 /// In integers of fixed width. Empty where the points lie on no lattice that is coarse enough.
 [[nodiscard]] std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing);

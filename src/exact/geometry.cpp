@@ -1,27 +1,31 @@
 #include "exact/geometry.hpp"
 
+#include "exact/predicates.hpp"
+
 namespace waywright::exact {
 
 void Geometry::place(std::uint32_t vertex, const Point& point) {
-  grow_to(vertex);
+  if (vertex >= places_.size()) places_.resize(vertex + std::size_t{1});
   log(vertex);
-  places_[vertex] = {point, kExplicit};
+  places_[vertex] = point;
+  if (vertex < crossing_of_.size()) crossing_of_[vertex] = kExplicit;
 }
 
 void Geometry::place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                               std::uint32_t d) {
-  grow_to(vertex);
   const Crossing crossing{nearest(a), nearest(b), nearest(c), nearest(d)};
   const RoundedCrossing rounded = round_to_nearest(crossing);
-  log(vertex);
-  places_[vertex] = {rounded.nearest, rounded.is_exact ? kExplicit : add_crossing(crossing)};
+  place(vertex, rounded.nearest);
+  if (rounded.is_exact) return;
+  if (vertex >= crossing_of_.size()) crossing_of_.resize(vertex + std::size_t{1}, kExplicit);
+  crossing_of_[vertex] = add_crossing(crossing);
 }
 
 void Geometry::clear(std::uint32_t vertex) {
-  if (places_[vertex].crossing == kExplicit) return;
-  left_crossings_.push_back(places_[vertex].crossing);
+  if (is_explicit(vertex)) return;
+  left_crossings_.push_back(crossing_of_[vertex]);
   log(vertex);
-  places_[vertex].crossing = kExplicit;
+  crossing_of_[vertex] = kExplicit;
 }
 
 void Geometry::begin() {
@@ -33,18 +37,29 @@ void Geometry::begin() {
 void Geometry::roll_back() {
   for (; !log_.empty(); log_.pop_back()) {
     const Undo& change = log_.back();
-    Place& place = places_[change.vertex];
-    if (place.crossing != kExplicit) free_crossings_.push_back(place.crossing);
-    place = change.place;
+    places_[change.vertex] = change.place;
+    if (change.vertex >= crossing_of_.size()) continue;
+    std::uint32_t& crossing = crossing_of_[change.vertex];
+    if (crossing != kExplicit) free_crossings_.push_back(crossing);
+    crossing = change.crossing;
   }
   left_crossings_.clear();
 }
 
-void Geometry::grow_to(std::uint32_t vertex) {
-  if (vertex >= places_.size()) places_.resize(vertex + std::size_t{1});
+ExactPoint Geometry::exact(const View& view) const {
+  const std::uint32_t crossing = crossing_of(view.vertex);
+  return {view.x, view.y, crossing == kExplicit ? nullptr : &crossings_[crossing]};
 }
 
-void Geometry::log(std::uint32_t vertex) { log_.push_back({vertex, places_[vertex]}); }
+Sign Geometry::finer_orientation(const View& a, const View& b, const View& c) const {
+  return detail::finer_orientation(exact(a), exact(b), exact(c));
+}
+
+Sign Geometry::finer_in_circle(const View& a, const View& b, const View& c, const View& d) const {
+  return detail::finer_in_circle(exact(a), exact(b), exact(c), exact(d));
+}
+
+std::strong_ordering Geometry::finer_order(const View& p, const View& q) const { return compare(exact(p), exact(q)); }
 
 std::uint32_t Geometry::add_crossing(const Crossing& crossing) {
   if (free_crossings_.empty()) {

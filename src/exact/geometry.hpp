@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "exact/any_geometry.hpp"
+#include "exact/counts.hpp"
 #include "exact/crossing.hpp"
 #include "exact/exact_point.hpp"
-#include "exact/predicates.hpp"
+#include "exact/filter.hpp"
+#include "exact/sign.hpp"
 
 namespace waywright::exact {
 
@@ -16,11 +18,21 @@ namespace waywright::exact {
 ///
 /// Places are logged as they change and can be taken back to the last begin().
 ///
-/// A vertex is named by its index. `View` is how a place is handed to a question; it stays valid until a vertex is
-/// added.
+/// A vertex is named by its index. A question is answered by rounded coordinates, where these are enough; only where
+/// they aren't is it looked up whether a vertex is constructed, and of which lines.
 class Geometry {
+  static constexpr std::uint32_t kNoVertex = 0xffffffff;
+
  public:
-  using View = ExactPoint;
+  /// How a place is handed to a question: rounded, and whose it is.
+  struct View {
+    double x = 0.0;
+    double y = 0.0;
+    std::uint32_t vertex = kNoVertex;  ///< kNoVertex: an explicit point
+  };
+
+  /// Requires: all vertices, and all points asked about, lie in the box.
+  explicit Geometry(const Box& box) : orientation_error_(filter::largest_orientation_error(box)) {}
 
   /// Makes room for the vertices below `count`.
   void reserve(std::size_t count) { places_.reserve(count); }
@@ -37,40 +49,64 @@ class Geometry {
   void roll_back();
 
   [[nodiscard]] View view(std::uint32_t vertex) const {
-    const Place& place = places_[vertex];
-    return {place.nearest.x, place.nearest.y, place.crossing == kExplicit ? nullptr : &crossings_[place.crossing]};
+    const Point& place = places_[vertex];
+    return {place.x, place.y, vertex};
   }
-  [[nodiscard]] static View view(const Point& point) { return explicit_point(point); }
+  [[nodiscard]] static View view(const Point& point) { return {point.x, point.y, kNoVertex}; }
 
   /// The vertex's coordinates, each as the nearest double.
-  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex].nearest; }
+  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex]; }
+  [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return crossing_of(vertex) == kExplicit; }
+  /// The place itself. It stays valid until a vertex is added.
+  [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 
-  [[nodiscard]] static Sign orientation(const View& a, const View& b, const View& c) {
-    return exact::orientation(a, b, c);
+  [[nodiscard]] Sign orientation(const View& a, const View& b, const View& c) const {
+    Sign sign = filter::sign_beyond(filter::orientation_determinant(a, b, c), orientation_error_);
+    if (sign == Sign::zero) sign = filter::coarse::orientation(a, b, c);
+    if (sign != Sign::zero) {
+      ++counts.orientation.doubles;
+      return sign;
+    }
+    return finer_orientation(copy(a), copy(b), copy(c));
   }
-  [[nodiscard]] static Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
-    return exact::in_circle(a, b, c, d);
+  [[nodiscard]] Sign in_circle(const View& a, const View& b, const View& c, const View& d) const {
+    if (const Sign sign = filter::coarse::in_circle(a, b, c, d); sign != Sign::zero) {
+      ++counts.in_circle.doubles;
+      return sign;
+    }
+    return finer_in_circle(copy(a), copy(b), copy(c), copy(d));
   }
-  [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) { return compare(p, q); }
+  [[nodiscard]] std::strong_ordering order(const View& p, const View& q) const {
+    if (p.x == q.x && !(is_explicit(p.vertex) && is_explicit(q.vertex))) return finer_order(copy(p), copy(q));
+    ++counts.order.doubles;
+    return filter::order(p, q);
+  }
 
  private:
   static constexpr std::uint32_t kExplicit = 0xffffffff;
 
-  /// Both together, since no question asks for one alone.
-  struct Place {
-    Point nearest;
-    std::uint32_t crossing = kExplicit;
-  };
   struct Undo {
+    Point place;  ///< the one before
     std::uint32_t vertex;
-    Place place;  ///< the one before
+    std::uint32_t crossing;  ///< the one before
   };
 
-  void grow_to(std::uint32_t vertex);
-  void log(std::uint32_t vertex);
+  // These take copies made for them, so that compilers keep the views of a question in registers until then.
+  [[nodiscard]] static View copy(const View& view) { return {view.x, view.y, view.vertex}; }
+  [[nodiscard]] Sign finer_orientation(const View& a, const View& b, const View& c) const;
+  [[nodiscard]] Sign finer_in_circle(const View& a, const View& b, const View& c, const View& d) const;
+  [[nodiscard]] std::strong_ordering finer_order(const View& p, const View& q) const;
+
+  [[nodiscard]] std::uint32_t crossing_of(std::uint32_t vertex) const {
+    return vertex < crossing_of_.size() ? crossing_of_[vertex] : kExplicit;
+  }
+  void log(std::uint32_t vertex) { log_.push_back({places_[vertex], vertex, crossing_of(vertex)}); }
+  [[nodiscard]] ExactPoint exact(const View& view) const;
   [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
-  std::vector<Place> places_;
+  double orientation_error_;
+  std::vector<Point> places_;
+  std::vector<std::uint32_t> crossing_of_;  ///< of the vertices up to the last constructed one
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_crossings_;  ///< has room for all
   std::vector<std::uint32_t> left_crossings_;  ///< free from the next begin() on; until then they may be taken back

@@ -189,6 +189,27 @@ std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const 
   return is_swapped ? -sign : sign;
 }
 
+// Where the squares of all offsets make at most 2^30, no term of the determinant is larger than 2^60, nor is their sum.
+std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                    const ExactPoint& d) {
+  constexpr double kMostSquares = 0x1p30;
+  const auto offset = [&](const ExactPoint& p) -> Point { return {p.x - d.x, p.y - d.y}; };
+  const auto square = [](const Point& p) { return p.x * p.x + p.y * p.y; };
+  const auto to_integers = [](const Point& p) -> LatticeVector {
+    return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)};
+  };
+  const std::array<Point, 3> offsets = {offset(a), offset(b), offset(c)};
+  if (!(square(offsets[0]) + square(offsets[1]) + square(offsets[2]) <= kMostSquares)) return std::nullopt;
+  for (const ExactPoint* const point : {&a, &b, &c, &d}) {
+    if (!point->is_explicit() || !is_whole(point->x) || !is_whole(point->y)) return std::nullopt;
+  }
+  const LatticeVector p = to_integers(offsets[0]);
+  const LatticeVector q = to_integers(offsets[1]);
+  const LatticeVector r = to_integers(offsets[2]);
+  return sign_of(small_lift(p) * small_cross(q, r) + small_lift(q) * small_cross(r, p) +
+                 small_lift(r) * small_cross(p, q));
+}
+
 std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
   if (a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit()) return explicit_in_circle(a, b, c, d);
   std::array points{&a, &b, &c, &d};

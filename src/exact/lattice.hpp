@@ -24,6 +24,10 @@ namespace waywright::exact::lattice {
 [[nodiscard]] std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 [[nodiscard]] std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                             const ExactPoint& d);
+/// The same where all is known to fit 64 bits at once: of explicit points with whole coordinates not far from `d`. That
+/// is where most circles with four points on them are met, and it costs less than the filter's fine bound.
+[[nodiscard]] std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                                                  const ExactPoint& d);
 [[nodiscard]] std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q);
 
 }  // namespace waywright::exact::lattice

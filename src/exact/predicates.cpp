@@ -21,11 +21,28 @@ Answer decide(StageCounts& stages, const std::optional<Answer>& on_lattice, AnyI
 
 }  // namespace
 
-Sign orientation_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+Sign finer_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  if (const auto sign = filter::fine::orientation(a, b, c)) {
+    ++counts.orientation.doubles;
+    return *sign;
+  }
   return decide(counts.orientation, lattice::orientation(a, b, c), [&] { return integers::orientation(a, b, c); });
 }
 
-Sign in_circle_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+Sign finer_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  const bool are_explicit = a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit();
+  if (are_explicit && filter::is_rectangle(a, b, c, d)) {
+    ++counts.in_circle.doubles;
+    return Sign::zero;
+  }
+  if (const auto sign = lattice::whole_in_circle(a, b, c, d)) {
+    ++counts.in_circle.lattice;
+    return *sign;
+  }
+  if (const auto sign = filter::fine::in_circle(a, b, c, d)) {
+    ++counts.in_circle.doubles;
+    return *sign;
+  }
   return decide(counts.in_circle, lattice::in_circle(a, b, c, d), [&] { return integers::in_circle(a, b, c, d); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "exact/counts.hpp"
 #include "exact/exact_point.hpp"
+#include "exact/filter.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sign.hpp"
 
@@ -17,13 +18,6 @@ namespace waywright::exact {
 // Identities, for all points: orientation changes sign when two arguments are swapped; so does in_circle, and it keeps
 // its sign when (a, b, c) turn round; compare(p, q) is the reverse of compare(q, p).
 
-namespace filter {
-/// Stage 1. Empty where the rounding error could hide the sign.
-[[nodiscard]] std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-[[nodiscard]] std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                            const ExactPoint& d);
-}  // namespace filter
-
 namespace integers {
 /// The last stage: exact for every input in range.
 [[nodiscard]] Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
@@ -32,31 +26,30 @@ namespace integers {
 }  // namespace integers
 
 namespace detail {
-/// The stages after the first, one after the other.
-[[nodiscard]] Sign orientation_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-[[nodiscard]] Sign in_circle_beyond_doubles(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                            const ExactPoint& d);
+/// The stages after the filter's coarse bound, one after the other.
+[[nodiscard]] Sign finer_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
+[[nodiscard]] Sign finer_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
 [[nodiscard]] std::strong_ordering compare_beyond_doubles(const ExactPoint& p, const ExactPoint& q);
 }  // namespace detail
 
 /// Which side of the line from `a` to `b` the point `c` lies on: positive on the left (a, b, c counter-clockwise).
 [[nodiscard]] inline Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
-  if (const auto sign = filter::orientation(a, b, c)) {
+  if (const Sign sign = filter::coarse::orientation(a, b, c); sign != Sign::zero) {
     ++counts.orientation.doubles;
-    return *sign;
+    return sign;
   }
-  return detail::orientation_beyond_doubles(a, b, c);
+  return detail::finer_orientation(a, b, c);
 }
 
 /// Where `d` lies to the circle through `a`, `b`, `c`, these counter-clockwise: positive inside, zero on it. The sign
 /// is reversed where a, b, c are clockwise.
 [[nodiscard]] inline Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                     const ExactPoint& d) {
-  if (const auto sign = filter::in_circle(a, b, c, d)) {
+  if (const Sign sign = filter::coarse::in_circle(a, b, c, d); sign != Sign::zero) {
     ++counts.in_circle.doubles;
-    return *sign;
+    return sign;
   }
-  return detail::in_circle_beyond_doubles(a, b, c, d);
+  return detail::finer_in_circle(a, b, c, d);
 }
 
 /// Lexicographic order by (x, y).
@@ -66,14 +59,7 @@ namespace detail {
 [[nodiscard]] inline std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
   if (p.x == q.x && !(p.is_explicit() && q.is_explicit())) return detail::compare_beyond_doubles(p, q);
   ++counts.order.doubles;
-  const bool by_x = p.x != q.x;
-  const double one = by_x ? p.x : p.y;
-  const double other = by_x ? q.x : q.y;
-  return one < other   ? std::strong_ordering::less
-         : one > other ? std::strong_ordering::greater
-                       : std::strong_ordering::equal;
+  return filter::order(p, q);
 }
 
 }  // namespace waywright::exact
-
-#include "exact/filter.hpp"

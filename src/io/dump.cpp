@@ -10,7 +10,7 @@ std::string dump(const constraint::ExactTriangulation& triangulation) {
   const MeshSnapshot& snapshot = mesh.snapshot;
   std::string text = "vertices " + std::to_string(mesh.order.size()) + '\n';
   for (const mesh::Vertex v : mesh.order) {
-    text += exact::to_fractions(triangulation.triangulation().view(v));
+    text += exact::to_fractions(triangulation.triangulation().geometry().exact(number(v)));
     text += '\n';
   }
   text += "triangles " + std::to_string(snapshot.triangles.size()) + '\n';

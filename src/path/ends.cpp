@@ -36,7 +36,7 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
   bool at_vertex(mesh::Vertex v) {
     if (leaves_start()) return true;
     const auto& geometry = ends_.triangulation_->triangulation().geometry();
-    const bool is_goal = exact::compare(exact::explicit_point(ends_.goal_), geometry.view(number(v))) == 0;
+    const bool is_goal = geometry.order(exact::Geometry::view(ends_.goal_), geometry.view(number(v))) == 0;
     return is_goal || stop();
   }
 

@@ -16,7 +16,7 @@ TautTree::Geometry::View TautTree::view(std::uint32_t node) const {
 }
 
 Sign TautTree::side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const {
-  return Geometry::orientation(view(p), view(q), v);
+  return geometry_->orientation(view(p), view(q), v);
 }
 
 std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
@@ -27,7 +27,7 @@ std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
 
 // A string of length zero has no direction to turn from, so a vertex at the start is the root itself.
 std::uint32_t TautTree::add_seen(mesh::Vertex v) {
-  return Geometry::order(view(kRoot), geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
+  return geometry_->order(view(kRoot), geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
 }
 
 /// The chain from just after `apex` to `end`, backwards.

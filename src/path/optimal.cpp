@@ -32,11 +32,11 @@ class Optimal::Cone {
 
   /// Positive on the left of the cone's left bound.
   [[nodiscard]] Sign side_of_left(const Geometry::View& p) const {
-    return is_left_straight_ ? Geometry::orientation(before_, root_, p) : Geometry::orientation(root_, left_, p);
+    return is_left_straight_ ? geometry_.orientation(before_, root_, p) : geometry_.orientation(root_, left_, p);
   }
   /// Negative on the right of the cone's right bound.
   [[nodiscard]] Sign side_of_right(const Geometry::View& p) const {
-    return is_right_straight_ ? Geometry::orientation(before_, root_, p) : Geometry::orientation(root_, right_, p);
+    return is_right_straight_ ? geometry_.orientation(before_, root_, p) : geometry_.orientation(root_, right_, p);
   }
 
   void set_left(mesh::Vertex v) {

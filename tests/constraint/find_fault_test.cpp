@@ -12,6 +12,8 @@ namespace {
 /// Answers as exact::Geometry does, but for the lies that it is told to tell: so a mesh is broken behind its back.
 class LyingGeometry : public exact::Geometry {
  public:
+  using exact::Geometry::Geometry;
+
   static inline bool every_circle_is_empty = false;
   static inline std::optional<std::uint32_t> displaced_vertex;
   static inline Point displacement;
@@ -25,7 +27,7 @@ class LyingGeometry : public exact::Geometry {
     return view;
   }
   [[nodiscard]] static View view(const Point& point) { return exact::Geometry::view(point); }
-  [[nodiscard]] static exact::Sign in_circle(const View& a, const View& b, const View& c, const View& d) {
+  [[nodiscard]] exact::Sign in_circle(const View& a, const View& b, const View& c, const View& d) const {
     return every_circle_is_empty ? exact::Sign::negative : exact::Geometry::in_circle(a, b, c, d);
   }
 };

@@ -27,14 +27,14 @@ testing::AssertionResult is_delaunay(const Triangulation& triangulation) {
     if (!mesh.is_alive(mesh::Face{i}) || triangulation.is_ghost_face(h)) continue;
     const std::array<Vertex, 3> corners = {mesh.origin(h), mesh.target(h), mesh.apex(h)};
     std::array<RationalPoint, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = rational(triangulation.view(corners[k]));
+    for (std::size_t k = 0; k < 3; ++k) p[k] = rational(triangulation.geometry().exact(number(corners[k])));
     if (rational_orientation(p[0], p[1], p[2]) != exact::Sign::positive) {
       return testing::AssertionFailure() << "face " << i << " is not counter-clockwise";
     }
     for (std::uint32_t j = 0; j < mesh.vertex_slots(); ++j) {
       if (!mesh.is_alive(Vertex{j}) || Vertex{j} == triangulation.ghost()) continue;
       if (std::find(corners.begin(), corners.end(), Vertex{j}) != corners.end()) continue;
-      const RationalPoint q = rational(triangulation.view(Vertex{j}));
+      const RationalPoint q = rational(triangulation.geometry().exact(j));
       const exact::Sign side = rational_in_circle(p[0], p[1], p[2], q);
       if (side == exact::Sign::positive) return testing::AssertionFailure() << "vertex " << j << " in circle " << i;
       const bool is_first = std::all_of(

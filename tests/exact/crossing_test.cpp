@@ -41,6 +41,54 @@ TEST_P(Rounding, IsToNearest) {
   }
 }
 
+// All stages must say the same to the last bit, and so must they of what is a double itself.
+TEST_P(Rounding, IsTheSameInEveryStage) {
+  PointSource source(GetParam(), 6);
+  int in_doubles = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const exact::ExactPoint p = source.any();
+    if (p.is_explicit()) continue;
+    const exact::Crossing& crossing = *p.crossing;
+    const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
+    const auto agrees = [&](const std::optional<exact::RoundedCrossing>& other) {
+      return !other ||
+             (std::bit_cast<std::uint64_t>(other->nearest.x) == std::bit_cast<std::uint64_t>(right.nearest.x) &&
+              std::bit_cast<std::uint64_t>(other->nearest.y) == std::bit_cast<std::uint64_t>(right.nearest.y) &&
+              other->is_exact == right.is_exact);
+    };
+    in_doubles += exact::doubles::round_to_nearest(crossing) ? 1 : 0;
+    ASSERT_TRUE(agrees(exact::doubles::round_to_nearest(crossing))) << "call " << i;
+    ASSERT_TRUE(agrees(exact::lattice::round_to_nearest(crossing))) << "call " << i;
+  }
+  const bool is_small = GetParam() == PointSource::Kind::small_lattice;
+  EXPECT_GT(in_doubles, is_small ? 100 : -1);
+}
+
+// Offsets of 2^8 to 2^20: products on both sides of 2^53, where doubles are no longer exact.
+TEST(Rounding, OfWholeNumbersIsTheSameInEveryStage) {
+  Random random(7);
+  int in_doubles = 0;
+  constexpr int kCalls = 20000;
+  for (int i = 0; i < kCalls; ++i) {
+    const std::int64_t reach = std::int64_t{1} << random.between(8, 20);
+    const auto point = [&] {
+      const auto x = static_cast<double>(random.between(-reach, reach));
+      return Point{x, static_cast<double>(random.between(-reach, reach))};
+    };
+    const exact::Crossing crossing{point(), point(), point(), point()};
+    const auto& [a, b, c, d] = crossing;
+    if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;  // parallel: whole numbers below 2^53
+    const auto rounded = exact::doubles::round_to_nearest(crossing);
+    if (!rounded) continue;
+    ++in_doubles;
+    const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
+    ASSERT_EQ(rounded->nearest, right.nearest) << "call " << i;
+    ASSERT_EQ(rounded->is_exact, right.is_exact) << "call " << i;
+  }
+  EXPECT_GT(in_doubles, kCalls / 4);
+  EXPECT_LT(in_doubles, kCalls);
+}
+
 TEST(Rounding, TiesGoToEven) {
   // On the line y = 2^53 + 1 + x, at x = 0: halfway between 2^53, even in its last bit, and 2^53 + 2.
   const exact::Crossing between{{-1, 0x1p53}, {1, 0x1p53 + 2}, {0, 0}, {0, 1}};
@@ -69,21 +117,21 @@ TEST(Fractions, AreReduced) {
 }
 
 TEST(Geometry, CrossingsThatAreDoublesBecomeExplicit) {
-  exact::Geometry geometry;
+  exact::Geometry geometry(Box{{0, 0}, {4, 4}});
   geometry.place(0, {0, 0});
   geometry.place(1, {2, 2});
   geometry.place(2, {0, 2});
   geometry.place(3, {2, 0});
   geometry.place(4, {3, 0});
   geometry.place_crossing(5, 0, 1, 2, 3);
-  EXPECT_TRUE(geometry.view(5).is_explicit());
+  EXPECT_TRUE(geometry.is_explicit(5));
   EXPECT_EQ(geometry.nearest(5), (Point{1, 1}));
   geometry.place_crossing(6, 0, 1, 2, 4);
-  EXPECT_FALSE(geometry.view(6).is_explicit());
+  EXPECT_FALSE(geometry.is_explicit(6));
   EXPECT_EQ(geometry.nearest(6), (Point{1.2, 1.2}));
   geometry.clear(6);
   geometry.place_crossing(7, 1, 0, 4, 2);
-  EXPECT_EQ(exact::to_fractions(geometry.view(7)), "6 5 6 5");
+  EXPECT_EQ(exact::to_fractions(geometry.exact(7)), "6 5 6 5");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "exact/predicates.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <span>
@@ -10,6 +11,7 @@
 #include "exact/crossing.hpp"
 #include "exact/point_source.hpp"
 #include "exact/rational.hpp"
+#include "exact/stage_agreement.hpp"
 #include "support/data_folder.hpp"
 
 namespace waywright::test {
@@ -40,6 +42,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Predicates,
                                          PointSource::Kind::doubles, PointSource::Kind::mixed_sizes),
                          kind_name);
 
+/// A bound leaves a sign open by saying zero.
+bool is_open_or(Sign expected, Sign bounded) { return bounded == Sign::zero || bounded == expected; }
+
 TEST_P(Predicates, OrientationAgreesWithRationals) {
   PointSource source(GetParam(), 1);
   for (int i = 0; i < 1500; ++i) {
@@ -47,7 +52,9 @@ TEST_P(Predicates, OrientationAgreesWithRationals) {
     const Sign expected = rational_orientation(rational(a), rational(b), rational(c));
     ASSERT_EQ(exact::orientation(a, b, c), expected) << "call " << i;
     ASSERT_EQ(exact::integers::orientation(a, b, c), expected) << "call " << i;
-    ASSERT_EQ(exact::filter::orientation(a, b, c).value_or(expected), expected) << "call " << i;
+    ASSERT_EQ(exact::filter::fine::orientation(a, b, c).value_or(expected), expected) << "call " << i;
+    ASSERT_TRUE(is_open_or(expected, exact::filter::coarse::orientation(a, b, c))) << "call " << i;
+    ASSERT_TRUE(is_open_or(expected, orientation_in_box(a, b, c))) << "call " << i;
     ASSERT_EQ(exact::orientation(b, a, c), -expected);
     ASSERT_EQ(exact::orientation(a, c, b), -expected);
     ASSERT_EQ(exact::orientation(b, c, a), expected);
@@ -61,7 +68,9 @@ TEST_P(Predicates, InCircleAgreesWithRationals) {
     const Sign expected = rational_in_circle(rational(a), rational(b), rational(c), rational(d));
     ASSERT_EQ(exact::in_circle(a, b, c, d), expected) << "call " << i;
     ASSERT_EQ(exact::integers::in_circle(a, b, c, d), expected) << "call " << i;
-    ASSERT_EQ(exact::filter::in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
+    ASSERT_EQ(exact::filter::fine::in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
+    ASSERT_TRUE(is_open_or(expected, exact::filter::coarse::in_circle(a, b, c, d))) << "call " << i;
+    ASSERT_EQ(exact::lattice::whole_in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
     ASSERT_EQ(exact::in_circle(b, c, a, d), expected);
     ASSERT_EQ(exact::in_circle(b, a, c, d), -expected);
     ASSERT_EQ(exact::in_circle(a, b, d, c), -expected);
@@ -87,7 +96,7 @@ TEST(Filter, IsNeverWrongNextToZero) {
     const auto nudge = [&] { return static_cast<double>(random.between(-2, 2)) * 0x1p-52; };
     const double t = static_cast<double>(random.between(0, 1 << 20)) * 0x1p-20;
     const ExactPoint a{0.1, 0.1}, b{0.9, 0.9}, c{t + nudge(), t + nudge()};
-    const auto filtered = exact::filter::orientation(a, b, c);
+    const auto filtered = exact::filter::fine::orientation(a, b, c);
     if (!filtered) {
       ++undecided;
     } else {
@@ -95,7 +104,7 @@ TEST(Filter, IsNeverWrongNextToZero) {
     }
     const ExactPoint d{0.6 + nudge(), 0.8 + nudge()};
     const ExactPoint east{1.0, nudge()}, north{nudge(), 1.0}, west{-1.0, nudge()};
-    const auto circled = exact::filter::in_circle(east, north, west, d);
+    const auto circled = exact::filter::fine::in_circle(east, north, west, d);
     if (circled) {
       ASSERT_EQ(*circled, rational_in_circle(rational(east), rational(north), rational(west), rational(d)));
     }
@@ -105,10 +114,60 @@ TEST(Filter, IsNeverWrongNextToZero) {
 
 TEST(Filter, DecidesPlainCasesAlone) {
   const ExactPoint a{0, 0}, b{4, 0}, c{0, 4};
-  EXPECT_EQ(exact::filter::orientation(a, b, c), Sign::positive);
-  EXPECT_EQ(exact::filter::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
-  EXPECT_EQ(exact::filter::in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
-  EXPECT_EQ(exact::filter::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
+  EXPECT_EQ(exact::filter::fine::orientation(a, b, c), Sign::positive);
+  EXPECT_EQ(exact::filter::fine::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
+  EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
+  EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
+}
+
+TEST(Filter, TellsPlainCasesByItsCoarseBounds) {
+  const ExactPoint a{0, 0}, b{4, 0}, c{0, 4};
+  EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
+  EXPECT_EQ(exact::filter::coarse::orientation(b, a, c), Sign::negative);
+  EXPECT_EQ(exact::filter::coarse::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
+  EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
+  EXPECT_EQ(orientation_in_box(a, b, ExactPoint{9, 0}), Sign::zero);
+  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
+  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
+  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{4, 4}), Sign::zero);
+}
+
+// A metre apart, thousands of kilometres from the origin, as surveyors have them.
+TEST(Filter, TellsPointsFarFromTheOriginByItsCoarseBounds) {
+  const ExactPoint a{4500000.25, 5300000.5}, b{4500001.25, 5300000.5}, c{4500000.25, 5300001.75};
+  EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
+  EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
+  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
+}
+
+TEST(Rectangle, IsToldByItsCornersInAnyOrder) {
+  std::array<ExactPoint, 4> corners = {{{0.1, 0.3}, {0.7, 0.3}, {0.7, 0.9}, {0.1, 0.9}}};
+  std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  do {
+    const auto corner = [&](std::size_t i) { return corners[order[i]]; };
+    EXPECT_TRUE(exact::filter::is_rectangle(corner(0), corner(1), corner(2), corner(3)));
+    for (std::size_t moved = 0; moved < 4; ++moved) {
+      std::array<ExactPoint, 4> others = {corner(0), corner(1), corner(2), corner(3)};
+      (order[0] % 2 == 0 ? others[moved].x : others[moved].y) = 0.5;
+      EXPECT_FALSE(exact::filter::is_rectangle(others[0], others[1], others[2], others[3]));
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(WholeNumbers, TellOnlyWhatFits) {
+  // Corners of squares: on the circle. The offsets' squares make 4 s^2 for a side of s.
+  const auto corner = [](double side, double x, double y) { return ExactPoint{side * x, side * y}; };
+  const auto ask = [&](double side) {
+    return exact::lattice::whole_in_circle(corner(side, 0, 0), corner(side, 1, 0), corner(side, 1, 1),
+                                           corner(side, 0, 1));
+  };
+  EXPECT_EQ(ask(3), Sign::zero);
+  EXPECT_EQ(ask(16384), Sign::zero);
+  EXPECT_EQ(ask(16385), std::nullopt);
+  EXPECT_EQ(ask(0.5), std::nullopt);
+  const double far = 0x1p52;
+  EXPECT_EQ(exact::lattice::whole_in_circle({far, 0}, {far + 2, 0}, {far + 2, 2}, {far, 2}), std::nullopt);
+  EXPECT_EQ(exact::lattice::whole_in_circle({0, 0}, {9, 0}, {9, 9}, {1, 8}), Sign::positive);
 }
 
 TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {

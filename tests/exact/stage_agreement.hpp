@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,19 +19,21 @@ namespace waywright::test {
 
 /// Kinds of points that make determinants vanish, or all but vanish.
 enum class NearMiss : unsigned char {
-  small_lattice,  ///< of integers up to 8: lines and circles everywhere
-  decimals,       ///< multiples of 0.1
-  on_a_line,      ///< doubles next to a line
-  on_a_circle,    ///< doubles next to a circle
-  crossings,      ///< of walls between points of a small lattice, and such points
-  fine_crossings  ///< of walls between doubles that are nearly parallel
+  small_lattice,   ///< of integers up to 8: lines and circles everywhere
+  decimals,        ///< multiples of 0.1
+  on_a_line,       ///< doubles next to a line
+  on_a_circle,     ///< doubles next to a circle
+  crossings,       ///< of walls between points of a small lattice, and such points
+  fine_crossings,  ///< of walls between doubles that are nearly parallel
+  far_crossings    ///< the same, a thousand times nearer to one another than to the origin
 };
 inline constexpr std::array kNearMisses = {NearMiss::small_lattice, NearMiss::decimals,  NearMiss::on_a_line,
-                                           NearMiss::on_a_circle,   NearMiss::crossings, NearMiss::fine_crossings};
+                                           NearMiss::on_a_circle,   NearMiss::crossings, NearMiss::fine_crossings,
+                                           NearMiss::far_crossings};
 
 inline std::string_view to_string(NearMiss kind) {
-  constexpr std::array<std::string_view, 6> kNames = {"small_lattice", "decimals",  "on_a_line",
-                                                      "on_a_circle",   "crossings", "fine_crossings"};
+  constexpr std::array<std::string_view, 7> kNames = {"small_lattice", "decimals",       "on_a_line",    "on_a_circle",
+                                                      "crossings",     "fine_crossings", "far_crossings"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -72,6 +76,12 @@ class NearMisses {
       case NearMiss::fine_crossings:
         add_crossing({{0.0, fraction()}, {1.0, fraction()}, {0.1, 0.5 + nudge()}, {0.9, 0.5 + nudge()}});
         break;
+      case NearMiss::far_crossings: {
+        const auto far = [&](double x, double y) -> Point { return {0.7 + x * 0x1p-10, 0.6 + y * 0x1p-10}; };
+        const auto level = [&] { return 0.5 + between(-2, 2) * 0x1p-43; };
+        add_crossing({far(0.0, fraction()), far(1.0, fraction()), far(0.1, level()), far(0.9, level())});
+        break;
+      }
     }
   }
   Point lattice_point() { return {between(-4, 4), between(-4, 4)}; }
@@ -109,23 +119,47 @@ struct Agreement {
   }
 };
 
-/// Holds the first stage against the second in all calls, and both against the last in every n-th, and checks that
-/// swapped arguments give swapped signs.
+/// The bound of a box that holds just these points.
+inline exact::Sign orientation_in_box(const exact::ExactPoint& a, const exact::ExactPoint& b,
+                                      const exact::ExactPoint& c) {
+  const Box box = {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+                   {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
+  return exact::filter::sign_beyond(exact::filter::orientation_determinant(a, b, c),
+                                    exact::filter::largest_orientation_error(box));
+}
+
+/// Holds the first stage, with each of its bounds, against the second in all calls, and both against the last in every
+/// n-th, and checks that swapped arguments give swapped signs.
 inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t calls, std::uint64_t every_nth) {
   NearMisses source(kind, seed);
   Agreement result;
+  const auto misleads = [](exact::Sign bounded, const std::optional<exact::Sign>& right) {
+    return bounded != exact::Sign::zero && right && bounded != *right;
+  };
   const auto differ = [](const auto& one, const auto& other) { return one && other && *one != *other; };
   for (; result.calls < calls && result.fault.empty(); ++result.calls) {
     const exact::ExactPoint &a = source.any(), &b = source.any(), &c = source.any(), &d = source.any();
-    const auto turn = exact::filter::orientation(a, b, c);
+    const auto turn = exact::filter::fine::orientation(a, b, c);
+    const exact::Sign coarse_turn = exact::filter::coarse::orientation(a, b, c);
+    const exact::Sign boxed_turn = orientation_in_box(a, b, c);
     const auto lattice_turn = exact::lattice::orientation(a, b, c);
-    const auto circle = exact::filter::in_circle(a, b, c, d);
+    const auto circle = exact::filter::fine::in_circle(a, b, c, d);
+    const exact::Sign coarse_circle = exact::filter::coarse::in_circle(a, b, c, d);
+    const auto whole_circle = exact::lattice::whole_in_circle(a, b, c, d);
     const auto lattice_circle = exact::lattice::in_circle(a, b, c, d);
     const auto order = exact::lattice::compare(a, b);
     result.doubles += turn && circle ? 1 : 0;
     result.on_lattice += lattice_turn && lattice_circle && order ? 1 : 0;
     if (differ(turn, lattice_turn)) result.fault = "orientation: doubles against lattice";
     if (differ(circle, lattice_circle)) result.fault = "in-circle: doubles against lattice";
+    if (differ(whole_circle, lattice_circle)) result.fault = "in-circle: whole numbers against lattice";
+    for (const auto& exact_turn : {turn, lattice_turn}) {
+      if (misleads(coarse_turn, exact_turn)) result.fault = "orientation: coarse bound";
+      if (misleads(boxed_turn, exact_turn)) result.fault = "orientation: bound of the box";
+    }
+    for (const auto& exact_circle : {circle, lattice_circle}) {
+      if (misleads(coarse_circle, exact_circle)) result.fault = "in-circle: coarse bound";
+    }
     if (order && *order != exact::compare(a, b)) result.fault = "order: doubles against lattice";
     const auto swapped_turn = exact::lattice::orientation(b, a, c);
     const auto swapped_circle = exact::lattice::in_circle(a, b, d, c);
@@ -134,7 +168,9 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
     if (lattice_circle && swapped_circle && *lattice_circle != -*swapped_circle) result.fault = "in-circle: swapped";
     if (result.calls % every_nth != 0) continue;
     ++result.against_integers;
-    if (exact::orientation(a, b, c) != exact::integers::orientation(a, b, c)) result.fault = "orientation: integers";
+    const exact::Sign right_turn = exact::integers::orientation(a, b, c);
+    if (exact::orientation(a, b, c) != right_turn) result.fault = "orientation: integers";
+    if (misleads(boxed_turn, right_turn)) result.fault = "orientation: bound of the box against integers";
     if (exact::in_circle(a, b, c, d) != exact::integers::in_circle(a, b, c, d)) result.fault = "in-circle: integers";
     if (exact::compare(a, b) != exact::integers::compare(a, b)) result.fault = "order: integers";
   }

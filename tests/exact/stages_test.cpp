@@ -54,9 +54,11 @@ TEST(Stages, OfInCircles) {
     return added(&PredicateCounts::in_circle, [&] { static_cast<void>(exact::in_circle(a, b, c, d)); });
   };
   EXPECT_EQ(asks({0, 0}, {4, 0}, {0, 4}, {1, 1}), kDoubles);
-  EXPECT_EQ(asks({0, 0}, {4, 0}, {4, 4}, {0, 4}), kLattice);
-  EXPECT_EQ(asks({0.1, 0.1}, {0.4, 0.1}, {0.4, 0.4}, {0.1, 0.4}), kLattice);
-  EXPECT_EQ(asks({0x1p-60, 0}, {4, 0}, {4, 4}, {0x1p-60, 4}), kIntegers);
+  EXPECT_EQ(asks({0, 0}, {4, 0}, {4, 4}, {0, 4}), kDoubles);  // a rectangle's corners
+  EXPECT_EQ(asks({0.1, 0.4}, {0.4, 0.1}, {0.4, 0.4}, {0.1, 0.1}), kDoubles);
+  EXPECT_EQ(asks({2, 0}, {4, 2}, {2, 4}, {0, 2}), kLattice);
+  EXPECT_EQ(asks({0.2, 0.1}, {0.3, 0.1}, {0.4, 0.2}, {0.1, 0.2}), kLattice);
+  EXPECT_EQ(asks({0x1p-60, 0}, {3 - 0x1p-60, 0}, {4, 4}, {-1, 4}), kIntegers);
   EXPECT_EQ(asks({0, 0}, {9, 3}, {9, 9}, at(kPlain)), kDoubles);
 }
 
@@ -78,7 +80,9 @@ TEST(Stages, OfCrossings) {
   };
   EXPECT_EQ(asks({{0.1, 0}, {0.1, 3}, {0, 0x1p-60}, {7, 0x1p-60}}), kDoubles);
   EXPECT_EQ(asks({{0, 0.3}, {1, 0.3}, {0.7, 0}, {0.7, 1}}), kDoubles);
-  EXPECT_EQ(asks(kPlain), kLattice);
+  EXPECT_EQ(asks(kPlain), kDoubles);  // whole numbers, of which only the quotient is rounded
+  EXPECT_EQ(asks({{0, 0}, {9, 3.5}, {0, 2}, {7, 0}}), kLattice);
+  EXPECT_EQ(asks({{0, 0}, {0x1p27, 3}, {0, 0x1p27}, {7, -0x1p27}}), kLattice);  // products beyond 2^53
   EXPECT_EQ(asks(kFine), kIntegers);
 }
 

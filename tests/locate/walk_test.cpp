@@ -28,7 +28,8 @@ void expect_true(const Triangulation& triangulation, const Located& place, const
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto view = exact::Geometry::view(point);
   const auto side = [&](HalfEdge h) {
-    return exact::Geometry::orientation(triangulation.view(mesh.origin(h)), triangulation.view(mesh.target(h)), view);
+    return triangulation.geometry().orientation(triangulation.view(mesh.origin(h)), triangulation.view(mesh.target(h)),
+                                                view);
   };
   ASSERT_FALSE(triangulation.is_ghost_face(place.h) && place.spot == Spot::face);
   const Point origin = triangulation.geometry().nearest(number(mesh.origin(place.h)));
