@@ -23,10 +23,10 @@ LAYERS = {
 
 # Public headers that name single values; all layers but `mesh` may use those of what lies below them. The other public
 # headers stand on the whole library.
-VALUES = {"point.hpp", "id.hpp", "error.hpp"}
+VALUES = {"point.hpp", "id.hpp", "error.hpp", "memory_use.hpp"}
 PUBLIC = {
     "exact": VALUES | {"predicate_counts.hpp"},
-    "mesh": {"id.hpp", "error.hpp"},
+    "mesh": {"id.hpp", "error.hpp", "memory_use.hpp"},
     "locate": VALUES,
     "delaunay": VALUES,
     "constraint": VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"},

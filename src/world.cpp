@@ -396,6 +396,14 @@ Result<std::vector<ItemId>> World::items_in(const Box& box) const {
   return constraint::items_in(impl_->triangulation, box);
 }
 
+MemoryUse World::memory() const {
+  MemoryUse use;
+  use.spare = sizeof(Impl);
+  impl_->triangulation.count_memory(use);
+  if (impl_->abstraction) impl_->abstraction->count_memory(use);
+  return use;
+}
+
 Validation World::validate() const {
   auto fault = impl_->triangulation.find_fault();
   if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);

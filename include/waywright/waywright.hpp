@@ -3,6 +3,7 @@
 #include "waywright/error.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/memory_use.hpp"
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
 #include "waywright/path_search.hpp"

@@ -13,6 +13,7 @@
 #include "waywright/error.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/memory_use.hpp"
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
@@ -215,6 +216,10 @@ class World {
 
   /// Goes up with every operation that is carried out, and with no other. Cost: none.
   [[nodiscard]] std::uint64_t version() const;
+
+  /// The memory that the world holds, by what it is for. What the allocator adds to each piece isn't counted.
+  /// Cost: O(1).
+  [[nodiscard]] MemoryUse memory() const;
 
   /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the
   /// empty circle and its ties on every free edge, what is kept for paths against a rebuild. Cost: linear in the mesh,

@@ -114,7 +114,7 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
                                                                            AfterRecord&& after_record) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rank_and_slot;
   std::size_t corner = 0;
-  items_.reserve(batch.size());
+  items_.reserve(batch.size(), [&](std::size_t i) { return batch.id(i); });
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (i + kIdsAhead < batch.size()) items_.prefetch(batch.id(i + kIdsAhead));
     const ItemKind kind = batch.kind(i);

@@ -89,6 +89,8 @@ class ConstrainedTriangulation {
   /// are those which the items ask for. The first fault found, or nothing.
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
+  void count_memory(MemoryUse& use) const;
+
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
   static constexpr std::size_t kIdsAhead = 8;

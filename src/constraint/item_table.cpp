@@ -12,28 +12,22 @@ constexpr std::size_t kSmallestIndex = 16;
 
 }  // namespace
 
-ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({{}, kNone, ItemKind::polygon}); }
-
-void ItemTable::reserve(std::size_t count) {
-  items_.reserve(items_.size() + count);
-  make_room_in_index(count);
-}
+ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({{}, kNone, ItemKind::polygon, false}); }
 
 void ItemTable::prefetch(ItemId id) const { __builtin_prefetch(&index_[home(id)], 1); }
 
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
-  make_room_in_index(1);
   if (first_free_item_ == kNone) {
-    items_.push_back({{}, kNone, kind});
+    items_.push_back({{}, kNone, kind, false});
     first_free_item_ = static_cast<std::uint32_t>(items_.size() - 1);
   }
   const std::uint32_t slot = first_free_item_;
+  if (id.value != slot) make_room_in_index(1);
   log_.push_back({slot, false});
   first_free_item_ = items_[slot].place;
-  items_[slot] = {id, kNone, kind};
-  index_[gap_for(id)] = slot;
-  ++size_;
+  items_[slot] = {id, kNone, kind, false};
+  enter(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
   return slot;
@@ -93,8 +87,7 @@ void ItemTable::outline(std::uint32_t item, Outline& outline) const {
 
 void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
   log_.push_back({slot, true});
-  erase_from_index(items_[slot].id);
-  --size_;
+  leave(slot);
   ItemHash::subtract_from(hash_, hash);
   polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
 }
@@ -114,11 +107,9 @@ void ItemTable::roll_back() {
   for (; !log_.empty(); log_.pop_back()) {
     const auto [slot, is_removal] = log_.back();
     if (is_removal) {
-      index_[gap_for(items_[slot].id)] = slot;
-      ++size_;
+      enter(slot);
     } else {
-      erase_from_index(items_[slot].id);
-      --size_;
+      leave(slot);
       recycle(slot);
     }
   }
@@ -139,11 +130,29 @@ void ItemTable::recycle(std::uint32_t slot) {
   first_free_item_ = slot;
 }
 
+void ItemTable::enter(std::uint32_t slot) {
+  ItemRecord& record = items_[slot];
+  record.is_alive = true;
+  ++size_;
+  if (record.id.value == slot) return;
+  index_[gap_for(record.id)] = slot;
+  ++index_size_;
+}
+
+void ItemTable::leave(std::uint32_t slot) {
+  ItemRecord& record = items_[slot];
+  record.is_alive = false;
+  --size_;
+  if (record.id.value == slot) return;
+  erase_from_index(record.id);
+  --index_size_;
+}
+
 std::vector<ItemId> ItemTable::ids() const {
   std::vector<ItemId> result;
   result.reserve(size_);
-  for (const std::uint32_t slot : index_) {
-    if (slot != kEmpty) result.push_back(items_[slot].id);
+  for (const ItemRecord& record : items_) {
+    if (record.is_alive) result.push_back(record.id);
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -151,26 +160,25 @@ std::vector<ItemId> ItemTable::ids() const {
 
 // Linear probing; a removal moves later entries up, so that no search meets a gap.
 // Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithms L and R.
-std::size_t ItemTable::home(ItemId id) const { return mix(id.value) & (index_.size() - 1); }
+std::size_t ItemTable::home(ItemId id) const { return (mix(id.value) >> 32) * index_.size() >> 32; }
 
 std::size_t ItemTable::position(ItemId id) const {
   std::size_t at = home(id);
-  while (index_[at] != kEmpty && items_[index_[at]].id != id) at = (at + 1) & (index_.size() - 1);
+  while (index_[at] != kEmpty && items_[index_[at]].id != id) at = place_after(at);
   return at;
 }
 
 // Looks at no record: those of the ids that share a home lie anywhere.
 std::size_t ItemTable::gap_for(ItemId id) const {
   std::size_t at = home(id);
-  while (index_[at] != kEmpty) at = (at + 1) & (index_.size() - 1);
+  while (index_[at] != kEmpty) at = place_after(at);
   return at;
 }
 
 void ItemTable::make_room_in_index(std::size_t count) {
-  std::size_t room = index_.size();
-  while (3 * (size_ + count) > 2 * room) room *= 2;
-  if (room == index_.size()) return;
-  std::vector<std::uint32_t> larger(room, kEmpty);
+  const std::size_t needed = (3 * (index_size_ + count) + 1) / 2;
+  if (needed <= index_.size()) return;
+  std::vector<std::uint32_t> larger(std::max(needed, 2 * index_.size()), kEmpty);
   index_.swap(larger);
   for (const std::uint32_t slot : larger) {
     if (slot != kEmpty) index_[gap_for(items_[slot].id)] = slot;
@@ -178,11 +186,9 @@ void ItemTable::make_room_in_index(std::size_t count) {
 }
 
 void ItemTable::erase_from_index(ItemId id) {
-  const std::size_t mask = index_.size() - 1;
   std::size_t gap = position(id);
-  for (std::size_t at = (gap + 1) & mask; index_[at] != kEmpty; at = (at + 1) & mask) {
-    const std::size_t way_from_home = (at - home(items_[index_[at]].id)) & mask;
-    if (way_from_home < ((at - gap) & mask)) continue;
+  for (std::size_t at = place_after(gap); index_[at] != kEmpty; at = place_after(at)) {
+    if (way_round(home(items_[index_[at]].id), at) < way_round(gap, at)) continue;
     index_[gap] = index_[at];
     gap = at;
   }

@@ -6,6 +6,7 @@
 
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/memory_use.hpp"
 
 #include "constraint/item_hash.hpp"
 #include "mesh/index.hpp"
@@ -26,6 +27,7 @@ struct ItemRecord {
   /// Of a point, its corner; of anything else, its last side, by slot; of a free slot, the next free one.
   std::uint32_t place = 0;
   ItemKind kind = ItemKind::point;
+  bool is_alive = false;  ///< never the domain
 };
 
 /// An item's corners, ring after ring, points that repeat their predecessor merged; and where each ring's corners end.
@@ -43,16 +45,19 @@ struct Outline {
 /// and go are logged and can be taken back to the last begin().
 ///
 /// Worlds of a million points are why this is lean: an item owns no memory of its own. Its sides run in a ring through
-/// the table of sides, from the last, which the item knows, to the first; the slots are found by id in an open table.
+/// the table of sides, from the last, which the item knows, to the first. Where ids count up, an item's id is its slot;
+/// the others' slots are found in an open table.
 class ItemTable {
  public:
   static constexpr std::uint32_t kDomain = 0;
 
   ItemTable();
 
-  [[nodiscard]] bool contains(ItemId id) const { return index_[position(id)] != kEmpty; }
+  [[nodiscard]] bool contains(ItemId id) const { return is_in_its_own_slot(id) || index_[position(id)] != kEmpty; }
   /// The slot of a live item. Requires: contains(id).
-  [[nodiscard]] std::uint32_t slot(ItemId id) const { return index_[position(id)]; }
+  [[nodiscard]] std::uint32_t slot(ItemId id) const {
+    return is_in_its_own_slot(id) ? static_cast<std::uint32_t>(id.value) : index_[position(id)];
+  }
   [[nodiscard]] const ItemRecord& item(std::uint32_t slot) const { return items_[slot]; }
   [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
     return slot != kDomain && items_[slot].kind == ItemKind::polygon;
@@ -75,8 +80,14 @@ class ItemTable {
   /// Fills `outline`, for its memory.
   void outline(std::uint32_t item, Outline& outline) const;
 
-  /// Makes room for so many more items.
-  void reserve(std::size_t count);
+  /// Makes room for so many more items, of the ids id_of(i) for i below that.
+  template <class IdOf>
+  void reserve(std::size_t count, IdOf&& id_of) {
+    std::size_t elsewhere = 0;
+    for (std::size_t i = 0; i < count; ++i) elsewhere += id_of(i).value != items_.size() + i ? 1 : 0;
+    items_.reserve(items_.size() + count);
+    make_room_in_index(elsewhere);
+  }
   /// Has the place of an id fetched that is soon to be added.
   void prefetch(ItemId id) const;
   /// Requires: no item has that id.
@@ -96,6 +107,13 @@ class ItemTable {
   [[nodiscard]] std::vector<ItemId> ids() const;
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
   void see(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
+
+  void count_memory(MemoryUse& use) const {
+    waywright::detail::count_memory(use, &MemoryUse::items, items_);
+    waywright::detail::count_memory(use, &MemoryUse::items, sides_);
+    waywright::detail::count_memory(use, &MemoryUse::items, index_);
+    waywright::detail::count_spare(use, log_);
+  }
 
  private:
   static constexpr std::uint32_t kEmpty = 0;  ///< in the index, where the domain never is
@@ -123,12 +141,23 @@ class ItemTable {
   }
   void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
   void recycle(std::uint32_t slot);
+  /// Makes the item of a slot one that is found by its id.
+  void enter(std::uint32_t slot);
+  void leave(std::uint32_t slot);
 
+  /// Whether a live item is in the slot that its id names: then the index doesn't have it.
+  [[nodiscard]] bool is_in_its_own_slot(ItemId id) const {
+    return id.value < items_.size() && items_[id.value].is_alive && items_[id.value].id == id;
+  }
   /// Where the index has an id, or the gap where it isn't.
   [[nodiscard]] std::size_t position(ItemId id) const;
   /// The gap for an id that the index doesn't have.
   [[nodiscard]] std::size_t gap_for(ItemId id) const;
   [[nodiscard]] std::size_t home(ItemId id) const;
+  [[nodiscard]] std::size_t place_after(std::size_t at) const { return at + 1 == index_.size() ? 0 : at + 1; }
+  [[nodiscard]] std::size_t way_round(std::size_t from, std::size_t to) const {
+    return to >= from ? to - from : to + index_.size() - from;
+  }
   void make_room_in_index(std::size_t count);
   void erase_from_index(ItemId id);
 
@@ -136,7 +165,8 @@ class ItemTable {
   std::vector<Link> sides_;
   std::uint32_t first_free_item_ = kNone;
   std::uint32_t first_free_side_ = kNone;
-  std::vector<std::uint32_t> index_;  ///< slots, a power of two of them, at most two thirds in use
+  std::vector<std::uint32_t> index_;  ///< slots that aren't their items' ids; at most two thirds are in use
+  std::size_t index_size_ = 0;
   std::size_t size_ = 0;
   ItemId largest_id_seen_;
   ItemHash::Words hash_{};

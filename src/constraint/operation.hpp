@@ -30,6 +30,15 @@ void ConstrainedTriangulation<Geometry>::roll_back() {
 }
 
 template <class Geometry>
+void ConstrainedTriangulation<Geometry>::count_memory(MemoryUse& use) const {
+  triangulation_.count_memory(use);
+  items_.count_memory(use);
+  uses_.count_memory(use, &MemoryUse::walls);
+  waywright::detail::count_memory(use, &MemoryUse::vertices, corner_uses_);
+  waywright::detail::count_spare(use, corner_uses_log_, crossed_, touched_, outline_.corners, outline_.ring_ends);
+}
+
+template <class Geometry>
 void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses uses) {
   corner_uses_log_.emplace_back(v, corner_uses_[number(v)]);
   corner_uses_[number(v)] = uses;

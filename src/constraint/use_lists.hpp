@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
+
 namespace waywright::constraint {
 
 /// A list of the users of an edge or a vertex, as one 32-bit number: 0 for none; a lone user, by far the most common
@@ -40,6 +42,12 @@ class UseLists {
 
   /// Any one of the users. Requires: the list isn't empty.
   [[nodiscard]] std::uint32_t any(Uses list) const { return is_node(list) ? nodes_[list & ~kNode].user : list - 1; }
+
+  /// Counts what lists hold in with that part.
+  void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
+    waywright::detail::count_memory(use, part, nodes_);
+    waywright::detail::count_spare(use, log_);
+  }
 
  private:
   static constexpr std::uint32_t kNode = 0x80000000;

@@ -111,6 +111,8 @@ class Triangulation {
   /// Whether the edge of `h`, free and inside the box, has the empty-circle property against its two neighbours.
   [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
 
+  void count_memory(MemoryUse& use) const;
+
  private:
   using Triangle = mesh::TriangleMesh::Triangle;
 

@@ -24,8 +24,8 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
   all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
   DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
-  sorted.keys = {};
-  sorted.points = {};
+  sorted.keys = std::vector<locate::Curve::Key>();  // not {}, which would keep the memory
+  sorted.points = std::vector<Point>();
   mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
   fix_border(side_labels);
@@ -60,6 +60,15 @@ void Triangulation<Geometry>::begin() {
   mesh_.begin();
   geometry_.begin();
   recent_before_ = recent_;
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
+  mesh_.count_memory(use);
+  geometry_.count_memory(use);
+  sectors_.count_memory(use);
+  waywright::detail::count_spare(use, stack_, freed_, hole_sides_, hole_places_, triangles_, left_chain_, right_chain_,
+                                 dangling_, cavity_, corners_);
 }
 
 template <class Geometry>

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
+
 #include "exact/any_geometry.hpp"
 #include "exact/counts.hpp"
 #include "exact/crossing.hpp"
@@ -80,6 +82,12 @@ class Geometry {
     if (p.x == q.x && !(is_explicit(p.vertex) && is_explicit(q.vertex))) return finer_order(copy(p), copy(q));
     ++counts.order.doubles;
     return filter::order(p, q);
+  }
+
+  void count_memory(MemoryUse& use) const {
+    waywright::detail::count_memory(use, &MemoryUse::vertices, places_);
+    waywright::detail::count_memory(use, &MemoryUse::crossings, crossings_);
+    waywright::detail::count_spare(use, free_crossings_, left_crossings_, log_);
   }
 
  private:

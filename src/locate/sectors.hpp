@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
 #include "locate/curve.hpp"
@@ -61,6 +62,8 @@ class Sectors {
   void forget(const Point& point, mesh::Vertex v, mesh::Vertex other);
   /// Divides the sector of `point`, in a world of so many vertices. Cost: O(1), amortised.
   void divide(const Point& point, std::size_t vertex_count);
+
+  void count_memory(MemoryUse& use) const { waywright::detail::count_memory(use, &MemoryUse::sectors, sectors_); }
 
  private:
   /// What a sector remembers; with kDivided set, where its four quarters start, in the curve's order.

@@ -15,8 +15,14 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 
 }  // namespace
 
+void LabelPages::add_page(std::size_t index) {
+  pages_[index] = std::make_unique<Page>();
+  ++page_count_;
+}
+
 TriangleMesh::TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count)
-    : corners_(std::move(corners)), labels_(corners_.size()), outgoing_(vertex_count) {
+    : corners_(std::move(corners)), outgoing_(vertex_count) {
+  labels_.cover(corners_.size());
   for (std::uint32_t h = 0; h < corners_.size(); ++h) outgoing_[number(corners_[h].origin)] = h;
 }
 
@@ -49,15 +55,12 @@ Face TriangleMesh::add_face() {
   const bool is_new = first_free_face_ == kEndOfList;
   const Face f{is_new ? face_slots() : first_free_face_};
   if (is_new) {
-    const std::size_t capacity = grown_capacity(corners_.capacity(), corners_.size() + 3);
-    labels_.reserve(capacity);
-    corners_.reserve(capacity);
+    corners_.reserve(grown_capacity(corners_.capacity(), corners_.size() + 3));
+    labels_.cover(corners_.size() + 3);
   }
-  touch(f, Touch::made);
   log(ChangeKind::add_face, number(f));
   if (!is_new) return pop_free_face();
   corners_.resize(corners_.size() + 3, Corner{number(kNoHalfEdge), kNoVertex});
-  labels_.resize(corners_.size());
   return f;
 }
 
@@ -72,13 +75,12 @@ void TriangleMesh::save(Face f) {
   const auto corners = corners_.begin() + number(first(f));
   std::copy_n(corners, 3, saved.corners.begin());
   const bool is_labelled = ((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0;
-  if (is_labelled) std::copy_n(labels_.begin() + number(first(f)), 3, saved.labels.begin());
+  for (std::uint32_t i = 0; is_labelled && i < 3; ++i) saved.labels[i] = label(HalfEdge{number(first(f)) + i});
   log(ChangeKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
 }
 
 /// Frees a face that has been saved.
 void TriangleMesh::drop(Face f) {
-  touch(f, Touch::freed);
   log(ChangeKind::free_face, number(f));
   push_free_face(f);
 }
@@ -93,27 +95,34 @@ void TriangleMesh::set_corners(Face f, Vertex a, Vertex b, Vertex c) {
 }
 
 void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
+  if (label != 0) make_room_for_label(g, h);
   corners_[number(g)].twin = number(h);
   corners_[number(h)].twin = number(g);
   if (label != 0) write_label(g, label);
 }
 
 void TriangleMesh::set_label(HalfEdge h, Label new_label) {
-  touch(face(h), Touch::rebuilt);
-  touch(face(twin(h)), Touch::rebuilt);
+  if (new_label != 0) make_room_for_label(h, twin(h));
+  log(ChangeKind::set_label_of_twin, number(twin(h)));
   log(ChangeKind::set_label, number(h), label(h));
   write_label(h, new_label);
+}
+
+void TriangleMesh::make_room_for_label(HalfEdge g, HalfEdge h) {
+  labels_.make_room(g);
+  labels_.make_room(h);
 }
 
 void TriangleMesh::write_label(HalfEdge h, Label label) {
   for (const HalfEdge side : {h, twin(h)}) {
     std::uint32_t& twin = corners_[number(side)].twin;
     twin = label == 0 ? twin & ~kFixed : twin | kFixed;
-    labels_[number(side)] = label;
+    if (label != 0) labels_.write(side, label);
   }
 }
 
 void TriangleMesh::hold(HalfEdge h) {
+  make_room_for_label(h, twin(h));
   for (const HalfEdge side : {h, twin(h)}) corners_[number(side)].twin |= kFixed;
 }
 
@@ -121,12 +130,19 @@ void TriangleMesh::release(HalfEdge h) {
   for (const HalfEdge side : {h, twin(h)}) corners_[number(side)].twin &= ~kFixed;
 }
 
+/// What take_over(to, from) needs.
+void TriangleMesh::make_room_to_take_over(HalfEdge to, HalfEdge from) {
+  if (is_fixed(from)) [[unlikely]]
+    labels_.make_room(to);
+}
+
 void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
   const std::uint32_t twin_and_flag = corners_[number(from)].twin;
   std::uint32_t& back = corners_[twin_and_flag & ~kFixed].twin;
   corners_[number(to)].twin = twin_and_flag;
   back = number(to) | (back & kFixed);
-  if ((twin_and_flag & kFixed) != 0) labels_[number(to)] = labels_[number(from)];
+  if ((twin_and_flag & kFixed) != 0) [[unlikely]]
+    labels_.write(to, labels_.read(from));
 }
 
 //        c                      c
@@ -138,9 +154,10 @@ void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
 std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
   const Face g = add_face();
   const Face k = add_face();
-  touch(f, Touch::rebuilt);
-  log(ChangeKind::split_face, number(f));
   const HalfEdge ab = first(f);
+  make_room_to_take_over(first(g), next(ab));
+  make_room_to_take_over(first(k), previous(ab));
+  log(ChangeKind::split_face, number(f));
   const Vertex a = origin(ab);
   const Vertex b = target(ab);
   const Vertex c = apex(ab);
@@ -166,16 +183,17 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
   const Face f = add_face();
   const Face g = add_face();
   const HalfEdge t = twin(h);
-  touch(face(h), Touch::rebuilt);
-  touch(face(t), Touch::rebuilt);
-  log(ChangeKind::split_edge, number(h));
+  const HalfEdge vb = first(f);
+  const HalfEdge va = first(g);
+  if (is_fixed(h)) make_room_for_label(va, vb);
+  make_room_to_take_over(next(vb), next(h));
+  make_room_to_take_over(next(va), next(t));
+  log(ChangeKind::split_edge, number(h), number(t));
   const Vertex a = origin(h);
   const Vertex b = origin(t);
   const Vertex c = apex(h);
   const Vertex d = apex(t);
   const Label edge_label = label(h);
-  const HalfEdge vb = first(f);
-  const HalfEdge va = first(g);
   take_over(next(vb), next(h));
   take_over(next(va), next(t));
   set_corners(f, v, b, c);
@@ -201,9 +219,9 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
 TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   assert(!is_fixed(h));
   const HalfEdge t = twin(h);
-  touch(face(h), Touch::rebuilt);
-  touch(face(t), Touch::rebuilt);
-  log(ChangeKind::flip, number(h));
+  make_room_to_take_over(h, next(t));
+  make_room_to_take_over(t, next(h));
+  log(ChangeKind::flip, number(h), number(t));
   const Vertex a = origin(h);
   const Vertex b = origin(t);
   const Vertex c = apex(h);
@@ -226,10 +244,7 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
 //    from -------- to
 //           base
 HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles) {
-  for (const HalfEdge side : sides) {
-    touch(face(side), Touch::rebuilt);
-    save(face(side));
-  }
+  for (const HalfEdge side : sides) save(face(side));
   HalfEdge base = kNoHalfEdge;
   for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
     const HalfEdge one = sides[triangle->from];
@@ -251,7 +266,6 @@ HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangl
 }
 
 void TriangleMesh::close(HalfEdge base, HalfEdge side) {
-  touch(face(side), Touch::rebuilt);
   save(face(side));
   join(base, side);
 }
@@ -264,6 +278,7 @@ void TriangleMesh::join(HalfEdge h, HalfEdge side) {
   }
   set_outgoing(origin(h), h);
   if (h == side) return;
+  make_room_to_take_over(h, side);
   take_over(h, side);
   drop(face(side));
 }

@@ -9,12 +9,9 @@
 #include <vector>
 
 #include "mesh/index.hpp"
+#include "mesh/label_pages.hpp"
 
 namespace waywright::mesh {
-
-/// What an edge carries for the layers above; the mesh only copies it. An edge with a label other than 0 is fixed: it
-/// is never flipped.
-using Label = std::uint32_t;
 
 /// A triangulated sphere: every half-edge has a twin, every vertex a closed loop of faces. A triangulated polygon
 /// becomes one by a ghost vertex, joined to every vertex of its border; the faces there are ghosts too. Pure topology:
@@ -57,7 +54,7 @@ class TriangleMesh {
   /// The next half-edge that starts at the same vertex, clockwise.
   [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
   [[nodiscard]] bool is_fixed(HalfEdge h) const { return (corners_[number(h)].twin & kFixed) != 0; }
-  [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
+  [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_.read(h) : 0; }
   /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: the degree of `from`.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
 
@@ -138,7 +135,31 @@ class TriangleMesh {
   /// Calls visit(face, touch), or visit(vertex, touch), for each change since begin().
   template <class Visit>
   void for_each_touched_face(Visit&& visit) const {
-    for (const TouchedFace& touched : touched_faces_) visit(touched.face, touched.touch);
+    for (const Undo& change : log_) {
+      switch (change.kind) {
+        case ChangeKind::add_face:
+          visit(Face{change.index}, Touch::made);
+          break;
+        case ChangeKind::free_face:
+          visit(Face{change.index}, Touch::freed);
+          break;
+        case ChangeKind::rebuild_face:
+        case ChangeKind::split_face:
+          visit(Face{change.index}, Touch::rebuilt);
+          break;
+        case ChangeKind::split_edge:
+        case ChangeKind::flip:
+          visit(face(HalfEdge{change.saved}), Touch::rebuilt);
+          [[fallthrough]];
+        case ChangeKind::set_label:
+        case ChangeKind::set_label_of_twin:
+          visit(face(HalfEdge{change.index}), Touch::rebuilt);
+          break;
+        case ChangeKind::add_vertex:
+        case ChangeKind::free_vertex:
+          break;
+      }
+    }
   }
   template <class Visit>
   void for_each_touched_vertex(Visit&& visit) const {
@@ -150,6 +171,13 @@ class TriangleMesh {
 
   /// The first broken link, label, loop or free list found, or nothing. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault() const;
+
+  void count_memory(MemoryUse& use) const {
+    waywright::detail::count_memory(use, &MemoryUse::faces, corners_);
+    waywright::detail::count_memory(use, &MemoryUse::vertices, outgoing_);
+    labels_.count_memory(use);
+    waywright::detail::count_spare(use, log_, saved_faces_);
+  }
 
  private:
   static constexpr std::uint32_t kFixed = 0x80000000;
@@ -166,24 +194,22 @@ class TriangleMesh {
     split_edge,
     flip,
     set_label,
+    set_label_of_twin,
   };
   /// How a change is taken back: `index` is its vertex, face or half-edge.
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;
-    std::uint32_t saved;  ///< of set_label, the label before; of rebuild_face, the position in `saved_faces_`
+    /// Of set_label, the label before; of rebuild_face, the position in `saved_faces_`; of split_edge and flip, the
+    /// twin.
+    std::uint32_t saved;
   };
   struct SavedFace {
     std::array<Corner, 3> corners;
     std::array<Label, 3> labels;
   };
-  struct TouchedFace {
-    Face face;
-    Touch touch;
-  };
 
   void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { log_.push_back({kind, index, saved}); }
-  void touch(Face f, Touch touch) { touched_faces_.push_back({f, touch}); }
   void undo(const Undo& change);
   void undo_split_face(Face f);
   void undo_split_edge(HalfEdge h);
@@ -198,13 +224,15 @@ class TriangleMesh {
   void push_free_vertex(Vertex v);
   [[nodiscard]] Vertex pop_free_vertex();
   void write_label(HalfEdge h, Label label);
+  void make_room_for_label(HalfEdge g, HalfEdge h);
+  void make_room_to_take_over(HalfEdge to, HalfEdge from);
 
   /// Gives `to` the twin and label that `from` has; both name the same edge, before and after its face is rebuilt.
   void take_over(HalfEdge to, HalfEdge from);
   void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
 
   std::vector<Corner> corners_;
-  std::vector<Label> labels_;            ///< by half-edge; meaningful where the edge is fixed
+  LabelPages labels_;                    ///< has room wherever the edge is fixed
   std::vector<std::uint32_t> outgoing_;  ///< by vertex; with kFree set, the next free vertex
   std::uint32_t first_free_face_ = kEndOfList;
   std::uint32_t first_free_vertex_ = kEndOfList;
@@ -213,7 +241,6 @@ class TriangleMesh {
 
   std::vector<Undo> log_;
   std::vector<SavedFace> saved_faces_;
-  std::vector<TouchedFace> touched_faces_;
 };
 
 }  // namespace waywright::mesh

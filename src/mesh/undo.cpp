@@ -8,7 +8,6 @@ namespace waywright::mesh {
 void TriangleMesh::begin() {
   log_.clear();
   saved_faces_.clear();
-  touched_faces_.clear();
 }
 
 void TriangleMesh::roll_back() {
@@ -48,6 +47,8 @@ void TriangleMesh::undo(const Undo& change) {
       break;
     case ChangeKind::set_label:
       write_label(HalfEdge{change.index}, change.saved);
+      break;
+    case ChangeKind::set_label_of_twin:
       break;
   }
 }
@@ -97,7 +98,7 @@ void TriangleMesh::restore(Face f, const SavedFace& saved) {
   HalfEdge h = first(f);
   for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
     corners_[number(h)] = saved.corners[i];
-    labels_[number(h)] = saved.labels[i];
+    if (is_fixed(h)) labels_.write(h, saved.labels[i]);
     set_outgoing(origin(h), h);
   }
   for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
@@ -105,7 +106,7 @@ void TriangleMesh::restore(Face f, const SavedFace& saved) {
     const HalfEdge t = twin(h);
     if (!is_alive(face(t))) continue;
     corners_[number(t)].twin = number(h) | (twin_and_flag & kFixed);
-    labels_[number(t)] = labels_[number(h)];
+    if (is_fixed(h)) labels_.write(t, saved.labels[i]);
   }
 }
 

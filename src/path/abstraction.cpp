@@ -32,9 +32,9 @@ class Abstraction::Guard {
 
 Abstraction::Abstraction(const Triangulation& triangulation) {
   Guard guard(*this);
-  collect_all(triangulation);
-  bring_up_to_date(triangulation, {gone_, made_, {}, {}});
+  rebuild(triangulation);
   guard.done();
+  give_back();
 }
 
 void Abstraction::begin() {
@@ -46,16 +46,30 @@ void Abstraction::begin() {
 void Abstraction::update(const Triangulation& triangulation) {
   Guard guard(*this);
   collect_touched(triangulation);
+  const bool is_large = 2 * gone_.size() > triangulation.topology().face_slots();
   if (is_in_the_open(triangulation.topology())) {
     components_.refill(triangulation.topology(), gone_, made_);
     core_.refill(triangulation.topology(), gone_, made_);
-  } else if (2 * gone_.size() > triangulation.topology().face_slots()) {
-    collect_all(triangulation);
-    bring_up_to_date(triangulation, {gone_, made_, {}, {}});
+  } else if (is_large) {
+    rebuild(triangulation);
   } else {
     bring_up_to_date(triangulation, {gone_, made_, removed_, inserted_});
   }
   guard.done();
+  if (is_large) give_back();
+}
+
+void Abstraction::rebuild(const Triangulation& triangulation) {
+  collect_all(triangulation);
+  bring_up_to_date(triangulation, {gone_, made_, {}, {}});
+}
+
+/// Keeps no log nor scratch as large as the mesh. The log of what is done isn't needed any more.
+void Abstraction::give_back() {
+  components_.give_back();
+  core_.give_back();
+  gone_ = std::vector<Face>();
+  made_ = std::vector<Face>();
 }
 
 void Abstraction::bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes) {
@@ -119,9 +133,17 @@ void Abstraction::collect_made(const Triangulation& triangulation) {
 }
 
 std::optional<std::string> Abstraction::find_fault(const Triangulation& triangulation) const {
-  const Abstraction rebuilt(triangulation);
+  Abstraction rebuilt(triangulation);
+  rebuilt.collect_all(triangulation);
   if (auto fault = components_.find_difference(rebuilt.components_, rebuilt.made_)) return fault;
   return core_.find_difference(triangulation.topology(), rebuilt.core_, rebuilt.made_);
+}
+
+void Abstraction::count_memory(MemoryUse& use) const {
+  components_.count_memory(use);
+  core_.count_memory(use);
+  use.abstraction += is_touched_.capacity() / 8;
+  waywright::detail::count_spare(use, inserted_, removed_, gone_, made_, common_);
 }
 
 }  // namespace waywright::path

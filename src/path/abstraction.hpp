@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
+
 #include "constraint/exact_triangulation.hpp"
 #include "path/components.hpp"
 #include "path/two_core.hpp"
@@ -37,9 +39,13 @@ class Abstraction {
   /// The first difference from a rebuild, or nothing. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
 
+  void count_memory(MemoryUse& use) const;
+
  private:
   class Guard;
 
+  void rebuild(const Triangulation& triangulation);
+  void give_back();
   void bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes);
   void collect_touched(const Triangulation& triangulation);
   void collect_all(const Triangulation& triangulation);

@@ -334,4 +334,23 @@ void Components::roll_back() {
   free_count_ = free_count_before_;
 }
 
+void Components::give_back() {
+  label_log_ = decltype(label_log_)();
+  record_log_ = decltype(record_log_)();
+  for (auto* const faces : {&faces_, &parted_, &stack_}) *faces = std::vector<Face>();
+  contacts_ = std::vector<Contact>();
+  groups_ = std::vector<Group>();
+  group_sets_ = std::vector<std::uint32_t>();
+}
+
+void Components::count_memory(MemoryUse& use) const {
+  waywright::detail::count_memory(use, &MemoryUse::abstraction, labels_);
+  waywright::detail::count_memory(use, &MemoryUse::abstraction, marks_);
+  waywright::detail::count_memory(use, &MemoryUse::abstraction, records_);
+  covers_.count_memory(use, &MemoryUse::abstraction);
+  waywright::detail::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_,
+                                 search_sets_, parts_, parted_, stack_, flooded_, reached_, around_, sides_);
+  for (const Search& search : searches_) waywright::detail::count_spare(use, search.found);
+}
+
 }  // namespace waywright::path

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
+
 #include "constraint/cover.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/use_lists.hpp"
@@ -63,6 +65,10 @@ class Components {
   void begin();
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
+  /// Frees the logs and the scratch that grow with an update. What is done can't be taken back any more.
+  void give_back();
+
+  void count_memory(MemoryUse& use) const;
 
  private:
   using Uses = constraint::Uses;

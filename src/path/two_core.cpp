@@ -42,6 +42,11 @@ void TwoCore::roll_back() {
   for (; !log_.empty(); log_.pop_back()) states_[number(log_.back().first)] = log_.back().second;
 }
 
+void TwoCore::give_back() {
+  log_ = decltype(log_)();
+  loose_ = decltype(loose_)();
+}
+
 void TwoCore::write(Face f, State state) {
   if ((states_[number(f)] & kNew) == 0) log_.emplace_back(f, states_[number(f)]);
   states_[number(f)] = state;

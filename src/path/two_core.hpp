@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
+
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::path {
@@ -59,6 +61,13 @@ class TwoCore {
   void begin() { log_.clear(); }
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
+  /// Frees the log and the scratch. What is done can't be taken back any more.
+  void give_back();
+
+  void count_memory(MemoryUse& use) const {
+    waywright::detail::count_memory(use, &MemoryUse::abstraction, states_);
+    waywright::detail::count_spare(use, log_, loose_);
+  }
 
  private:
   // A face's state: a bit for each half-edge that is a way in the core; the side towards the core; whether it is core.

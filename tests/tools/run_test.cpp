@@ -84,6 +84,17 @@ TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
   }
 }
 
+// Of a box and a point: 6 vertices, the ghost among them, each with two coordinates, a half-edge and a list of items;
+// of a triangulated sphere, 8 faces of three corners and three neighbours.
+TEST(RunCommand, TellsWhereTheMemoryIs) {
+  const auto memory = json::parse(run_script(kHead + "point 1 5 2\n", {"--stats"}).err).at("memory");
+  EXPECT_EQ(memory.at("faces"), 8 * 24);
+  EXPECT_GE(memory.at("vertices"), 6 * (4 + 4 + 16));
+  EXPECT_EQ(memory.at("crossings"), 0);
+  for (const char* const part : {"walls", "items", "sectors", "abstraction", "spare"})
+    EXPECT_GT(memory.at(part), 0) << part;
+}
+
 TEST(RunCommand, WalksRoundTheEndOfAWall) {
   const auto lines = json_lines(run_script(kHead + "segment 1 5 0 5 6\npath 2 3 8 3 0\n").out);
   ASSERT_EQ(lines.size(), 1U);

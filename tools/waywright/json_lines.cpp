@@ -86,13 +86,17 @@ std::string json_line(const Request& request, const Error& error) {
          fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message));
 }
 
-std::string json_line(const PredicateCounts& counts) {
+std::string json_line(const PredicateCounts& counts, const MemoryUse& memory) {
   const auto stages = [](const StageCounts& stage) {
     return fmt::format(R"({{"doubles":{},"lattice":{},"integers":{}}})", stage.doubles, stage.lattice, stage.integers);
   };
-  return fmt::format(R"({{"op":"stats","orientation":{},"in_circle":{},"order":{},"crossing":{}}})",
+  const std::string bytes = fmt::format(
+      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"spare":{}}})",
+      memory.vertices, memory.crossings, memory.faces, memory.walls, memory.items, memory.sectors, memory.abstraction,
+      memory.spare);
+  return fmt::format(R"({{"op":"stats","orientation":{},"in_circle":{},"order":{},"crossing":{},"memory":{}}})",
                      stages(counts.orientation), stages(counts.in_circle), stages(counts.order),
-                     stages(counts.crossing));
+                     stages(counts.crossing), bytes);
 }
 
 }  // namespace waywright::command

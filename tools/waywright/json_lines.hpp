@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "waywright/error.hpp"
+#include "waywright/memory_use.hpp"
 #include "waywright/path.hpp"
 #include "waywright/predicate_counts.hpp"
 #include "waywright/ray.hpp"
@@ -27,7 +28,7 @@ struct Request {
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);
 
-/// The counts of a whole run.
-[[nodiscard]] std::string json_line(const PredicateCounts& counts);
+/// The counts of a whole run, and what the world at its end takes.
+[[nodiscard]] std::string json_line(const PredicateCounts& counts, const MemoryUse& memory);
 
 }  // namespace waywright::command

@@ -34,7 +34,9 @@ constexpr const char* kRunExamples =
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
     "\nThe files are written when the script has run to its end, whole or not at all. --stats prints one JSON line\n"
     "on standard error: how many questions about points were decided in doubles (with a proven error bound), on a\n"
-    "lattice (integers of a fixed width) and in integers of any size, for each kind of question.\n";
+    "lattice (integers of a fixed width) and in integers of any size, for each kind of question; and how many bytes "
+    "the\n"
+    "world takes at the end, by what they are for.\n";
 constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
@@ -92,7 +94,8 @@ void add_run(CommandLine& line) {
   add_file(*line.run, "--svg", options.svg, "Draw the final world");
   line.run->add_flag("--check", options.check, "Validate after every operation; stop at the first fault");
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
-  line.run->add_flag("--stats", options.stats, "Tell on standard error which stage of the arithmetic decided how much");
+  line.run->add_flag("--stats", options.stats,
+                     "Tell on standard error which stage of the arithmetic decided how much, and where the memory is");
   line.run->footer(kRunExamples);
 }
 

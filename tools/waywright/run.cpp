@@ -66,7 +66,7 @@ ExitStatus run(const RunOptions& options) {
 
   const RunResult result = carry_out(script, options, runner);
   output.flush();
-  if (options.stats) fmt::print(stderr, "{}\n", json_line(predicate_counts()));
+  if (options.stats) fmt::print(stderr, "{}\n", json_line(predicate_counts(), world.memory()));
   if (!result.to_the_end) return result.status;
   if (dump.wanted()) dump.write(world.dump());
   if (svg.wanted()) {

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+
+namespace waywright {
+
+/// Where a world's memory is, in bytes.
+struct MemoryUse {
+  std::size_t vertices = 0;   ///< where each is, a half-edge from it, the items with a corner there
+  std::size_t crossings = 0;  ///< the walls whose crossing a constructed vertex is
+  std::size_t faces = 0;      ///< their corners and neighbours
+  std::size_t walls = 0;      ///< which sides lie on a constrained edge
+  std::size_t items = 0;      ///< their ids, kinds and sides
+  std::size_t sectors = 0;    ///< where walks start
+  std::size_t abstraction = 0;
+  std::size_t spare = 0;  ///< room to grow, and what operations keep from one to the next: logs and scratch
+
+  [[nodiscard]] std::size_t total() const {
+    return vertices + crossings + faces + walls + items + sectors + abstraction + spare;
+  }
+  friend bool operator==(const MemoryUse&, const MemoryUse&) = default;
+};
+
+namespace detail {
+
+/// Counts a vector's elements in with a part, and the rest of its memory as spare.
+template <class Vector>
+void count_memory(MemoryUse& use, std::size_t MemoryUse::*part, const Vector& vector) {
+  using Element = typename Vector::value_type;
+  use.*part += vector.size() * sizeof(Element);
+  use.spare += (vector.capacity() - vector.size()) * sizeof(Element);
+}
+
+/// Counts all that vectors have as spare.
+template <class... Vectors>
+void count_spare(MemoryUse& use, const Vectors&... vectors) {
+  use.spare += ((vectors.capacity() * sizeof(typename Vectors::value_type)) + ...);
+}
+
+}  // namespace detail
+
+}  // namespace waywright

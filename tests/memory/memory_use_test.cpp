@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "memory/allocations.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+constexpr Box kBox{{0, 0}, {1, 1}};
+constexpr std::size_t kCount = 20'000;
+
+std::vector<Point> random_points(std::size_t count) {
+  Random random(1);
+  std::vector<Point> points(count);
+  for (Point& point : points) {
+    point = {static_cast<double>(random.below(1U << 30)) * 0x1p-30,
+             static_cast<double>(random.below(1U << 30)) * 0x1p-30};
+  }
+  return points;
+}
+
+/// Walls from point to point, under ids that leave gaps.
+std::vector<Item> random_walls(std::size_t count) {
+  const std::vector<Point> points = random_points(count);
+  std::vector<Item> items;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point from = points[i];
+    const Point to{std::min(1.0, from.x + 0x1p-7), std::min(1.0, from.y + 0x1p-8)};
+    items.push_back({{ItemKind::segment, {{from, to}}}, {3 * i + 1}});
+  }
+  return items;
+}
+
+/// What a world says against what it was given, the latter with what the allocator rounds up.
+void expect_all_told(const World& world, std::ptrdiff_t bytes_before) {
+  const auto given = static_cast<double>(live_bytes() - bytes_before);
+  const auto told = static_cast<double>(world.memory().total());
+  EXPECT_LE(told, given);
+  EXPECT_GE(told, 0.97 * given);
+}
+
+TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
+  const std::vector<Point> points = random_points(kCount);
+  const std::vector<Item> walls = random_walls(kCount / 10);
+  for (const bool keep_abstraction : {false, true}) {
+    const std::ptrdiff_t before = live_bytes();
+    World world = World::create(kBox, {keep_abstraction}).value();
+    world.insert_points(points).value();
+    expect_all_told(world, before);
+    world.insert_all(walls).value();
+    expect_all_told(world, before);
+    for (std::size_t i = 0; i < walls.size(); i += 2) world.remove(walls[i].id).value();
+    expect_all_told(world, before);
+  }
+}
+
+TEST(MemoryUse, AWorldOfPointsTakesAHundredBytesForEach) {
+  const std::vector<Point> points = random_points(kCount);
+  World world = World::create(kBox, {.keep_abstraction = false}).value();
+  world.insert_points(points).value();
+  EXPECT_LE(world.memory().total(), 100 * kCount);
+}
+
+TEST(MemoryUse, PathsTakeTwentyBytesMore) {
+  const std::vector<Point> points = random_points(kCount);
+  World world = World::create(kBox).value();
+  world.insert_points(points).value();
+  EXPECT_LE(world.memory().abstraction, 20 * kCount);
+  EXPECT_LE(world.memory().total(), 120 * kCount);
+}
+
+}  // namespace
+}  // namespace waywright::test
