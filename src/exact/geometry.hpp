@@ -86,6 +86,7 @@ class Geometry {
 
   void count_memory(MemoryUse& use) const {
     waywright::detail::count_memory(use, &MemoryUse::vertices, places_);
+    waywright::detail::count_memory(use, &MemoryUse::crossings, crossing_of_);
     waywright::detail::count_memory(use, &MemoryUse::crossings, crossings_);
     waywright::detail::count_spare(use, free_crossings_, left_crossings_, log_);
   }
