@@ -65,7 +65,7 @@ void Triangulation<Geometry>::begin() {
 template <class Geometry>
 void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
-  geometry_.count_memory(use);
+  if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
   waywright::detail::count_spare(use, stack_, freed_, hole_sides_, hole_places_, triangles_, left_chain_, right_chain_,
                                  dangling_, cavity_, corners_);
