@@ -74,37 +74,44 @@ template <class Geometry>
                            mesh::Vertex ghost) {
   using exact::Sign;
   using mesh::HalfEdge;
-  const auto side_of = [&](HalfEdge h) {
-    return geometry.orientation(geometry.view(number(mesh.origin(h))), geometry.view(number(mesh.target(h))), target);
-  };
+  using View = typename Geometry::View;
+  const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
   Random random(seed);
   const HalfEdge start_edge = mesh::first(start);
-  const Sign start_side = side_of(start_edge);
-  // `entry` is the side of the current face across which the walk came; the target lies on its left, or on it.
-  HalfEdge entry = start_side == Sign::negative ? mesh.twin(start_edge) : start_edge;
-  Sign entry_side = start_side == Sign::negative ? Sign::positive : start_side;
-
+  View p = view(mesh.origin(start_edge));
+  View q = view(mesh.target(start_edge));
+  const Sign start_side = geometry.orientation(p, q, target);
+  // `entry` is the side of the current face, from p to q, across which the walk came; the target lies on its left, or
+  // on it.
+  HalfEdge entry = start_edge;
+  Sign entry_side = start_side;
+  if (start_side == Sign::negative) {
+    entry = mesh.twin(start_edge);
+    entry_side = Sign::positive;
+    std::swap(p, q);
+  }
   const std::size_t patience = 16 + 4 * mesh.face_count();
   for (std::size_t steps = 0; steps < patience; ++steps) {
-    HalfEdge one = mesh::next(entry);
-    HalfEdge other = mesh::previous(entry);
-    if (random.coin()) std::swap(one, other);
-    const Sign one_side = side_of(one);
-    HalfEdge exit = one;
+    const View r = view(mesh.apex(entry));
+    const auto side_of = [&](bool is_next) { return geometry.orientation(is_next ? q : r, is_next ? r : p, target); };
+    const bool next_first = !random.coin();
+    const Sign one_side = side_of(next_first);
+    bool exits_by_next = next_first;
     if (one_side != Sign::negative) {
-      const Sign other_side = side_of(other);
+      const Sign other_side = side_of(!next_first);
       if (other_side != Sign::negative) {
         std::array<Sign, 3> signs{};
         signs[number(entry) % 3] = entry_side;
-        signs[number(one) % 3] = one_side;
-        signs[number(other) % 3] = other_side;
+        signs[number(mesh::next(entry)) % 3] = next_first ? one_side : other_side;
+        signs[number(mesh::previous(entry)) % 3] = next_first ? other_side : one_side;
         Located located = detail::spot_in_face(mesh::face(entry), signs);
         located.steps = steps;
         return located;
       }
-      exit = other;
+      exits_by_next = !next_first;
     }
-    entry = mesh.twin(exit);
+    entry = mesh.twin(exits_by_next ? mesh::next(entry) : mesh::previous(entry));
+    (exits_by_next ? p : q) = r;
     entry_side = Sign::positive;
   }
   return search_all(mesh, geometry, target, ghost);
