@@ -119,9 +119,9 @@ mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const St
   return step.along;
 }
 
-//            q
-//          / |         Around u, counter-clockwise: the side leaves along an edge whose far end lies on it, ahead, or
-//        /   |         through the face whose corner p lies on its right and whose corner q lies on its left.
+//            q         Most sides are edges as soon as their corners are there. Any other leaves u, counter-clockwise
+//          / |         around it, along an edge whose far end lies on it, ahead, or through the face whose corner p
+//        /   |         lies on its right and whose corner q lies on its left.
 //      u - - | - ->
 //        \   |
 //          \ p
@@ -130,6 +130,8 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
                                                                                                    const Side& side) {
   using exact::Sign;
   const mesh::TriangleMesh& mesh = topology();
+  const mesh::HalfEdge whole = mesh.find(u, side.to);
+  if (whole != mesh::kNoHalfEdge) return {side.to, whole, mesh::kNoHalfEdge};
   const mesh::Vertex ghost = triangulation_.ghost();
   const auto side_of = [&](mesh::Vertex v) {
     return v == ghost ? Sign::zero : triangulation_.orientation(side.from, side.to, v);
