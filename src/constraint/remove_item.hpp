@@ -12,7 +12,14 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   const std::uint32_t slot = items_.slot(id);
   items_.outline(slot, outline_);
-  items_.remove_item(slot, hash_of(slot, outline_));
+  // In a large world, what a removal reads is asked for as soon as it is known where that is.
+  for (const mesh::Vertex v : outline_.corners) {
+    triangulation_.prefetch(v);
+    __builtin_prefetch(&corner_uses_[number(v)], 1);
+  }
+  const ItemHash::Words hash = hash_of(slot, outline_);
+  for (const mesh::Vertex v : outline_.corners) triangulation_.prefetch_star(v);
+  items_.remove_item(slot, hash);
   touched_.clear();
   items_.for_each_side(slot, [&](std::uint32_t side) { strip_side(side); });
   for (const mesh::Vertex v : outline_.corners) strip_corner(v, slot);
@@ -47,16 +54,11 @@ void ConstrainedTriangulation<Geometry>::strip_corner(mesh::Vertex v, std::uint3
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::drop_if_unneeded(mesh::Vertex v) {
   if (corner_uses_[number(v)] != UseLists::kNone) return;
-  const mesh::TriangleMesh& mesh = topology();
-  std::size_t fixed_edges = 0;
-  Uses spare = UseLists::kNone;
-  mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) {
-    if (mesh.is_fixed(h) && ++fixed_edges == 2) spare = mesh.label(h);
-  });
   // Without a corner, whatever comes to the vertex goes straight on: two fixed edges are one line, more are a crossing.
-  if (fixed_edges > 2) return;
-  uses_.release(spare);
-  triangulation_.remove_vertex(v);
+  const auto& star = triangulation_.star(v);
+  if (star.fixed.size() > 2) return;
+  if (star.fixed.size() == 2) uses_.release(topology().label(star.spokes[star.fixed[1]]));
+  triangulation_.remove_vertex(star);
 }
 
 template <class Geometry>

@@ -28,15 +28,41 @@ void Triangulation<Geometry>::legalise_freed() {
 }
 
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::remove_vertex(mesh::Vertex v) {
-  mesh::HalfEdge to_p = mesh::kNoHalfEdge;
-  mesh::HalfEdge to_q = mesh::kNoHalfEdge;
-  mesh_.for_each_outgoing(v, [&](mesh::HalfEdge h) {
-    if (!mesh_.is_fixed(h)) return;
-    to_q = to_p == mesh::kNoHalfEdge ? to_q : h;
-    to_p = to_p == mesh::kNoHalfEdge ? h : to_p;
-  });
-  return to_p == mesh::kNoHalfEdge ? remove_free_vertex(v) : remove_vertex_on_line(v, to_p, to_q);
+void Triangulation<Geometry>::prefetch(mesh::Vertex v) const {
+  mesh_.prefetch(v);
+  if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(v));
+}
+
+// Each step waits for the one before, so both ways round are gone at once; the places that a removal asks about come
+// meanwhile.
+template <class Geometry>
+const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh::Vertex v) {
+  star_.spokes.clear();
+  star_.fixed.clear();
+  clockwise_.clear();
+  const auto add = [&](std::vector<mesh::HalfEdge>& spokes, mesh::HalfEdge h) {
+    spokes.push_back(h);
+    if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(mesh_.target(h)));
+  };
+  mesh::HalfEdge left = mesh_.outgoing(v);
+  mesh::HalfEdge right = left;
+  add(star_.spokes, left);
+  while ((left = mesh_.next_around(left)) != right) {
+    add(star_.spokes, left);
+    right = mesh_.previous_around(right);
+    if (right == left) break;
+    add(clockwise_, right);
+  }
+  star_.spokes.insert(star_.spokes.end(), clockwise_.rbegin(), clockwise_.rend());
+  for (std::uint32_t i = 0; i < star_.spokes.size(); ++i) {
+    if (mesh_.is_fixed(star_.spokes[i])) star_.fixed.push_back(i);
+  }
+  return star_;
+}
+
+template <class Geometry>
+mesh::HalfEdge Triangulation<Geometry>::remove_vertex(const Star& star) {
+  return star.fixed.empty() ? remove_free_vertex(star) : remove_vertex_on_line(star);
 }
 
 //         w2 ---- w1         The faces around v leave a hole, star-shaped about v. Its border starts at w0; its last
@@ -45,9 +71,9 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex(mesh::Vertex v) {
 //        \   |    /
 //          ---w4--
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(mesh::Vertex v) {
-  const mesh::HalfEdge start = mesh_.outgoing(v);
-  collect_hole(start, start);
+mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(const Star& star) {
+  const mesh::Vertex v = mesh_.origin(star.spokes[0]);
+  collect_hole(star, 0, 0);
   const mesh::HalfEdge last = hole_sides_.back();
   hole_sides_.pop_back();
   const mesh::HalfEdge base = refill_hole();
@@ -62,31 +88,34 @@ mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(mesh::Vertex v) {
 //        \   / \   /
 //          b1 --- b2
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(mesh::Vertex v, mesh::HalfEdge to_p,
-                                                              mesh::HalfEdge to_q) {
-  const mesh::Label label = mesh_.label(to_p);
-  collect_hole(to_q, to_p);
+mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(const Star& star) {
+  const std::size_t to_p = star.fixed[0];
+  const std::size_t to_q = star.fixed[1];
+  const mesh::Vertex v = mesh_.origin(star.spokes[0]);
+  const mesh::Label label = mesh_.label(star.spokes[to_p]);
+  collect_hole(star, to_q, to_p);
   const mesh::HalfEdge left = refill_hole();
-  collect_hole(to_p, to_q);
+  collect_hole(star, to_p, to_q);
   const mesh::HalfEdge right = refill_hole();
   mesh_.link(left, right, label);
   forget(v, left);
   return left;
 }
 
-/// The sides opposite to the vertex around which `from` and `to` start, in the faces from the one to the other, and the
+/// The sides opposite to a star's vertex, in the faces from the spoke at one position to that at another, and the
 /// places of their ends.
 template <class Geometry>
-void Triangulation<Geometry>::collect_hole(mesh::HalfEdge from, mesh::HalfEdge to) {
-  hole_sides_.clear();
-  hole_places_.clear();
-  mesh::HalfEdge h = from;
-  do {
-    hole_sides_.push_back(next(h));
-    hole_places_.push_back(view(mesh_.target(h)));
-    h = mesh_.next_around(h);
-  } while (h != to);
-  hole_places_.push_back(view(mesh_.target(hole_sides_.back())));
+void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, std::size_t to) {
+  const std::size_t degree = star.spokes.size();
+  const std::size_t count = from < to ? to - from : to + degree - from;
+  hole_sides_.resize(count);
+  hole_places_.resize(count + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = from + i < degree ? from + i : from + i - degree;
+    hole_sides_[i] = next(star.spokes[at]);
+    hole_places_[i] = view(mesh_.origin(hole_sides_[i]));
+  }
+  hole_places_[count] = view(mesh_.target(hole_sides_[count - 1]));
 }
 
 /// Triangulates the polygon between the hole's sides and the base from its last vertex to its first.

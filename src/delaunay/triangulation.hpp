@@ -95,10 +95,22 @@ class Triangulation {
   /// Flips freed edges, and what follows from that, until every free edge is legal again.
   void legalise_freed();
 
-  /// Takes a vertex out: one without fixed edges, or one with two that lie on one line; these then are one edge, under
-  /// the first's label. Requires: the triangulation is Delaunay, `v` is no corner of the box. Returns the joined edge,
-  /// or kNoHalfEdge. Source: Chen 2009, section 3.4, algorithm 17; the hole, Devillers 2011.
-  mesh::HalfEdge remove_vertex(mesh::Vertex v);
+  /// What there is around a vertex: the half-edges that start there, counter-clockwise, and the positions among them of
+  /// those that are fixed.
+  struct Star {
+    std::vector<mesh::HalfEdge> spokes;
+    std::vector<std::uint32_t> fixed;
+  };
+  /// The star of `v`, until the next is asked for.
+  [[nodiscard]] const Star& star(mesh::Vertex v);
+  /// Takes the vertex of a star out: one without fixed edges, or one with two that lie on one line; these then are one
+  /// edge, under the first's label. Requires: the triangulation is Delaunay, the star has not changed, its vertex is no
+  /// corner of the box. Returns the joined edge, or kNoHalfEdge. Source: Chen 2009, section 3.4, algorithm 17; the
+  /// hole, Devillers 2011.
+  mesh::HalfEdge remove_vertex(const Star& star);
+  /// Has the memory fetched that tells where `v` and its star are; and then, of the star itself, where star(v) begins.
+  void prefetch(mesh::Vertex v) const;
+  void prefetch_star(mesh::Vertex v) const { mesh_.prefetch(mesh_.outgoing(v)); }
 
   /// Makes u - w an edge by retriangulating what it crosses, and fixes it under `label`. `crossed` lists the edges
   /// between them in order from u to w, each half-edge in the face on u's side (so that it crosses from the right of
@@ -144,14 +156,15 @@ class Triangulation {
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
   void legalise_around_apex();
+  [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;
   void remember(mesh::HalfEdge h);
   [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
   void divide_sector(const Point& point);
   [[nodiscard]] mesh::HalfEdge inner_side(mesh::HalfEdge h) const;
 
-  mesh::HalfEdge remove_free_vertex(mesh::Vertex v);
-  mesh::HalfEdge remove_vertex_on_line(mesh::Vertex v, mesh::HalfEdge to_p, mesh::HalfEdge to_q);
-  void collect_hole(mesh::HalfEdge from, mesh::HalfEdge to);
+  mesh::HalfEdge remove_free_vertex(const Star& star);
+  mesh::HalfEdge remove_vertex_on_line(const Star& star);
+  void collect_hole(const Star& star, std::size_t from, std::size_t to);
   mesh::HalfEdge refill_hole();
   [[nodiscard]] Triangle triangle_over(std::uint32_t from, std::uint32_t to) const;
   void forget(mesh::Vertex v, mesh::HalfEdge near);
@@ -177,6 +190,8 @@ class Triangulation {
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> stack_;
   std::vector<mesh::HalfEdge> freed_;
+  Star star_;
+  std::vector<mesh::HalfEdge> clockwise_;
   std::vector<mesh::HalfEdge> hole_sides_;
   std::vector<View> hole_places_;
   std::vector<Triangle> triangles_;

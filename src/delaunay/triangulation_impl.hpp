@@ -67,8 +67,8 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  waywright::detail::count_spare(use, stack_, freed_, hole_sides_, hole_places_, triangles_, left_chain_, right_chain_,
-                                 dangling_, cavity_, corners_);
+  waywright::detail::count_spare(use, stack_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_,
+                                 triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
 }
 
 template <class Geometry>
@@ -184,14 +184,20 @@ mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
 // as long as the mesh is large.
 template <class Geometry>
 void Triangulation<Geometry>::legalise_around_apex() {
+  const View apex = view(mesh_.apex(stack_.back()));
   while (!stack_.empty()) {
     const mesh::HalfEdge h = stack_.back();
     stack_.pop_back();
-    if (mesh_.is_fixed(h) || is_legal(h)) continue;
+    if (mesh_.is_fixed(h) || is_legal(h, apex)) continue;
     const auto flipped = mesh_.flip(h);
     stack_.push_back(flipped.opposite);
     stack_.push_back(h);
   }
+}
+
+template <class Geometry>
+bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
+  return is_legal(h, view(mesh_.apex(h)));
 }
 
 //        c
@@ -201,17 +207,15 @@ void Triangulation<Geometry>::legalise_around_apex() {
 //      \   /
 //        d
 template <class Geometry>
-bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
+bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h, const View& c) const {
   const mesh::HalfEdge t = mesh_.twin(h);
-  const mesh::Vertex a = mesh_.origin(h);
-  const mesh::Vertex b = mesh_.origin(t);
-  const mesh::Vertex c = mesh_.apex(h);
-  const mesh::Vertex d = mesh_.apex(t);
-  const exact::Sign sign = geometry_.in_circle(view(a), view(b), view(c), view(d));
+  const View a = view(mesh_.origin(h));
+  const View b = view(mesh_.origin(t));
+  const View d = view(mesh_.apex(t));
+  const exact::Sign sign = geometry_.in_circle(a, b, c, d);
   if (sign != exact::Sign::zero) return sign == exact::Sign::negative;
-  const mesh::Vertex end = comes_before(a, b) ? a : b;
-  const mesh::Vertex apex = comes_before(c, d) ? c : d;
-  return comes_before(end, apex);
+  const auto first_of = [&](const View& p, const View& q) { return geometry_.order(p, q) < 0 ? p : q; };
+  return geometry_.order(first_of(a, b), first_of(c, d)) < 0;
 }
 
 template <class Geometry>

@@ -54,6 +54,8 @@ class Geometry {
     const Point& place = places_[vertex];
     return {place.x, place.y, vertex};
   }
+  /// Has the memory fetched that view(vertex) reads.
+  void prefetch(std::uint32_t vertex) const { __builtin_prefetch(&places_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return {point.x, point.y, kNoVertex}; }
 
   /// The vertex's coordinates, each as the nearest double.

@@ -50,7 +50,7 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
       if (inserted.is_new && inserted.split == mesh::kNoHalfEdge) vertices.push_back(inserted.vertex);
     } else {
       const std::size_t gone = random.below(vertices.size());
-      triangulation.remove_vertex(vertices[gone]);
+      triangulation.remove_vertex(triangulation.star(vertices[gone]));
       vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(gone));
     }
     const Point point = random_point(random);
