@@ -6,7 +6,7 @@ namespace waywright {
 
 /// How many calls of one question about points each stage of the arithmetic decided.
 struct StageCounts {
-  std::uint64_t doubles = 0;   ///< doubles with a proven error bound; of crossings, those where only a quotient is rounded
+  std::uint64_t doubles = 0;   ///< doubles with a proven error bound, or exact but for one division (crossings)
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size
 

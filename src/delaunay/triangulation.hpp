@@ -129,7 +129,6 @@ class Triangulation {
   using Triangle = mesh::TriangleMesh::Triangle;
 
   static constexpr std::size_t kLongWalk = 16;
-  static constexpr std::uint32_t kPlacesBetweenLogs = 1024;
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
 
   /// An edge of a cavity's border, from `from` towards the next chain edge's.
@@ -151,7 +150,7 @@ class Triangulation {
     mesh::HalfEdge base;  ///< kNoHalfEdge: by the chain edge
   };
 
-  void place_all(std::span<const Point> points);
+  void place_all(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.

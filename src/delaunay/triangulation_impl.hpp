@@ -12,7 +12,7 @@ using mesh::next;
 using mesh::number;
 using mesh::previous;
 
-// Divide and conquer asks about points as they are, so their places can be noted and their sectors filled meanwhile.
+// Divide and conquer asks about points as they are, so their sectors can be filled meanwhile.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
                                        locate::SortedPoints&& sorted, const locate::Crew& crew,
@@ -20,12 +20,12 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
     : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
   std::vector<mesh::TriangleMesh::Corner> corners(6 * sorted.points.size() - 6);
   std::vector<locate::Job> all_jobs(jobs.begin(), jobs.end());
-  all_jobs.emplace_back([&] { place_all(sorted.points); });
   all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
   DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
-  sorted.keys = std::vector<locate::Curve::Key>();  // not {}, which would keep the memory
-  sorted.points = std::vector<Point>();
+  sorted.keys = std::vector<locate::Curve::Key>();       // not {}, which would keep the memory
+  sorted.points.insert(sorted.points.begin(), Point{});  // the ghost's
+  place_all(std::move(sorted.points));
   mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
   fix_border(side_labels);
@@ -33,12 +33,11 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::place_all(std::span<const Point> points) {
-  if constexpr (requires { geometry_.reserve(points.size()); }) geometry_.reserve(points.size() + 1);
-  geometry_.place(number(ghost_), Point{});
-  for (std::uint32_t rank = 0; rank < points.size(); ++rank) {
-    geometry_.place(number(vertex_of_rank(rank)), points[rank]);
-    if (rank % kPlacesBetweenLogs == 0) geometry_.begin();
+void Triangulation<Geometry>::place_all(std::vector<Point>&& points) {
+  if constexpr (requires { geometry_.place_all(std::move(points)); }) {
+    geometry_.place_all(std::move(points));
+  } else {
+    for (std::uint32_t v = 0; v < points.size(); ++v) geometry_.place(v, points[v]);
   }
 }
 

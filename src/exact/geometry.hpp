@@ -36,10 +36,10 @@ class Geometry {
   /// Requires: all vertices, and all points asked about, lie in the box.
   explicit Geometry(const Box& box) : orientation_error_(filter::largest_orientation_error(box)) {}
 
-  /// Makes room for the vertices below `count`.
-  void reserve(std::size_t count) { places_.reserve(count); }
   /// Puts an explicit point, in range, at `vertex`, growing the table where needed.
   void place(std::uint32_t vertex, const Point& point);
+  /// Puts explicit points, in range, at the vertices from 0 on, for good. Requires: there are no places yet.
+  void place_all(std::vector<Point>&& points) { places_ = std::move(points); }
   /// Puts the crossing of the lines through (a, b) and (c, d), explicit vertices all, at `vertex`.
   void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
   /// Forgets the place of `vertex`.

@@ -96,6 +96,7 @@ SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, con
   });
   for (std::size_t t = 0; t < crew.threads(); ++t) distinct[t + 1] += distinct[t];
   SortedPoints sorted;
+  sorted.points.reserve(distinct.back() + 1);
   sorted.points.resize(distinct.back());
   sorted.keys.resize(distinct.back());
   sorted.ranks.resize(points.size());

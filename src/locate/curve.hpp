@@ -54,7 +54,7 @@ class Curve {
 
 /// Points along a curve, each once.
 struct SortedPoints {
-  std::vector<Point> points;         ///< distinct, by key; those of one key in (x, y) order
+  std::vector<Point> points;         ///< distinct, by key; those of one key in (x, y) order; with room for one more
   std::vector<Curve::Key> keys;      ///< of each
   std::vector<std::uint32_t> ranks;  ///< of each point as it was given: where it is now
 };
