@@ -33,28 +33,24 @@ locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::sp
 
 /// The sum of the hashes of a batch's items. Their corners are where they are given to be, so no mesh is asked.
 template <class Batch>
-ItemHash::Words hash_of_batch(const Batch& batch, const locate::Crew& crew) {
-  std::vector<ItemHash::Words> sums(crew.threads());
-  crew.share(batch.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
-    ItemHash::Words sum{};
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool is_closed = batch.kind(i) == ItemKind::polygon;
-      const auto& rings = batch.rings(i);
-      ItemHash hash(batch.id(i), batch.kind(i), rings.size());
-      for (const auto& ring : rings) {
-        hash.begin_ring(count_corners(ring, is_closed));
-        for_each_corner(ring, is_closed, [&](const Point& point) { hash.add(point); });
-      }
-      ItemHash::add_to(sum, hash.words());
+ItemHash::Words hash_of_batch(const Batch& batch) {
+  ItemHash::Words sum{};
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const bool is_closed = batch.kind(i) == ItemKind::polygon;
+    const auto& rings = batch.rings(i);
+    ItemHash hash(batch.id(i), batch.kind(i), rings.size());
+    for (const auto& ring : rings) {
+      hash.begin_ring(count_corners(ring, is_closed));
+      for_each_corner(ring, is_closed, [&](const Point& point) { hash.add(point); });
     }
-    sums[t] = sum;
-  });
-  for (std::size_t t = 1; t < sums.size(); ++t) ItemHash::add_to(sums[0], sums[t]);
-  return sums[0];
+    ItemHash::add_to(sum, hash.words());
+  }
+  return sum;
 }
 
-// Which vertices the corners are is known as soon as they are sorted, so records are made while the mesh is. Nobody has
-// seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and then.
+// Which vertices the corners are is known as soon as they are sorted, so records are made and hashed while the mesh is.
+// Nobody has seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and
+// then.
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
@@ -64,16 +60,19 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
   const std::span<const std::uint32_t> ranks(sorted.ranks);
   corner_uses_.resize(sorted.points.size() + 1, UseLists::kNone);
   std::vector<std::uint32_t> with_sides;
-  const std::array<locate::Job, 1> jobs = {[&] {
-    add_domain(ranks.first(4));
-    with_sides = add_records(batch, ranks.subspan(4), Triangulation::vertex_of_rank, [&](std::size_t items) {
-      if (items % kItemsBetweenReports == 0) begin_records();
-    });
-  }};
+  ItemHash::Words hash{};
+  const std::array<locate::Job, 2> jobs = {
+      [&] {
+        add_domain(ranks.first(4));
+        with_sides = add_records(batch, ranks.subspan(4), Triangulation::vertex_of_rank, [&](std::size_t items) {
+          if (items % kItemsBetweenReports == 0) begin_records();
+        });
+      },
+      [&] { hash = hash_of_batch(batch); }};
   triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), crew, jobs);
   items_.outline(ItemTable::kDomain, outline_);
   items_.add_hash(hash_of(ItemTable::kDomain, outline_));
-  items_.add_hash(hash_of_batch(batch, crew));
+  items_.add_hash(hash);
   insert_sides(with_sides, [&](std::size_t items) {
     if (items % kItemsBetweenReports != 0) return;
     begin();
@@ -100,7 +99,7 @@ void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const lo
     if (vertices.size() % kItemsBetweenReports == 0) crew.report(vertices.size());
   }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
-  items_.add_hash(hash_of_batch(batch, crew));
+  items_.add_hash(hash_of_batch(batch));
   insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
     if (items % kItemsBetweenReports == 0) crew.report(sorted.ranks.size() + items);
   });

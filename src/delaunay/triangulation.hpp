@@ -153,6 +153,9 @@ class Triangulation {
   void place_all(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
+  /// Has what lies beyond an edge fetched from memory: its face; once that is there, the place of its apex.
+  void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
+  void prefetch_apex_beyond(mesh::HalfEdge h) const;
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
   void legalise_around_apex();
   [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;

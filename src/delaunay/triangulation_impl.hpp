@@ -143,6 +143,9 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
     remember(place.h);
     return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
   }
+  // In a large world, all of this waits for memory. So what lies beyond the face is fetched at once, while room is made
+  // for the vertex.
+  for (const mesh::HalfEdge h : {place.h, next(place.h), previous(place.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
   const bool parts_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
   const mesh::Vertex end = mesh_.origin(place.h);
@@ -179,10 +182,16 @@ mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
   return v;
 }
 
+template <class Geometry>
+void Triangulation<Geometry>::prefetch_apex_beyond(mesh::HalfEdge h) const {
+  if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
+}
+
 // Source: Lawson, *Software for C1 surface interpolation*, 1977; the stack is explicit because a chain of flips can be
 // as long as the mesh is large.
 template <class Geometry>
 void Triangulation<Geometry>::legalise_around_apex() {
+  for (const mesh::HalfEdge h : stack_) prefetch_apex_beyond(h);
   const View apex = view(mesh_.apex(stack_.back()));
   while (!stack_.empty()) {
     const mesh::HalfEdge h = stack_.back();
@@ -191,6 +200,7 @@ void Triangulation<Geometry>::legalise_around_apex() {
     const auto flipped = mesh_.flip(h);
     stack_.push_back(flipped.opposite);
     stack_.push_back(h);
+    prefetch_face_beyond(flipped.opposite);
   }
 }
 

@@ -68,7 +68,7 @@ TEST(RunCommand, PrintsAPathInTheFormatsShape) {
 }
 
 TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
-  const std::string script = kHead + "segment 1 2 0 2 10\nsegment 2 0 5 10 5\nsegment 3 1 1 8 9\nlocate 5 2\n";
+  const std::string script = kHead + "segment 1 2 0 2 10\nsegment 2 0 5 10 5\nsegment 3 1.1 1.1 8 9\nlocate 5 2\n";
   const auto plain = run_script(script);
   EXPECT_EQ(plain.err, "");
   const auto counted = run_script(script, {"--stats"});
@@ -76,7 +76,7 @@ TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
   EXPECT_EQ(counted.out, plain.out);
   const auto stats = json::parse(counted.err);
   EXPECT_EQ(stats.at("op"), "stats");
-  // Three crossings: of walls along the axes; and of the third, with each of the two.
+  // Three crossings: of walls along the axes; and of the third, whose ends are no whole numbers, with each of the two.
   EXPECT_EQ(stats.at("crossing"), json::parse(R"({"doubles":1,"lattice":2,"integers":0})"));
   for (const char* const question : {"orientation", "in_circle", "order"}) {
     EXPECT_GT(stats.at(question).at("doubles"), 0) << question;
