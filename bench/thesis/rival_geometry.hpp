@@ -16,6 +16,7 @@ namespace waywright::bench {
 template <class Place>
 class PlaceView {
  public:
+  PlaceView() = default;  // of no place yet
   explicit PlaceView(const Place* vertex) : place_(vertex) {}
   explicit PlaceView(Place&& point) : owned_(std::make_shared<const Place>(std::move(point))), place_(owned_.get()) {}
 
@@ -23,7 +24,7 @@ class PlaceView {
 
  private:
   std::shared_ptr<const Place> owned_;
-  const Place* place_;
+  const Place* place_ = nullptr;
 };
 
 /// A geometry (exact::AnyGeometry) over arithmetic other than the library's. What it

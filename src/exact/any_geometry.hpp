@@ -18,7 +18,7 @@ namespace waywright::exact {
 /// `View` is how a place is handed to a question. One of a vertex stays valid until a vertex is added; one of a point
 /// does so for as long as it is kept.
 template <class G>
-concept AnyGeometry = std::constructible_from<G, const Box&> && std::copyable<typename G::View> &&
+concept AnyGeometry = std::constructible_from<G, const Box&> && std::semiregular<typename G::View> &&
     requires(G& changed, const G& asked, std::uint32_t vertex, const Point& point, const typename G::View& view) {
   // Places come and go, and can be taken back to the last begin().
   changed.place(vertex, point);
