@@ -34,9 +34,8 @@ constexpr const char* kRunExamples =
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
     "\nThe files are written when the script has run to its end, whole or not at all. --stats prints one JSON line\n"
     "on standard error: how many questions about points were decided in doubles (with a proven error bound), on a\n"
-    "lattice (integers of a fixed width) and in integers of any size, for each kind of question; and how many bytes "
-    "the\n"
-    "world takes at the end, by what they are for.\n";
+    "lattice (integers of a fixed width) and in integers of any size, for each kind of question; and how many bytes\n"
+    "the world takes at the end, by what they are for.\n";
 constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
