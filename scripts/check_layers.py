@@ -12,12 +12,13 @@ from pathlib import Path
 
 # Each layer of src/, and the layers it may include besides itself.
 LAYERS = {
-    "exact": set(),
-    "mesh": set(),
-    "locate": {"exact", "mesh"},
-    "delaunay": {"exact", "mesh", "locate"},
-    "constraint": {"exact", "mesh", "locate", "delaunay"},
-    "path": {"exact", "mesh", "locate", "delaunay", "constraint"},
+    "memory": set(),
+    "exact": {"memory"},
+    "mesh": {"memory"},
+    "locate": {"memory", "exact", "mesh"},
+    "delaunay": {"memory", "exact", "mesh", "locate"},
+    "constraint": {"memory", "exact", "mesh", "locate", "delaunay"},
+    "path": {"memory", "exact", "mesh", "locate", "delaunay", "constraint"},
     "io": {"exact", "mesh", "locate", "delaunay", "constraint"},
 }
 
@@ -25,6 +26,7 @@ LAYERS = {
 # headers stand on the whole library.
 VALUES = {"point.hpp", "id.hpp", "error.hpp", "memory_use.hpp"}
 PUBLIC = {
+    "memory": {"memory_use.hpp"},
     "exact": VALUES | {"predicate_counts.hpp"},
     "mesh": {"id.hpp", "error.hpp", "memory_use.hpp"},
     "locate": VALUES,

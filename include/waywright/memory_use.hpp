@@ -21,22 +21,4 @@ struct MemoryUse {
   friend bool operator==(const MemoryUse&, const MemoryUse&) = default;
 };
 
-namespace detail {
-
-/// Counts a vector's elements in with a part, and the rest of its memory as spare.
-template <class Vector>
-void count_memory(MemoryUse& use, std::size_t MemoryUse::*part, const Vector& vector) {
-  using Element = typename Vector::value_type;
-  use.*part += vector.size() * sizeof(Element);
-  use.spare += (vector.capacity() - vector.size()) * sizeof(Element);
-}
-
-/// Counts all that vectors have as spare.
-template <class... Vectors>
-void count_spare(MemoryUse& use, const Vectors&... vectors) {
-  use.spare += ((vectors.capacity() * sizeof(typename Vectors::value_type)) + ...);
-}
-
-}  // namespace detail
-
 }  // namespace waywright

@@ -9,6 +9,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "constraint/item_hash.hpp"
+#include "memory/count.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::constraint {
@@ -109,10 +110,10 @@ class ItemTable {
   void see(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
 
   void count_memory(MemoryUse& use) const {
-    waywright::detail::count_memory(use, &MemoryUse::items, items_);
-    waywright::detail::count_memory(use, &MemoryUse::items, sides_);
-    waywright::detail::count_memory(use, &MemoryUse::items, index_);
-    waywright::detail::count_spare(use, log_);
+    memory::count(use, &MemoryUse::items, items_);
+    memory::count(use, &MemoryUse::items, sides_);
+    memory::count(use, &MemoryUse::items, index_);
+    memory::count_spare(use, log_);
   }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "constraint/constrained_triangulation.hpp"
+#include "memory/count.hpp"
 
 namespace waywright::constraint {
 
@@ -34,8 +35,8 @@ void ConstrainedTriangulation<Geometry>::count_memory(MemoryUse& use) const {
   triangulation_.count_memory(use);
   items_.count_memory(use);
   uses_.count_memory(use, &MemoryUse::walls);
-  waywright::detail::count_memory(use, &MemoryUse::vertices, corner_uses_);
-  waywright::detail::count_spare(use, corner_uses_log_, crossed_, touched_, outline_.corners, outline_.ring_ends);
+  memory::count(use, &MemoryUse::vertices, corner_uses_);
+  memory::count_spare(use, corner_uses_log_, crossed_, touched_, outline_.corners, outline_.ring_ends);
 }
 
 template <class Geometry>

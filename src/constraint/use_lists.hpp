@@ -5,6 +5,8 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "memory/count.hpp"
+
 namespace waywright::constraint {
 
 /// A list of the users of an edge or a vertex, as one 32-bit number: 0 for none; a lone user, by far the most common
@@ -45,8 +47,8 @@ class UseLists {
 
   /// Counts what lists hold in with that part.
   void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
-    waywright::detail::count_memory(use, part, nodes_);
-    waywright::detail::count_spare(use, log_);
+    memory::count(use, part, nodes_);
+    memory::count_spare(use, log_);
   }
 
  private:

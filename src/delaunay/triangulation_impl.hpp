@@ -4,6 +4,7 @@
 
 #include "delaunay/divide_and_conquer.hpp"
 #include "delaunay/triangulation.hpp"
+#include "memory/count.hpp"
 
 namespace waywright::delaunay {
 
@@ -66,8 +67,8 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  waywright::detail::count_spare(use, stack_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_,
-                                 triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
+  memory::count_spare(use, stack_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_, triangles_,
+                      left_chain_, right_chain_, dangling_, cavity_, corners_);
 }
 
 template <class Geometry>

@@ -12,6 +12,7 @@
 #include "exact/exact_point.hpp"
 #include "exact/filter.hpp"
 #include "exact/sign.hpp"
+#include "memory/count.hpp"
 
 namespace waywright::exact {
 
@@ -87,10 +88,10 @@ class Geometry {
   }
 
   void count_memory(MemoryUse& use) const {
-    waywright::detail::count_memory(use, &MemoryUse::vertices, places_);
-    waywright::detail::count_memory(use, &MemoryUse::crossings, crossing_of_);
-    waywright::detail::count_memory(use, &MemoryUse::crossings, crossings_);
-    waywright::detail::count_spare(use, free_crossings_, left_crossings_, log_);
+    memory::count(use, &MemoryUse::vertices, places_);
+    memory::count(use, &MemoryUse::crossings, crossing_of_);
+    memory::count(use, &MemoryUse::crossings, crossings_);
+    memory::count_spare(use, free_crossings_, left_crossings_, log_);
   }
 
  private:

@@ -11,6 +11,7 @@
 #include "waywright/point.hpp"
 
 #include "locate/curve.hpp"
+#include "memory/count.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::locate {
@@ -63,7 +64,7 @@ class Sectors {
   /// Divides the sector of `point`, in a world of so many vertices. Cost: O(1), amortised.
   void divide(const Point& point, std::size_t vertex_count);
 
-  void count_memory(MemoryUse& use) const { waywright::detail::count_memory(use, &MemoryUse::sectors, sectors_); }
+  void count_memory(MemoryUse& use) const { memory::count(use, &MemoryUse::sectors, sectors_); }
 
  private:
   /// What a sector remembers; with kDivided set, where its four quarters start, in the curve's order.

@@ -8,6 +8,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "memory/count.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::mesh {
@@ -35,7 +36,7 @@ class LabelPages {
   void write(HalfEdge h, Label label) { (*pages_[number(h) / kPageSize])[number(h) % kPageSize] = label; }
 
   void count_memory(MemoryUse& use) const {
-    waywright::detail::count_memory(use, &MemoryUse::walls, pages_);
+    memory::count(use, &MemoryUse::walls, pages_);
     use.walls += page_count_ * sizeof(Page);
   }
 

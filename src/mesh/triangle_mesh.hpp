@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "memory/count.hpp"
 #include "mesh/index.hpp"
 #include "mesh/label_pages.hpp"
 
@@ -177,10 +178,10 @@ class TriangleMesh {
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
   void count_memory(MemoryUse& use) const {
-    waywright::detail::count_memory(use, &MemoryUse::faces, corners_);
-    waywright::detail::count_memory(use, &MemoryUse::vertices, outgoing_);
+    memory::count(use, &MemoryUse::faces, corners_);
+    memory::count(use, &MemoryUse::vertices, outgoing_);
     labels_.count_memory(use);
-    waywright::detail::count_spare(use, log_, saved_faces_);
+    memory::count_spare(use, log_, saved_faces_);
   }
 
  private:

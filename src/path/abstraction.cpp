@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "memory/count.hpp"
+
 namespace waywright::path {
 
 using mesh::Face;
@@ -143,7 +145,7 @@ void Abstraction::count_memory(MemoryUse& use) const {
   components_.count_memory(use);
   core_.count_memory(use);
   use.abstraction += is_touched_.capacity() / 8;
-  waywright::detail::count_spare(use, inserted_, removed_, gone_, made_, common_);
+  memory::count_spare(use, inserted_, removed_, gone_, made_, common_);
 }
 
 }  // namespace waywright::path

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "memory/count.hpp"
+
 namespace waywright::path {
 
 using constraint::UseLists;
@@ -344,13 +346,13 @@ void Components::give_back() {
 }
 
 void Components::count_memory(MemoryUse& use) const {
-  waywright::detail::count_memory(use, &MemoryUse::abstraction, labels_);
-  waywright::detail::count_memory(use, &MemoryUse::abstraction, marks_);
-  waywright::detail::count_memory(use, &MemoryUse::abstraction, records_);
+  memory::count(use, &MemoryUse::abstraction, labels_);
+  memory::count(use, &MemoryUse::abstraction, marks_);
+  memory::count(use, &MemoryUse::abstraction, records_);
   covers_.count_memory(use, &MemoryUse::abstraction);
-  waywright::detail::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_,
-                                 search_sets_, parts_, parted_, stack_, flooded_, reached_, around_, sides_);
-  for (const Search& search : searches_) waywright::detail::count_spare(use, search.found);
+  memory::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_,
+                      parts_, parted_, stack_, flooded_, reached_, around_, sides_);
+  for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
 }  // namespace waywright::path

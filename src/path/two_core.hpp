@@ -10,6 +10,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "memory/count.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::path {
@@ -65,8 +66,8 @@ class TwoCore {
   void give_back();
 
   void count_memory(MemoryUse& use) const {
-    waywright::detail::count_memory(use, &MemoryUse::abstraction, states_);
-    waywright::detail::count_spare(use, log_, loose_);
+    memory::count(use, &MemoryUse::abstraction, states_);
+    memory::count_spare(use, log_, loose_);
   }
 
  private:
