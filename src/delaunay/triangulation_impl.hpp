@@ -212,8 +212,7 @@ bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
 
 //        c
 //      /   \         The edge a - b is legal when d lies outside the circle through a, b and c. On the circle, it is
-//      when
-//    a ----- b       the first of the four is a or b.
+//    a ----- b       when the first of the four is a or b.
 //      \   /
 //        d
 template <class Geometry>

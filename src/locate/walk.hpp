@@ -37,8 +37,7 @@ inline Located spot_in_face(mesh::Face f, const std::array<exact::Sign, 3>& sign
 
 }  // namespace detail
 
-/// Asks every face. Requires: `target` lies in the triangulated box; `ghost` is the
-/// vertex beyond it.
+/// Asks every face. Requires: `target` lies in the triangulated box; `ghost` is the vertex beyond it.
 template <class Geometry>
 [[nodiscard]] Located search_all(const mesh::TriangleMesh& mesh, const Geometry& geometry,
                                  const typename Geometry::View& target, mesh::Vertex ghost) {

@@ -279,9 +279,8 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 
 //          apex          The cone's left bound grazes the entry's left end and leaves the face's apex on its left: what
 //        /    \          lies beyond on that side can be reached by turning there, around the walls at that vertex.
-//        There
-//   origin --- target    are none on the right of the way, which the cone has passed; so without walls there is nothing
-//                        to turn around.
+//       /      \         There are none on the right of the way, which the cone has passed; so without walls there is
+//   origin --- target    nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_side = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);

@@ -64,11 +64,9 @@ void TaStar::leave_start_face(mesh::HalfEdge h) {
   }
 }
 
-//          c             The face was entered across `entry` from below: its left end is the edge's origin, its right
-//          end
-//        /   \           the target. Going on across target - c moves the left end to c, across c - origin the right
-//        end.
-//      /       \.
+//          c             The face was entered across `entry` from below: its left end is the edge's origin, its
+//        /   \           right end the target. Going on across target - c moves the left end to c, across
+//      /       \         c - origin the right end.
 //  origin --> target
 void TaStar::leave(std::uint32_t position) {
   const Node node = nodes_[position];
