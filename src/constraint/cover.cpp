@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "constraint/slot_sets.hpp"
+
 namespace waywright::constraint {
 
 namespace {
-
-void insert_once(std::vector<std::uint32_t>& set, std::uint32_t value) {
-  if (std::find(set.begin(), set.end(), value) == set.end()) set.push_back(value);
-}
 
 /// The neighbour of `v` that comes first in (x, y) order, as the half-edge to it.
 mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Vertex v) {
@@ -20,6 +18,13 @@ mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Ve
     if (best == mesh::kNoHalfEdge || delaunay.comes_before(mesh.target(h), mesh.target(best))) best = h;
   });
   return best;
+}
+
+/// The polygons of an edge's sides, one as often as it has sides there.
+void append_polygons(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& polygons) {
+  triangulation.for_each_side(h, [&](const Side& side) {
+    if (triangulation.items().is_polygon(side.item)) polygons.push_back(side.item);
+  });
 }
 
 }  // namespace
@@ -56,47 +61,34 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& pl
 const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
-  odd_.clear();
-  if (!triangulation.items().has_polygons()) return odd_;
+  crossed_.clear();
+  if (!triangulation.items().has_polygons()) return crossed_;
   while (!delaunay.is_ghost_face(h)) {
     const mesh::Vertex v = mesh.origin(h);
     const bool is_last = v == delaunay.box_corners()[0];
     const mesh::Vertex towards = is_last ? delaunay.ghost() : mesh.target(first_neighbour(triangulation, v));
     while (mesh.target(h) != towards) {
-      toggle(triangulation, mesh::previous(h));
+      append_polygons(triangulation, mesh::previous(h), crossed_);
       h = mesh.next_around(h);
     }
     if (!is_last) h = mesh::next(h);
   }
-  return odd_;
-}
-
-void Cover::toggle(const ExactTriangulation& triangulation, mesh::HalfEdge crossed) {
-  triangulation.for_each_side(crossed, [&](const Side& side) {
-    if (!triangulation.items().is_polygon(side.item)) return;
-    const auto found = std::find(odd_.begin(), odd_.end(), side.item);
-    if (found == odd_.end()) {
-      odd_.push_back(side.item);
-    } else {
-      *found = odd_.back();
-      odd_.pop_back();
-    }
-  });
+  keep_odd(crossed_);
+  return crossed_;
 }
 
 void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& place) {
   touching_.clear();
-  const auto collect_side = [&](const Side& side) {
-    if (triangulation.items().is_polygon(side.item)) insert_once(touching_, side.item);
-  };
-  if (place.spot == locate::Spot::edge) triangulation.for_each_side(place.h, collect_side);
-  if (place.spot != locate::Spot::vertex) return;
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  const mesh::Vertex v = mesh.origin(place.h);
-  mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) { triangulation.for_each_side(h, collect_side); });
-  triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) {
-    if (triangulation.items().is_polygon(item)) insert_once(touching_, item);
-  });
+  if (place.spot == locate::Spot::edge) append_polygons(triangulation, place.h, touching_);
+  if (place.spot == locate::Spot::vertex) {
+    const mesh::TriangleMesh& mesh = triangulation.topology();
+    const mesh::Vertex v = mesh.origin(place.h);
+    mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) { append_polygons(triangulation, h, touching_); });
+    triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) {
+      if (triangulation.items().is_polygon(item)) touching_.push_back(item);
+    });
+  }
+  keep_one_of_each(touching_);
 }
 
 const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& triangulation,
@@ -105,9 +97,10 @@ const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& tria
   if (!triangulation.items().has_polygons()) return covering_;
   collect_touching(triangulation, place);
   faces_at(triangulation, place, around_);
-  covering_ = touching_;
   // A polygon with no side here covers one of the faces around the place when it covers them all.
-  for (const std::uint32_t item : of_face(triangulation, around_.front())) insert_once(covering_, item);
+  covering_ = of_face(triangulation, around_.front());
+  covering_.insert(covering_.end(), touching_.begin(), touching_.end());
+  keep_one_of_each(covering_);
   return covering_;
 }
 
@@ -115,9 +108,8 @@ bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const lo
   collect_touching(triangulation, place);
   faces_at(triangulation, place, around_);
   const std::vector<std::uint32_t>& covering = of_face(triangulation, around_.front());
-  return std::any_of(covering.begin(), covering.end(), [&](std::uint32_t item) {
-    return std::find(touching_.begin(), touching_.end(), item) == touching_.end();
-  });
+  return std::any_of(covering.begin(), covering.end(),
+                     [&](std::uint32_t item) { return !std::binary_search(touching_.begin(), touching_.end(), item); });
 }
 
 const std::vector<mesh::HalfEdge>& Cover::open_faces(const ExactTriangulation& triangulation,

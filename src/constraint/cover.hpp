@@ -17,7 +17,7 @@ class Cover {
   Cover& operator=(Cover&&) noexcept = default;
 
   /// The polygons, by slot, that cover the inside of the face of `h`; in no order. This way of finding them goes
-  /// through faces to the domain's border; who keeps them by face knows a better one.
+  /// through faces to the domain's border and makes them ascend; who keeps them by face knows a better one.
   virtual const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
 
   /// Whether a polygon covers the inside of the face of `h`.
@@ -37,11 +37,10 @@ class Cover {
   const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation, const locate::Located& place);
 
  private:
-  void toggle(const ExactTriangulation& triangulation, mesh::HalfEdge crossed);
   void collect_touching(const ExactTriangulation& triangulation, const locate::Located& place);
 
-  std::vector<std::uint32_t> odd_;       ///< polygons around the face at hand
-  std::vector<std::uint32_t> touching_;  ///< polygons with a side or corner at the place
+  std::vector<std::uint32_t> crossed_;   ///< polygons, one for each side crossed; then, those around the face at hand
+  std::vector<std::uint32_t> touching_;  ///< polygons with a side or corner at the place; ascending
   std::vector<std::uint32_t> covering_;
   std::vector<mesh::HalfEdge> around_;
   std::vector<mesh::HalfEdge> open_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "constraint/slot_sets.hpp"
 #include "path/components.hpp"
 
 // Which polygons cover a component. A polygon covers one of two faces on an edge when it covers the other and an even
@@ -14,13 +15,9 @@ using mesh::HalfEdge;
 
 namespace {
 
+/// Requires: the slots ascend.
 bool contains(std::span<const std::uint32_t> slots, std::uint32_t slot) {
-  return std::find(slots.begin(), slots.end(), slot) != slots.end();
-}
-
-void keep_one_of_each(std::vector<std::uint32_t>& labels) {
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return std::binary_search(slots.begin(), slots.end(), slot);
 }
 
 /// Whether an odd number of the polygon's sides lie on the edge.
@@ -97,7 +94,7 @@ void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Fa
     stack_.pop_back();
     visit_neighbours(f);
   }
-  keep_one_of_each(flooded_);
+  constraint::keep_one_of_each(flooded_);
 }
 
 void Components::set_cover(Label component, Uses cover) { write_record(component, {records_[component].size, cover}); }
@@ -149,11 +146,18 @@ bool Components::cover_from_beyond(const Triangulation& triangulation, const Cha
 void Components::cover_group(const Triangulation& triangulation, const Changes& changes, std::uint32_t group,
                              HalfEdge beyond) {
   const Label neighbour = labels_[number(beyond) / 3];
-  Uses cover = neighbour == kNone ? UseLists::kNone : covers_.copy(records_[neighbour].cover);
+  polygons_.clear();
+  if (neighbour != kNone) {
+    covers_.for_each(records_[neighbour].cover, [&](std::uint32_t polygon) { polygons_.push_back(polygon); });
+  }
   triangulation.for_each_side(beyond, [&](const Side& side) {
-    if (!triangulation.items().is_polygon(side.item) || contains(changes.inserted, side.item)) return;
-    cover = covers_.contains(cover, side.item) ? covers_.remove(cover, side.item) : covers_.add(cover, side.item);
+    if (triangulation.items().is_polygon(side.item) && !contains(changes.inserted, side.item)) {
+      polygons_.push_back(side.item);
+    }
   });
+  constraint::keep_odd(polygons_);
+  Uses cover = UseLists::kNone;
+  for (const std::uint32_t polygon : polygons_) cover = covers_.add(cover, polygon);
   Group& added = groups_[group];
   added.label = add_record({added.end - added.begin, cover});
   for (std::uint32_t i = added.begin; i < added.end; ++i) write_label(faces_[i], added.label);
@@ -198,7 +202,7 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
       if (!crosses(triangulation, h, polygon)) visit(mesh::face(mesh.twin(h)));
     }
   }
-  keep_one_of_each(flooded_);
+  constraint::keep_one_of_each(flooded_);
   for (const Label label : flooded_) set_cover(label, covers_.add(records_[label].cover, polygon));
 }
 

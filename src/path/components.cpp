@@ -351,7 +351,7 @@ void Components::count_memory(MemoryUse& use) const {
   memory::count(use, &MemoryUse::abstraction, records_);
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_,
-                      parts_, parted_, stack_, flooded_, reached_, around_, sides_);
+                      parts_, parted_, stack_, flooded_, reached_, around_, sides_, polygons_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 

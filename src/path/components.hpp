@@ -43,7 +43,7 @@ class Components {
 
   /// What changed since the last time. `gone` are the faces, by slot, that were made, rebuilt or freed, `made` those of
   /// them that are now faces of the box, each once. `removed` and `inserted` are the polygons, by slot, that went and
-  /// came; those that did both are in neither.
+  /// came, ascending; those that did both are in neither.
   struct Changes {
     std::span<const mesh::Face> gone;
     std::span<const mesh::Face> made;
@@ -170,6 +170,7 @@ class Components {
   std::vector<mesh::HalfEdge> around_;
   constraint::Outline outline_;
   std::vector<std::uint32_t> sides_;
+  std::vector<std::uint32_t> polygons_;
   constraint::Cover outer_cover_;
 };
 

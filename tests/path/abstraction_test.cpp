@@ -256,6 +256,26 @@ TEST(Abstraction, SolidsInSolidsAreCoveredByAll) {
   EXPECT_EQ(fault_of(reduced), std::nullopt);
 }
 
+// A ring that is run along twice encloses nothing.
+TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
+  Reduced reduced(kTen);
+  const Shape once = rectangle(4, 4, 6, 6);
+  Shape twice = once;
+  twice.rings[0].insert(twice.rings[0].end(), once.rings[0].begin(), once.rings[0].end());
+  std::vector<ItemId> ids;
+  for (int i = 0; i < 60; ++i) ids.push_back(reduced.insert(i % 3 == 0 ? twice : once));
+  const auto cover_count = [&] {
+    int count = 0;
+    reduced.abstraction().components().for_each_cover(reduced.face_at({5, 4.5}), [&](std::uint32_t) { ++count; });
+    return count;
+  };
+  EXPECT_EQ(cover_count(), 40);
+  EXPECT_EQ(fault_of(reduced), std::nullopt);
+  for (std::size_t i = 0; i < ids.size(); ++i) reduced.remove(ids[i * 37 % ids.size()]);
+  EXPECT_EQ(cover_count(), 0);
+  EXPECT_EQ(fault_of(reduced), std::nullopt);
+}
+
 /// A wall with a gap that opens and closes, deep in a maze whose component is one tree.
 TEST(Abstraction, RingsComeAndGoInATree) {
   Reduced reduced({{0, 0}, {100, 100}});
