@@ -106,7 +106,6 @@ void TriangleMesh::restore(Face f, const SavedFace& saved) {
     const HalfEdge t = twin(h);
     if (!is_alive(face(t))) continue;
     corners_[number(t)].twin = number(h) | (twin_and_flag & kFixed);
-    if (is_fixed(h)) labels_.write(t, saved.labels[i]);
   }
 }
 
