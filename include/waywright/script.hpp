@@ -37,7 +37,8 @@ struct Script {
   std::vector<Operation> operations;
 };
 
-/// Reads a world script. `name` is what messages call the text; they start `NAME:LINE: `. Errors: malformed.
+/// Reads a world script, as docs/formats.md describes it. `name` is what messages call the text; they start `NAME:LINE:
+/// `. Errors: malformed.
 [[nodiscard]] Result<Script> parse_script(std::string_view text, std::string_view name);
 
 /// The scene that a script's insertions and removals leave, in the order of the insertions. An insertion that a world
