@@ -4,27 +4,50 @@
 #include <string>
 
 #include "exact/exact_point.hpp"
+#include "io/text.hpp"
 
 namespace waywright {
 
-Error range_error(const Point& point, std::size_t index) {
-  const bool is_x = !exact::in_range(point.x);
-  const double value = is_x ? point.x : point.y;
-  std::string message = std::string(is_x ? "x" : "y") + " of point " + std::to_string(index);
-  if (!std::isfinite(value)) {
-    message += " is not finite";
-  } else if (std::abs(value) > exact::kLargestCoordinate) {
-    message += " lies beyond +-2^100";
-  } else {
-    message += " is nearer to 0 than 2^-100 without being 0";
-  }
-  return {ErrorCode::coordinate_range, std::move(message), {}, index};
+namespace {
+
+std::string place_of(const Point& point) {
+  std::string text = "(";
+  io::append_number(text, point.x);
+  text += ", ";
+  io::append_number(text, point.y);
+  return text += ')';
 }
 
-std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index) {
-  if (!exact::in_range(point)) return range_error(point, index);
+std::string name_of(std::size_t index, std::string_view name) {
+  return name.empty() ? io::with_number("point ", index, "") : std::string(name);
+}
+
+}  // namespace
+
+std::optional<Error> find_range_error(const Point& point, std::size_t index, std::string_view name) {
+  if (exact::in_range(point)) return std::nullopt;
+  const bool is_x = !exact::in_range(point.x);
+  const double value = is_x ? point.x : point.y;
+  std::string message = (is_x ? "x of " : "y of ") + name_of(index, name) + ", ";
+  io::append_number(message, value);
+  if (!std::isfinite(value)) {
+    message += ", is not finite";
+  } else if (std::abs(value) > exact::kLargestCoordinate) {
+    message += ", lies beyond +-2^100";
+  } else {
+    message += ", is nearer to 0 than 2^-100 without being 0";
+  }
+  return Error{ErrorCode::coordinate_range, std::move(message), {}, index};
+}
+
+std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index, std::string_view name) {
+  if (!exact::in_range(point)) return find_range_error(point, index, name);
   if (point.x < domain.min.x || point.x > domain.max.x || point.y < domain.min.y || point.y > domain.max.y) {
-    return Error{ErrorCode::out_of_domain, "point " + std::to_string(index) + " lies outside the domain", {}, index};
+    return Error{ErrorCode::out_of_domain,
+                 name_of(index, name) + ", " + place_of(point) + ", lies outside the domain, " + place_of(domain.min) +
+                     " to " + place_of(domain.max),
+                 {},
+                 index};
   }
   return std::nullopt;
 }

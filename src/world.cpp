@@ -148,6 +148,12 @@ class BatchCheck {
   std::unordered_map<ItemId, bool> changed_;  ///< of other ids that were changed, whether they are alive now
 };
 
+/// Of a segment that a query is about.
+std::optional<Error> find_ends_error(const Box& domain, const Point& from, const Point& to) {
+  if (auto error = find_point_error(domain, from, 0, "the start")) return error;
+  return find_point_error(domain, to, 1, "the end");
+}
+
 /// What is reported is less than `total` until all is done.
 locate::Crew crew_of(const BulkOptions& options, std::size_t total) {
   if (!options.progress) return {options.threads, {}};
@@ -163,11 +169,8 @@ Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
 }  // namespace
 
 Result<World> World::create(const Box& domain, const WorldOptions& options) {
-  std::size_t index = 0;
-  for (const Point& point : {domain.min, domain.max}) {
-    if (!exact::in_range(point)) return range_error(point, index);
-    ++index;
-  }
+  if (auto error = find_range_error(domain.min, 0, "the domain's min")) return *std::move(error);
+  if (auto error = find_range_error(domain.max, 1, "the domain's max")) return *std::move(error);
   if (!(domain.min.x < domain.max.x && domain.min.y < domain.max.y)) {
     return Error{ErrorCode::bad_domain, "a domain needs min.x < max.x and min.y < max.y", {}, 0};
   }
@@ -263,7 +266,10 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
 Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const BulkOptions& options) {
   BatchCheck check(*this, impl_->triangulation.items());
   for (const Item& item : items) {
-    if (auto error = check.add_insertion(item.shape, item.id)) return *std::move(error);
+    if (auto error = check.add_insertion(item.shape, item.id)) {
+      error->message = "item " + std::to_string(error->index) + ": " + error->message;
+      return *std::move(error);
+    }
   }
   const std::size_t total = check.point_count() + items.size();
   impl_->insert_all(constraint::ShapeBatch<Item>{items, check.ids()}, crew_of(options, total));
@@ -325,7 +331,7 @@ std::size_t World::triangle_count() const {
 }
 
 Result<void> World::locate(Point point, QueryContext& context, Location& location) const {
-  if (auto error = find_point_error(domain(), point, 0)) return *std::move(error);
+  if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
   const constraint::ExactTriangulation& triangulation = impl_->triangulation;
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
@@ -359,21 +365,21 @@ Result<Location> World::locate(Point point) const {
 }
 
 Result<std::vector<ItemId>> World::items_at(Point point) const {
-  if (auto error = find_point_error(domain(), point, 0)) return *std::move(error);
-  return constraint::items_at(impl_->triangulation, point);
+  if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
+  path::KeptCover cover;
+  cover.use(impl_->kept_abstraction());
+  return constraint::items_at(impl_->triangulation, cover, point);
 }
 
 Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) const {
-  if (auto error = find_point_error(domain(), from, 0)) return *std::move(error);
-  if (auto error = find_point_error(domain(), to, 1)) return *std::move(error);
+  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
   std::vector<CrossedItem> result;
   for (const auto& [id, at] : constraint::items_crossed(impl_->triangulation, from, to)) result.push_back({id, at});
   return result;
 }
 
 Result<void> World::ray(Point from, Point to, RayHit& hit) const {
-  if (auto error = find_point_error(domain(), from, 0)) return *std::move(error);
-  if (auto error = find_point_error(domain(), to, 1)) return *std::move(error);
+  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
   constraint::first_wall(impl_->triangulation, from, to, hit);
   return {};
 }
@@ -385,15 +391,17 @@ Result<RayHit> World::ray(Point from, Point to) const {
 }
 
 Result<std::vector<ItemId>> World::items_in(const Box& box) const {
-  if (!exact::in_range(box.min)) return range_error(box.min, 0);
-  if (!exact::in_range(box.max)) return range_error(box.max, 1);
+  if (auto error = find_range_error(box.min, 0, "the box's min")) return *std::move(error);
+  if (auto error = find_range_error(box.max, 1, "the box's max")) return *std::move(error);
   if (box.min.x > box.max.x || box.min.y > box.max.y) {
     return Error{ErrorCode::bad_domain, "a box needs min.x <= max.x and min.y <= max.y", {}, 0};
   }
   const bool is_outside = box.min.x > domain().max.x || box.max.x < domain().min.x || box.min.y > domain().max.y ||
                           box.max.y < domain().min.y;
   if (is_outside) return std::vector<ItemId>{};
-  return constraint::items_in(impl_->triangulation, box);
+  path::KeptCover cover;
+  cover.use(impl_->kept_abstraction());
+  return constraint::items_in(impl_->triangulation, cover, box);
 }
 
 MemoryUse World::memory() const {

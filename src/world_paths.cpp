@@ -21,7 +21,7 @@ constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
 
 std::optional<Error> find_radius_error(double radius) {
   if (!(radius >= 0.0) || !std::isfinite(radius)) {
-    return Error{ErrorCode::bad_radius, "a radius is 0 or more, and finite", {}, 0};
+    return Error{ErrorCode::bad_radius, "the radius is negative or not finite", {}, 0};
   }
   if (radius > 0.0) {
     return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
@@ -30,8 +30,8 @@ std::optional<Error> find_radius_error(double radius) {
 }
 
 std::optional<Error> find_query_error(const World& world, bool keeps_abstraction, const PathQuery& query) {
-  if (auto error = find_point_error(world.domain(), query.start, 0)) return error;
-  if (auto error = find_point_error(world.domain(), query.goal, 1)) return error;
+  if (auto error = find_point_error(world.domain(), query.start, 0, "the start")) return error;
+  if (auto error = find_point_error(world.domain(), query.goal, 1, "the goal")) return error;
   if (auto error = find_radius_error(query.radius)) return error;
   if (query.algorithm == PathAlgorithm::tra && !keeps_abstraction) {
     return Error{ErrorCode::not_supported, "the path algorithm tra needs a world that keeps its abstraction", {}, 0};
@@ -96,9 +96,11 @@ Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, 
 
 Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                     std::vector<Path>& paths) const {
-  if (auto error = find_point_error(domain(), query.start, 0)) return *std::move(error);
+  if (auto error = find_point_error(domain(), query.start, 0, "the start")) return *std::move(error);
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
-    if (auto error = find_point_error(domain(), query.goals[i], i + 1)) return *std::move(error);
+    if (auto error = find_point_error(domain(), query.goals[i], i + 1, "goal " + std::to_string(i))) {
+      return *std::move(error);
+    }
   }
   if (auto error = find_radius_error(query.radius)) return *std::move(error);
   context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);

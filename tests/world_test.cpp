@@ -159,6 +159,22 @@ TEST(World, RefusedInsertionsChangeNothing) {
   EXPECT_EQ(world.item_count(), 1U);
 }
 
+TEST(World, RefusalsSayWhichPointIsWrongAndWhereItLies) {
+  World world = World::create({{0, 0}, {10, 10}}).value();
+  const auto message = [](const auto& result) { return result.error().message; };
+  EXPECT_EQ(message(World::create({{0, 0}, {1e40, 1}})), "x of the domain's max, 1e+40, lies beyond +-2^100");
+  EXPECT_EQ(message(world.insert_segment({1, 2}, {11, 2.5})),
+            "point 1, (11, 2.5), lies outside the domain, (0, 0) to (10, 10)");
+  EXPECT_EQ(message(world.insert_point({1, 0x1p-101})),
+            "y of point 0, 3.944304526105059e-31, is nearer to 0 than 2^-100 without being 0");
+  EXPECT_EQ(message(world.locate({kNan, 5})), "x of the point, nan, is not finite");
+  EXPECT_EQ(message(world.ray({1, 1}, {-3, 1})), "the end, (-3, 1), lies outside the domain, (0, 0) to (10, 10)");
+  EXPECT_EQ(message(world.find_path({.start = {1, 1}, .goal = {1, 12}})),
+            "the goal, (1, 12), lies outside the domain, (0, 0) to (10, 10)");
+  const std::vector<Item> items{{{1}, {ItemKind::point, {{{1, 1}}}}}, {{1}, {ItemKind::point, {{{2, 2}}}}}};
+  EXPECT_EQ(message(world.insert_all(items)), "item 1: an item has id 1 already");
+}
+
 TEST(World, HandsOutIdsAfterTheLargestSeen) {
   World world = empty_world();
   EXPECT_EQ(world.insert_point({1, 1}).value(), ItemId{1});

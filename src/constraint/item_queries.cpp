@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "constraint/segment_walk.hpp"
+#include "constraint/slot_sets.hpp"
 #include "exact/predicates.hpp"
 
 namespace waywright::constraint {
@@ -13,13 +14,8 @@ namespace {
 
 using Slots = std::vector<std::uint32_t>;
 
-void sort_and_merge(Slots& slots) {
-  std::sort(slots.begin(), slots.end());
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-}
-
 std::vector<ItemId> ids_of(const ExactTriangulation& triangulation, Slots slots) {
-  sort_and_merge(slots);
+  keep_one_of_each(slots);
   std::vector<ItemId> ids;
   for (const std::uint32_t slot : slots) {
     if (slot != ItemTable::kDomain) ids.push_back(triangulation.items().item(slot).id);
@@ -62,9 +58,10 @@ class CrossedItems : public SegmentVisitor {
     if (const mesh::HalfEdge run = edge_run_along(v); run != mesh::kNoHalfEdge) {
       append_items_of_edge(triangulation_, run, along);
     }
+    std::sort(along.begin(), along.end());
     Slots met;
     append_items_around(triangulation_, v, met);
-    std::erase_if(met, [&](std::uint32_t slot) { return std::find(along.begin(), along.end(), slot) != along.end(); });
+    std::erase_if(met, [&](std::uint32_t slot) { return std::binary_search(along.begin(), along.end(), slot); });
     tell(met, triangulation_.triangulation().geometry().nearest(number(v)));
     last_vertex_ = v;
     last_edge_ = mesh::kNoHalfEdge;
@@ -216,10 +213,9 @@ class BoxFlood {
 
 }  // namespace
 
-std::vector<ItemId> items_at(const ExactTriangulation& triangulation, const Point& point) {
+std::vector<ItemId> items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point) {
   const auto& delaunay = triangulation.triangulation();
   const locate::Located place = delaunay.locate(point);
-  Cover cover;
   Slots slots = cover.of_place(triangulation, place);
   if (place.spot == locate::Spot::edge) append_items_of_edge(triangulation, place.h, slots);
   if (place.spot == locate::Spot::vertex) {
@@ -249,13 +245,12 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
 }
 
 // What covers the whole box without a side or corner in it covers its first corner.
-std::vector<ItemId> items_in(const ExactTriangulation& triangulation, const Box& box) {
+std::vector<ItemId> items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box) {
   const Box& domain = triangulation.domain();
   const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
                     {std::min(box.max.x, domain.max.x), std::min(box.max.y, domain.max.y)}};
   const auto& delaunay = triangulation.triangulation();
   const locate::Located place = delaunay.locate(clipped.min);
-  Cover cover;
   Slots slots = cover.of_place(triangulation, place);
   std::vector<mesh::HalfEdge> faces;
   faces_at(triangulation, place, faces);

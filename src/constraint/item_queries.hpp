@@ -12,8 +12,8 @@
 
 namespace waywright::constraint {
 
-/// The items that cover a point, or have a side or corner there; ascending.
-[[nodiscard]] std::vector<ItemId> items_at(const ExactTriangulation& triangulation, const Point& point);
+/// The items that cover a point, or have a side or corner there; ascending. `cover` is asked for the polygons.
+[[nodiscard]] std::vector<ItemId> items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point);
 
 /// The items whose sides the segment meets, in the order in which it does, and where, as nearest doubles. One that it
 /// runs along is told of where that begins. Items met in one place come by ascending id.
@@ -23,7 +23,8 @@ namespace waywright::constraint {
 /// The first wall that the segment touches on its way.
 void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
 
-/// The items that have a point in common with the closed box; ascending. Requires: the box meets the domain.
-[[nodiscard]] std::vector<ItemId> items_in(const ExactTriangulation& triangulation, const Box& box);
+/// The items that have a point in common with the closed box; ascending. `cover` is asked for the polygons. Requires:
+/// the box meets the domain.
+[[nodiscard]] std::vector<ItemId> items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box);
 
 }  // namespace waywright::constraint

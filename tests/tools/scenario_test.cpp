@@ -125,14 +125,16 @@ TEST_P(BadScenarios, AreToldByTheirLineAndLeaveNothing) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadScenarios,
-    testing::Values(BadScenario{"", ": holds no queries"}, BadScenario{"version 1\n\n", ": holds no queries"},
-                    BadScenario{"version 2\n", ":1: expected 'version 1', as scenarios of Moving AI begin"},
-                    BadScenario{"version 1\n0 u.map 3 3 0 0 0 3\n",
-                                ":2: expected 9 fields (bucket, map, width, height, start, goal, length), not 8"},
-                    BadScenario{"version 1\n\n0 u.map 3 3 0 x 0 3 3\n", ":3: field 6: 'x' is not a number"},
-                    BadScenario{"version 1\n0 u.map 3 3 0 0 nan 3 3\n", ":2: field 7: 'nan' is not a number"},
-                    BadScenario{"version 1\n0 u.map 9 9 0 0 0 9 9\n",
-                                ":2: point 1 lies outside the domain; is this the scenario of another map?"}));
+    testing::Values(
+        BadScenario{"", ": holds no queries"}, BadScenario{"version 1\n\n", ": holds no queries"},
+        BadScenario{"version 2\n", ":1: expected 'version 1', as scenarios of Moving AI begin"},
+        BadScenario{"version 1\n0 u.map 3 3 0 0 0 3\n",
+                    ":2: expected 9 fields (bucket, map, width, height, start, goal, length), not 8"},
+        BadScenario{"version 1\n\n0 u.map 3 3 0 x 0 3 3\n", ":3: field 6: 'x' is not a number"},
+        BadScenario{"version 1\n0 u.map 3 3 0 0 nan 3 3\n", ":2: field 7: 'nan' is not a number"},
+        BadScenario{"version 1\n0 u.map 9 9 0 0 0 9 9\n",
+                    ":2: the goal, (0, 9), lies outside the domain, (0, 0) to (3, 3); is this the scenario of another "
+                    "map?"}));
 
 class BadScenarioArguments : public testing::TestWithParam<std::vector<std::string>> {};
 
