@@ -92,8 +92,8 @@ struct Validation {
 /// What a world keeps besides its mesh.
 struct WorldOptions {
   /// What searches for paths live on: which faces are joined, by which polygons they are covered, which lie in dead
-  /// ends. Without it an operation is a little cheaper and a world takes a tenth less memory, but many a query looks at
-  /// far more of the mesh, and PathAlgorithm::tra is not supported.
+  /// ends. Without it an operation is cheaper and a world takes 18 bytes less for each vertex, but many a query looks
+  /// at far more of the mesh, and PathAlgorithm::tra is not supported.
   bool keep_abstraction = true;
 };
 
@@ -102,12 +102,13 @@ struct WorldOptions {
 /// came. Geometry is never an error: crossing, overlapping, duplicate, collinear, zero-length and self-crossing items
 /// are all accepted and handled exactly.
 ///
-/// Threads: const members may run at once, each call with its own QueryContext; no other member meanwhile.
+/// Threads: const members may run at once, each call with its own QueryContext; no other member meanwhile. A world that
+/// has been moved from may only be assigned to or destroyed.
 /// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
 class World {
  public:
   /// An empty world over the closed box `domain`: four vertices, two triangles, four constrained edges of id 0.
-  /// Errors: coordinate_range, bad_domain.
+  /// Errors: coordinate_range, bad_domain. Cost: O(1).
   [[nodiscard]] static Result<World> create(const Box& domain, const WorldOptions& options = {});
 
   World(World&&) noexcept;
@@ -123,6 +124,8 @@ class World {
   /// Cost: per point, its location; per side, what it crosses.
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
+
+  // The same for each kind of shape. What comes back, errors and cost are those of insert.
 
   /// A vertex that stays as long as the item lives; no wall.
   Result<ItemId> insert_point(Point point, ItemId id = {});
@@ -141,7 +144,7 @@ class World {
   Result<void> remove(ItemId id);
 
   /// Puts another shape in an item's place, under its id: what moves an obstacle. Either done or, on an error, nothing
-  /// has changed. Errors: unknown_id, and those of insert.
+  /// has changed. Errors: unknown_id, and those of insert. Cost: that of remove, and that of insert.
   Result<void> replace(ItemId id, const Shape& shape);
 
   /// Inserts many items as one operation: all of them or, on an error, none. Returns the id of each. Much faster than
@@ -159,27 +162,33 @@ class World {
   /// of insertions is as fast as insert_all.
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
 
-  /// Whether an item of that id is alive.
+  /// Whether an item of that id is alive. Cost: O(1).
   [[nodiscard]] bool contains(ItemId id) const;
+  /// The number of live items. Cost: O(1).
   [[nodiscard]] std::size_t item_count() const;
-  /// The ids of all live items, ascending.
+  /// The ids of all live items, ascending. Cost: O(n log n).
   [[nodiscard]] std::vector<ItemId> item_ids() const;
-  /// The item's shape as it was inserted, points that repeat their predecessor merged. Errors: unknown_id.
+  /// The item's shape as it was inserted, points that repeat their predecessor merged; a copy. Errors: unknown_id.
+  /// Cost: linear in its points.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
 
+  /// The vertices of the mesh: the domain's corners, the items', and the crossings. Cost: O(1).
   [[nodiscard]] std::size_t vertex_count() const;
+  /// The triangles of the mesh. Cost: linear in the vertices on the domain's border.
   [[nodiscard]] std::size_t triangle_count() const;
 
-  /// Where `point` lies, and in which polygons. Errors: coordinate_range, out_of_domain.
+  /// Where `point` lies, and in which polygons. Errors: coordinate_range, out_of_domain. Cost: a walk over a few
+  /// triangles, however large the world, and the answer; no memory, once `context` and `location` have been used.
   /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
   [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
   [[nodiscard]] Result<Location> locate(Point point) const;
 
   /// The items that cover the point, or have a side or corner there; ascending. Errors: coordinate_range,
-  /// out_of_domain.
+  /// out_of_domain. Cost: that of locate.
   [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
   /// The items whose sides the segment meets, in order, and where. One that it runs along is told of where that begins;
-  /// items met in one place come by ascending id. Errors: coordinate_range, out_of_domain.
+  /// items met in one place come by ascending id. Errors: coordinate_range, out_of_domain. Cost: the location of
+  /// `from`, and the triangles that the segment crosses.
   [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
   /// The first wall that the segment touches on its way from `from`, the domain's border included; a start on a wall
   /// touches it. Decided exactly, also where walls meet or the segment runs through a wall's end.
@@ -188,11 +197,14 @@ class World {
   [[nodiscard]] Result<void> ray(Point from, Point to, RayHit& hit) const;
   [[nodiscard]] Result<RayHit> ray(Point from, Point to) const;
   /// The items that have a point in common with the closed box, which may reach beyond the domain; ascending.
-  /// Errors: coordinate_range, bad_domain (where min is beyond max).
+  /// Errors: coordinate_range, bad_domain (where min is beyond max). Cost: the location of a corner, and the triangles
+  /// that meet the box.
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
 
   /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both.
-  /// Errors: coordinate_range, out_of_domain, bad_radius, not_supported.
+  /// Errors: coordinate_range, out_of_domain, bad_radius, not_supported. Cost: the location of the ends, and the
+  /// triangles searched (Path::expansions); no memory, once `context` and `path` have been used for a search as large.
+  /// Where walls part the ends no triangle is, if the world keeps its abstraction.
   /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
   /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md says where we
   /// depart from them.
