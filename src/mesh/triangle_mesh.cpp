@@ -71,11 +71,14 @@ void TriangleMesh::free_face(Face f) {
 
 /// Logs all of a face that is about to change.
 void TriangleMesh::save(Face f) {
-  SavedFace& saved = saved_faces_.emplace_back();
-  const auto corners = corners_.begin() + number(first(f));
-  std::copy_n(corners, 3, saved.corners.begin());
-  const bool is_labelled = ((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0;
-  for (std::uint32_t i = 0; is_labelled && i < 3; ++i) saved.labels[i] = label(HalfEdge{number(first(f)) + i});
+  const HalfEdge a = first(f);
+  const auto corners = corners_.begin() + number(a);
+  if (((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0) [[unlikely]] {
+    for (const HalfEdge h : {a, next(a), previous(a)}) {
+      if (is_fixed(h)) log(ChangeKind::rebuild_label, number(h), labels_.read(h));
+    }
+  }
+  saved_faces_.push_back({corners[0], corners[1], corners[2]});
   log(ChangeKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
 }
 
@@ -138,9 +141,8 @@ void TriangleMesh::make_room_to_take_over(HalfEdge to, HalfEdge from) {
 
 void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
   const std::uint32_t twin_and_flag = corners_[number(from)].twin;
-  std::uint32_t& back = corners_[twin_and_flag & ~kFixed].twin;
   corners_[number(to)].twin = twin_and_flag;
-  back = number(to) | (back & kFixed);
+  corners_[twin_and_flag & ~kFixed].twin = number(to) | (twin_and_flag & kFixed);
   if ((twin_and_flag & kFixed) != 0) [[unlikely]]
     labels_.write(to, labels_.read(from));
 }

@@ -51,9 +51,9 @@ class TriangleMesh {
   /// Some half-edge that starts at `v`.
   [[nodiscard]] HalfEdge outgoing(Vertex v) const { return HalfEdge{outgoing_[number(v)]}; }
   /// Has the memory fetched that outgoing(v) reads.
-  void prefetch(Vertex v) const { __builtin_prefetch(&outgoing_[number(v)], 1); }
+  void prefetch(Vertex v) const { __builtin_prefetch(&outgoing_[number(v)]); }
   /// Has the memory of the face of `h` fetched.
-  void prefetch(HalfEdge h) const { __builtin_prefetch(&corners_[number(h)], 1); }
+  void prefetch(HalfEdge h) const { __builtin_prefetch(&corners_[number(h)]); }
   /// The next half-edge that starts at the same vertex, counter-clockwise.
   [[nodiscard]] HalfEdge next_around(HalfEdge h) const { return twin(previous(h)); }
   /// The next half-edge that starts at the same vertex, clockwise.
@@ -162,6 +162,7 @@ class TriangleMesh {
           break;
         case ChangeKind::add_vertex:
         case ChangeKind::free_vertex:
+        case ChangeKind::rebuild_label:
           break;
       }
     }
@@ -200,19 +201,17 @@ class TriangleMesh {
     flip,
     set_label,
     set_label_of_twin,
+    rebuild_label,
   };
   /// How a change is taken back: `index` is its vertex, face or half-edge.
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;
-    /// Of set_label, the label before; of rebuild_face, the position in `saved_faces_`; of split_edge and flip, the
-    /// twin.
+    /// Of set_label and rebuild_label, the label before; of rebuild_face, the position in `saved_faces_`; of split_edge
+    /// and flip, the twin.
     std::uint32_t saved;
   };
-  struct SavedFace {
-    std::array<Corner, 3> corners;
-    std::array<Label, 3> labels;
-  };
+  using SavedFace = std::array<Corner, 3>;
 
   void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { log_.push_back({kind, index, saved}); }
   void undo(const Undo& change);

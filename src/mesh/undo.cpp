@@ -50,6 +50,9 @@ void TriangleMesh::undo(const Undo& change) {
       break;
     case ChangeKind::set_label_of_twin:
       break;
+    case ChangeKind::rebuild_label:
+      labels_.write(HalfEdge{change.index}, change.saved);
+      break;
   }
 }
 
@@ -96,16 +99,12 @@ void TriangleMesh::undo_flip(HalfEdge h) {
 // and those still free must not be written to: their slots hold the list of free faces.
 void TriangleMesh::restore(Face f, const SavedFace& saved) {
   HalfEdge h = first(f);
-  for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
-    corners_[number(h)] = saved.corners[i];
-    if (is_fixed(h)) labels_.write(h, saved.labels[i]);
-    set_outgoing(origin(h), h);
-  }
-  for (std::size_t i = 0; i < 3; ++i, h = next(h)) {
-    const std::uint32_t twin_and_flag = corners_[number(h)].twin;
+  for (const Corner& corner : saved) {
+    corners_[number(h)] = corner;
+    set_outgoing(corner.origin, h);
     const HalfEdge t = twin(h);
-    if (!is_alive(face(t))) continue;
-    corners_[number(t)].twin = number(h) | (twin_and_flag & kFixed);
+    if (is_alive(face(t))) corners_[number(t)].twin = number(h) | (corner.twin & kFixed);
+    h = next(h);
   }
 }
 
