@@ -27,32 +27,27 @@ void Triangulation<Geometry>::legalise_freed() {
   }
 }
 
-template <class Geometry>
-void Triangulation<Geometry>::prefetch(mesh::Vertex v) const {
-  mesh_.prefetch(v);
-  if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(v));
-}
-
-// Each step waits for the one before, so both ways round are gone at once; the places that a removal asks about come
-// meanwhile.
+// Each step waits for the one before, so both ways round are gone at once. What a removal asks about the vertices
+// around comes meanwhile, each as soon as a face tells which it is: the apex of a face is the next one's.
 template <class Geometry>
 const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh::Vertex v) {
   star_.spokes.clear();
   star_.fixed.clear();
   clockwise_.clear();
-  const auto add = [&](std::vector<mesh::HalfEdge>& spokes, mesh::HalfEdge h) {
-    spokes.push_back(h);
-    if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(mesh_.target(h)));
-  };
   mesh::HalfEdge left = mesh_.outgoing(v);
   mesh::HalfEdge right = left;
-  add(star_.spokes, left);
-  while ((left = mesh_.next_around(left)) != right) {
-    add(star_.spokes, left);
+  prefetch(mesh_.target(right));
+  do {
+    star_.spokes.push_back(left);
+    prefetch(mesh_.apex(left));
+    prefetch_face_beyond(next(left));
+    left = mesh_.next_around(left);
+    if (left == right) break;
     right = mesh_.previous_around(right);
-    if (right == left) break;
-    add(clockwise_, right);
-  }
+    clockwise_.push_back(right);
+    prefetch(mesh_.target(right));
+    prefetch_face_beyond(next(right));
+  } while (left != right);
   star_.spokes.insert(star_.spokes.end(), clockwise_.rbegin(), clockwise_.rend());
   for (std::uint32_t i = 0; i < star_.spokes.size(); ++i) {
     if (mesh_.is_fixed(star_.spokes[i])) star_.fixed.push_back(i);

@@ -108,9 +108,17 @@ class Triangulation {
   /// corner of the box. Returns the joined edge, or kNoHalfEdge. Source: Chen 2009, section 3.4, algorithm 17; the
   /// hole, Devillers 2011.
   mesh::HalfEdge remove_vertex(const Star& star);
-  /// Has the memory fetched that tells where `v` and its star are; and then, of the star itself, where star(v) begins.
-  void prefetch(mesh::Vertex v) const;
-  void prefetch_star(mesh::Vertex v) const { mesh_.prefetch(mesh_.outgoing(v)); }
+  /// Has the memory fetched that tells where `v` and its star are; and then what a removal looks at first there: where
+  /// star(v) begins, and the sector.
+  // GCC drops the call of a function that does nothing but fetch, unless it has inlined it before it knows.
+  [[gnu::always_inline]] void prefetch(mesh::Vertex v) const {
+    mesh_.prefetch(v);
+    if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(v));
+  }
+  [[gnu::always_inline]] void prefetch_star(mesh::Vertex v) const {
+    mesh_.prefetch(mesh_.outgoing(v));
+    sectors_.prefetch(geometry_.nearest(number(v)));
+  }
 
   /// Makes u - w an edge by retriangulating what it crosses, and fixes it under `label`. `crossed` lists the edges
   /// between them in order from u to w, each half-edge in the face on u's side (so that it crosses from the right of
@@ -154,8 +162,10 @@ class Triangulation {
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Has what lies beyond an edge fetched from memory: its face; once that is there, the place of its apex.
-  void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
-  void prefetch_apex_beyond(mesh::HalfEdge h) const;
+  [[gnu::always_inline]] void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
+  [[gnu::always_inline]] void prefetch_apex_beyond(mesh::HalfEdge h) const {
+    if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
+  }
   /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
   void legalise_around_apex();
   [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;

@@ -183,11 +183,6 @@ mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
   return v;
 }
 
-template <class Geometry>
-void Triangulation<Geometry>::prefetch_apex_beyond(mesh::HalfEdge h) const {
-  if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
-}
-
 // Source: Lawson, *Software for C1 surface interpolation*, 1977; the stack is explicit because a chain of flips can be
 // as long as the mesh is large.
 template <class Geometry>

@@ -59,6 +59,10 @@ class Sectors {
   void fill(std::span<const Curve::Key> keys, std::uint32_t first);
   /// Takes note of a vertex in a world of so many. Cost: O(1), amortised.
   void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
+  /// Has the memory fetched that tells what the sector of `point` remembers.
+  [[gnu::always_inline]] void prefetch(const Point& point) const {
+    __builtin_prefetch(&sectors_[curve_.key(point) >> whole_shift_]);
+  }
   /// Where `v`, which goes, is remembered, remembers `other`.
   void forget(const Point& point, mesh::Vertex v, mesh::Vertex other);
   /// Divides the sector of `point`, in a world of so many vertices. Cost: O(1), amortised.
