@@ -166,7 +166,8 @@ class Triangulation {
   [[gnu::always_inline]] void prefetch_apex_beyond(mesh::HalfEdge h) const {
     if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
   }
-  /// Flips until every edge opposite to a new vertex is legal; `stack_` holds those in doubt, the vertex their apex.
+  /// Flips until every edge opposite to a new vertex is legal; `in_doubt_` lists those to be asked, the vertex their
+  /// apex.
   void legalise_around_apex();
   [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;
   void remember(mesh::HalfEdge h);
@@ -200,7 +201,7 @@ class Triangulation {
   mesh::HalfEdge recent_before_{};
 
   // Scratch, kept for its memory.
-  std::vector<mesh::HalfEdge> stack_;
+  std::vector<mesh::HalfEdge> in_doubt_;
   std::vector<mesh::HalfEdge> freed_;
   Star star_;
   std::vector<mesh::HalfEdge> clockwise_;

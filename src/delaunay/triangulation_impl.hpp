@@ -67,8 +67,8 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  memory::count_spare(use, stack_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_, triangles_,
-                      left_chain_, right_chain_, dangling_, cavity_, corners_);
+  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_,
+                      triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
 }
 
 template <class Geometry>
@@ -150,12 +150,12 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
   const mesh::Vertex v = add_vertex(point);
   const bool parts_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
   const mesh::Vertex end = mesh_.origin(place.h);
-  stack_.clear();
+  in_doubt_.clear();
   if (place.spot == locate::Spot::face) {
-    for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(place.h), v)) stack_.push_back(h);
+    for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(place.h), v)) in_doubt_.push_back(h);
   } else {
     for (const mesh::HalfEdge h : mesh_.split_edge(place.h, v)) {
-      if (!is_ghost_face(h)) stack_.push_back(h);
+      if (!is_ghost_face(h)) in_doubt_.push_back(h);
     }
   }
   legalise_around_apex();
@@ -169,8 +169,8 @@ mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Ve
   const mesh::Vertex v = mesh_.add_vertex();
   geometry_.place_crossing(number(v), number(a), number(b), number(c), number(d));
   sectors_.remember(geometry_.nearest(number(v)), v, mesh_.vertex_count());
-  stack_.clear();
-  for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) stack_.push_back(opposite);
+  in_doubt_.clear();
+  for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) in_doubt_.push_back(opposite);
   legalise_around_apex();
   return v;
 }
@@ -183,20 +183,21 @@ mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
   return v;
 }
 
-// Source: Lawson, *Software for C1 surface interpolation*, 1977; the stack is explicit because a chain of flips can be
-// as long as the mesh is large.
+// A queue, for a chain of flips can be as long as the mesh is large, and while an edge waits for its turn, what lies
+// beyond it comes from memory. Source: Lawson, *Software for C1 surface interpolation*, 1977.
 template <class Geometry>
 void Triangulation<Geometry>::legalise_around_apex() {
-  for (const mesh::HalfEdge h : stack_) prefetch_apex_beyond(h);
-  const View apex = view(mesh_.apex(stack_.back()));
-  while (!stack_.empty()) {
-    const mesh::HalfEdge h = stack_.back();
-    stack_.pop_back();
+  for (const mesh::HalfEdge h : in_doubt_) prefetch_apex_beyond(h);
+  const View apex = view(mesh_.apex(in_doubt_.front()));
+  for (std::size_t i = 0; i < in_doubt_.size(); ++i) {
+    const mesh::HalfEdge h = in_doubt_[i];
+    if (i + 1 < in_doubt_.size()) prefetch_apex_beyond(in_doubt_[i + 1]);
     if (mesh_.is_fixed(h) || is_legal(h, apex)) continue;
     const auto flipped = mesh_.flip(h);
-    stack_.push_back(flipped.opposite);
-    stack_.push_back(h);
-    prefetch_face_beyond(flipped.opposite);
+    for (const mesh::HalfEdge side : {h, flipped.opposite}) {
+      prefetch_face_beyond(side);
+      in_doubt_.push_back(side);
+    }
   }
 }
 

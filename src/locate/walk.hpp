@@ -77,6 +77,10 @@ template <class Geometry>
   const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
   Random random(seed);
   const HalfEdge start_edge = mesh::first(start);
+  // In a large world, most of a walk is waiting for memory. So what a step may need is fetched before it is known which
+  // way it goes: here the place of the third corner, and always the faces beyond.
+  mesh.prefetch(mesh.twin(start_edge));
+  if constexpr (requires { geometry.prefetch(0U); }) geometry.prefetch(number(mesh.apex(start_edge)));
   View p = view(mesh.origin(start_edge));
   View q = view(mesh.target(start_edge));
   const Sign start_side = geometry.orientation(p, q, target);
@@ -91,6 +95,8 @@ template <class Geometry>
   }
   const std::size_t patience = 16 + 4 * mesh.face_count();
   for (std::size_t steps = 0; steps < patience; ++steps) {
+    mesh.prefetch(mesh.twin(mesh::next(entry)));
+    mesh.prefetch(mesh.twin(mesh::previous(entry)));
     const View r = view(mesh.apex(entry));
     const auto side_of = [&](bool is_next) { return geometry.orientation(is_next ? q : r, is_next ? r : p, target); };
     const bool next_first = !random.coin();
