@@ -23,47 +23,43 @@ class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)
       : geometry_(*search.geometry_), root_(search.view(search.roots_[window.root])) {
-    if (window.left == kStraightOn || window.right == kStraightOn) {
-      before_ = search.view(search.roots_[search.roots_[window.root].before]);
-    }
-    set_left(window.left);
-    set_right(window.right);
+    const auto bound = [&](mesh::Vertex v) {
+      return v == kStraightOn ? Bound{search.view(search.roots_[search.roots_[window.root].before]), root_}
+                              : Bound{root_, geometry_.view(number(v))};
+    };
+    left_ = bound(window.left);
+    right_ = bound(window.right);
   }
 
   /// Positive on the left of the cone's left bound.
   [[nodiscard]] Sign side_of_left(const Geometry::View& p) const {
-    return is_left_straight_ ? geometry_.orientation(before_, root_, p) : geometry_.orientation(root_, left_, p);
+    return geometry_.orientation(left_.from, left_.to, p);
   }
   /// Negative on the right of the cone's right bound.
   [[nodiscard]] Sign side_of_right(const Geometry::View& p) const {
-    return is_right_straight_ ? geometry_.orientation(before_, root_, p) : geometry_.orientation(root_, right_, p);
+    return geometry_.orientation(right_.from, right_.to, p);
   }
 
-  void set_left(mesh::Vertex v) {
-    is_left_straight_ = v == kStraightOn;
-    if (!is_left_straight_) left_ = geometry_.view(number(v));
-  }
-  void set_right(mesh::Vertex v) {
-    is_right_straight_ = v == kStraightOn;
-    if (!is_right_straight_) right_ = geometry_.view(number(v));
-  }
+  void set_left(mesh::Vertex v) { left_ = {root_, geometry_.view(number(v))}; }
+  void set_right(mesh::Vertex v) { right_ = {root_, geometry_.view(number(v))}; }
 
   [[nodiscard]] Point root() const { return {root_.x, root_.y}; }
   /// From the root along the bounds.
-  [[nodiscard]] Point left_direction() const { return is_left_straight_ ? straight_on() : towards(left_); }
-  [[nodiscard]] Point right_direction() const { return is_right_straight_ ? straight_on() : towards(right_); }
+  [[nodiscard]] Point left_direction() const { return left_.direction(); }
+  [[nodiscard]] Point right_direction() const { return right_.direction(); }
 
  private:
-  [[nodiscard]] Point towards(const Geometry::View& p) const { return {p.x - root_.x, p.y - root_.y}; }
-  [[nodiscard]] Point straight_on() const { return {root_.x - before_.x, root_.y - before_.y}; }
+  /// The line that a bound lies on: through the root, in the order in which a path along it comes to the two.
+  struct Bound {
+    Geometry::View from;
+    Geometry::View to;
+    [[nodiscard]] Point direction() const { return {to.x - from.x, to.y - from.y}; }
+  };
 
   const Geometry& geometry_;
   Geometry::View root_;
-  Geometry::View before_;
-  Geometry::View left_;
-  Geometry::View right_;
-  bool is_left_straight_ = false;
-  bool is_right_straight_ = false;
+  Bound left_;
+  Bound right_;
 };
 
 void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends,
@@ -80,6 +76,7 @@ void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstr
   traces_.clear();
   goals_.clear();
   goal_faces_.clear();
+  goal_bits_ = 0;
   goals_in_components_.clear();
   if (components_ != nullptr) {
     for (const mesh::HalfEdge h : ends.start_faces())
@@ -91,6 +88,7 @@ void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstr
 void Optimal::add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces) {
   for (const mesh::HalfEdge h : faces) {
     goal_faces_.push_back({mesh::face(h), static_cast<std::uint32_t>(goals_.size())});
+    goal_bits_ |= bit_of(mesh::face(h));
     if (core_ != nullptr) count_goal_face(mesh::face(h));
   }
   goals_.push_back({goal, kInfinity, kNone, kNone});
@@ -109,10 +107,9 @@ void Optimal::limit_lengths() {
   for (const Goal& goal : goals_) longest_ = std::max(longest_, std::min(goal.length, known_length_));
 }
 
-/// Requires: there is a goal.
 template <class Visit>
 void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
-  if (f < goal_faces_.front().face || f > goal_faces_.back().face) return;  // as nearly always
+  if (!may_have_goals(f)) return;
   const auto first = std::lower_bound(goal_faces_.begin(), goal_faces_.end(), f,
                                       [](const GoalFace& p, mesh::Face face) { return p.face < face; });
   for (auto at = first; at != goal_faces_.end() && at->face == f; ++at) visit(at->goal);
@@ -209,7 +206,7 @@ void Optimal::follow_window(Node window) {
   Cone cone(*this, window);
   for (int faces = 1;; ++faces) {
     ++expansions_;
-    meet_goals(window, cone);
+    if (may_have_goals(mesh::face(window.entry))) meet_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View place = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
@@ -410,11 +407,9 @@ void Optimal::offer(const Node& window, const Cone& cone) {
 /// leads to its other end sooner than the straight way from the root would. By the triangle inequality it then leads
 /// sooner to every place between, so that no shortest path comes through the window. By more than rounding can make of
 /// a sum of lengths: of two ways that are equally long, neither outdoes the other.
-bool Optimal::is_outdone(const Node& window, mesh::HalfEdge from_end) const {
+bool Optimal::is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const {
   constexpr double kSurely = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
-  const Reached& way = reached_[number(end)];
-  if (way.query != query_ || way.spoke == mesh::kNoHalfEdge) return false;
   const Point& other_end = place(mesh_->target(from_end));
   const Root& root = roots_[window.root];
   const bool is_sooner =

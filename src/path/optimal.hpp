@@ -132,8 +132,15 @@ class Optimal {
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
   void offer(const Node& window, const Cone& cone);
   void offer(const Node& window);
-  [[nodiscard]] bool is_outdone(const Node& window, mesh::HalfEdge from_end) const;
+  [[nodiscard]] bool is_outdone(const Node& window, mesh::HalfEdge from_end) const {
+    const Reached& way = reached_[number(mesh_->origin(from_end))];
+    return way.query == query_ && way.spoke != mesh::kNoHalfEdge && is_outdone_by(way, window, from_end);
+  }
+  [[nodiscard]] bool is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const;
   [[nodiscard]] bool are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const;
+  /// Whether there may be a goal at the face; nearly everywhere there is none.
+  [[nodiscard]] bool may_have_goals(mesh::Face f) const { return (goal_bits_ & bit_of(f)) != 0; }
+  [[nodiscard]] static std::uint64_t bit_of(mesh::Face f) { return std::uint64_t{1} << number(f) % 64; }
   /// Calls visit(goal) for each goal at the face.
   template <class Visit>
   void for_each_goal(mesh::Face f, Visit&& visit) const;
@@ -175,6 +182,7 @@ class Optimal {
   std::vector<GoalsInComponent> goals_in_components_;  ///< of the start's components
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;
+  std::uint64_t goal_bits_ = 0;  ///< the bit_of each of their faces
   std::uint32_t query_ = 0;
 
   std::size_t expansions_ = 0;
