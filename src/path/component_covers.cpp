@@ -46,14 +46,16 @@ void visit_inner_faces(const constraint::ExactTriangulation& triangulation, std:
     HalfEdge on = mesh::kNoHalfEdge;
     bool is_on_inside = false;
     const HalfEdge start = h;
+    bool is_crossing = crosses(triangulation, h, side.item);
     do {
-      if (crosses(triangulation, h, side.item)) visit(mesh::face(is_inside ? h : mesh.twin(h)));
+      if (is_crossing) visit(mesh::face(is_inside ? h : mesh.twin(h)));
       if (h != came && triangulation.uses().contains(mesh.label(h), slot)) {
         on = h;
         is_on_inside = is_inside;
       }
       h = mesh.next_around(h);
-      is_inside ^= crosses(triangulation, h, side.item);
+      is_crossing = crosses(triangulation, h, side.item);
+      is_inside ^= is_crossing;
     } while (h != start);
     came = mesh.twin(on);
     h = mesh::next(on);

@@ -21,7 +21,6 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   take_out(changes.gone);
   find_groups(mesh, changes.made);
   drop_removed(triangulation, changes);
-  find_contacts(mesh);
   find_parts(mesh);
   label_parts(mesh);
   cover_new_groups(triangulation, changes);
@@ -52,26 +51,40 @@ void Components::make_room(const mesh::TriangleMesh& mesh) {
 
 /// The changed faces leave their components. One without faces is none.
 void Components::take_out(std::span<const Face> gone) {
-  for (const Face f : gone) {
-    const Label label = labels_[number(f)];
-    if (label == kNone) continue;
-    write_label(f, kNone);
-    Record record = records_[label];
-    --record.size;
+  Label label = kNone;
+  Record record;
+  const auto write = [&] {
+    if (label == kNone) return;
     write_record(label, record);
     if (record.size == 0) free_record(label);
+  };
+  for (const Face f : gone) {
+    const Label own = labels_[number(f)];
+    if (own == kNone) continue;
+    write_label(f, kNone);
+    if (own != label) {
+      write();
+      label = own;
+      record = records_[own];
+    }
+    --record.size;
   }
+  write();
 }
 
+/// The groups, and the old faces at their borders. A way that is free now was free before, so each part of an old
+/// component that lost a face has one.
 void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   groups_.clear();
   group_sets_.clear();
   faces_.clear();
+  contacts_.clear();
   const std::uint32_t no_group = next_mark_++;
   group_mark_ = next_mark_;
   for (const Face f : made) marks_[number(f)] = no_group;
   for (const Face f : made) {
     if (marks_[number(f)] != no_group) continue;
+    const auto group = static_cast<std::uint32_t>(groups_.size());
     const auto begin = static_cast<std::uint32_t>(faces_.size());
     const std::uint32_t mark = next_mark_++;
     marks_[number(f)] = mark;
@@ -79,30 +92,18 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t side = 0; side < 3; ++side) {
         const HalfEdge h{3 * number(faces_[i]) + side};
-        const Face other = mesh::face(mesh.twin(h));
-        if (mesh.is_fixed(h) || marks_[number(other)] != no_group) continue;
-        marks_[number(other)] = mark;
-        faces_.push_back(other);
-      }
-    }
-    group_sets_.push_back(static_cast<std::uint32_t>(groups_.size()));
-    groups_.push_back({begin, static_cast<std::uint32_t>(faces_.size())});
-  }
-}
-
-/// The old faces at the groups' borders. A way that is free now was free before, so each part of an old component that
-/// lost a face has one.
-void Components::find_contacts(const mesh::TriangleMesh& mesh) {
-  contacts_.clear();
-  for (std::uint32_t group = 0; group < groups_.size(); ++group) {
-    for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
-      for (std::uint32_t side = 0; side < 3; ++side) {
-        const HalfEdge h{3 * number(faces_[i]) + side};
         if (mesh.is_fixed(h)) continue;
         const Face other = mesh::face(mesh.twin(h));
-        if (labels_[number(other)] != kNone) contacts_.push_back({labels_[number(other)], group, other});
+        if (labels_[number(other)] != kNone) {
+          contacts_.push_back({labels_[number(other)], group, other});
+        } else if (marks_[number(other)] == no_group) {
+          marks_[number(other)] = mark;
+          faces_.push_back(other);
+        }
       }
     }
+    group_sets_.push_back(group);
+    groups_.push_back({begin, static_cast<std::uint32_t>(faces_.size())});
   }
   std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
     return a.component != b.component ? a.component < b.component : a.group < b.group;

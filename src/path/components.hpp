@@ -109,7 +109,6 @@ class Components {
   void make_room(const mesh::TriangleMesh& mesh);
   void take_out(std::span<const mesh::Face> gone);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
-  void find_contacts(const mesh::TriangleMesh& mesh);
   void find_parts(const mesh::TriangleMesh& mesh);
   void part(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
   void start_searches(std::span<const Contact> contacts);

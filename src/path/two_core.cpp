@@ -27,7 +27,7 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   loose_.assign(made.begin(), made.end());
   const bool hangs_on_one = around.trees == 1 && !around.has_core && !around.had_top;
   if (hangs_on_one) peel(mesh);
-  climb_trees(mesh, made);
+  if (around.trees > 0) climb_trees(mesh, made);
   peel(mesh);
   for (const Face f : made) states_[number(f)] = static_cast<State>(states_[number(f)] & ~kNew);
 }
