@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/path_scene_check.hpp"
+#include "support/random_path_cases.hpp"
+#include "support/random_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+constexpr std::uint64_t kScenes = 60;
+constexpr std::size_t kQueries = 8;
+
+/// A movement of the plane, or its reflection or scaling, that doubles carry out exactly.
+using Movement = Point (*)(const Point&);
+
+Point stay(const Point& p) { return p; }
+Point mirror(const Point& p) { return {-p.x, p.y}; }
+Point turn_by_90(const Point& p) { return {-p.y, p.x}; }
+Point turn_by_180(const Point& p) { return {-p.x, -p.y}; }
+Point turn_by_270(const Point& p) { return {p.y, -p.x}; }
+constexpr double kScale = 0x1p-3;
+Point shrink(const Point& p) { return {kScale * p.x, kScale * p.y}; }
+
+Box moved(const Box& box, Movement move) {
+  const Point a = move(box.min);
+  const Point b = move(box.max);
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+World moved_world(const Scene& scene, Movement move) {
+  World world = World::create(moved(scene.domain, move)).value();
+  for (Item item : scene.items) {
+    for (std::vector<Point>& ring : item.shape.rings) {
+      std::transform(ring.begin(), ring.end(), ring.begin(), move);
+    }
+    world.insert(item.shape, item.id).value();
+  }
+  return world;
+}
+
+Path find(const World& world, const Ends& ends, PathAlgorithm algorithm, Movement move) {
+  return world.find_path({move(ends.start), move(ends.goal), 0.0, algorithm}).value();
+}
+
+/// By how much equal lengths may differ in doubles: by the rounding of sums and of the corners' coordinates.
+double tolerance(const Path& path) {
+  double largest = 0.0;
+  for (const Point& p : path.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  return 1e-9 * path.length + 0x1p-50 * largest;
+}
+
+/// What comes of swapping the ends.
+PathStatus seen_from_goal(PathStatus status) {
+  if (status == PathStatus::start_blocked) return PathStatus::goal_blocked;
+  if (status == PathStatus::goal_blocked) return PathStatus::start_blocked;
+  return status;
+}
+
+/// A path is found in the moved scene when one is in the scene. The shortest is as long: not bit for bit, for of two
+/// that are equally long another may be found, and a sum may be rounded otherwise. Of the others only the former is
+/// promised: which diagonal a tie has depends on the axes, and which channel is found first on the diagonals.
+/// Returns the number of paths found.
+std::size_t expect_alike(const PathCase& path_case) {
+  const World world = moved_world(path_case.scene, stay);
+  std::size_t found = 0;
+  for (const Movement move : {mirror, turn_by_90, turn_by_180, turn_by_270}) {
+    const World other_world = moved_world(path_case.scene, move);
+    EXPECT_EQ(other_world.vertex_count(), world.vertex_count());
+    for (const Ends& ends : path_case.queries) {
+      const Path path = find(world, ends, PathAlgorithm::optimal, stay);
+      for (const PathAlgorithm algorithm : kPathAlgorithms) {
+        EXPECT_EQ(find(other_world, ends, algorithm, move).status, path.status);
+      }
+      EXPECT_NEAR(find(other_world, ends, PathAlgorithm::optimal, move).length, path.length, tolerance(path));
+      if (path.points.size() > 2) ++found;
+    }
+  }
+  return found;
+}
+
+void expect_as_long_the_other_way(const PathCase& path_case) {
+  const World world = moved_world(path_case.scene, stay);
+  for (const Ends& ends : path_case.queries) {
+    const Path path = find(world, ends, PathAlgorithm::optimal, stay);
+    for (const PathAlgorithm algorithm : kPathAlgorithms) {
+      const Path back = find(world, {ends.goal, ends.start}, algorithm, stay);
+      // Where both ends are blocked, the start is.
+      if (path.status != PathStatus::start_blocked || back.status != PathStatus::start_blocked) {
+        EXPECT_EQ(back.status, seen_from_goal(path.status));
+      }
+      if (algorithm == PathAlgorithm::optimal) {
+        EXPECT_NEAR(back.length, path.length, tolerance(path));
+      }
+    }
+  }
+}
+
+/// Nothing that is computed is rounded otherwise when all coordinates are scaled by a power of two. So everything is
+/// the same, bit for bit, of all algorithms.
+void expect_scaled(const PathCase& path_case) {
+  const World world = moved_world(path_case.scene, stay);
+  const World small_world = moved_world(path_case.scene, shrink);
+  for (const Ends& ends : path_case.queries) {
+    for (const PathAlgorithm algorithm : kPathAlgorithms) {
+      const Path path = find(world, ends, algorithm, stay);
+      const Path small = find(small_world, ends, algorithm, shrink);
+      std::vector<Point> points = path.points;
+      std::transform(points.begin(), points.end(), points.begin(), shrink);
+      EXPECT_EQ(small.status, path.status);
+      EXPECT_EQ(small.points, points);
+      EXPECT_EQ(small.length, kScale * path.length);
+      EXPECT_EQ(small.lower_bound, kScale * path.lower_bound);
+      EXPECT_EQ(small.expansions, path.expansions);
+    }
+  }
+}
+
+class PathSymmetryAmongObstacles : public ::testing::TestWithParam<Obstacles> {};
+
+TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndTheWayBack) {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    const PathCase path_case = random_path_case(GetParam(), seed, kQueries);
+    found += expect_alike(path_case);
+    expect_as_long_the_other_way(path_case);
+    expect_scaled(path_case);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+  }
+  EXPECT_GT(found, kScenes);  // with turns
+}
+
+INSTANTIATE_TEST_SUITE_P(Obstacles, PathSymmetryAmongObstacles, ::testing::ValuesIn(kObstacles),
+                         [](const auto& obstacles) { return std::string(to_string(obstacles.param)); });
+
+class PathSymmetryInRandomScenes : public ::testing::TestWithParam<Flavour> {};
+
+TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndTheWayBack) {
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
+    expect_alike(path_case);
+    expect_as_long_the_other_way(path_case);
+    if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its least coordinates are the least there may be
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Flavours, PathSymmetryInRandomScenes, ::testing::ValuesIn(kFlavours),
+                         [](const auto& flavour) { return std::string(to_string(flavour.param)); });
+
+}  // namespace
+}  // namespace waywright::test
