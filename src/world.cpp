@@ -162,6 +162,21 @@ locate::Crew crew_of(const BulkOptions& options, std::size_t total) {
           }};
 }
 
+/// The shape of a live item. Uses `outline` for its memory.
+Shape shape_of(const constraint::ExactTriangulation& triangulation, ItemId id, constraint::Outline& outline) {
+  const std::uint32_t slot = triangulation.items().slot(id);
+  triangulation.items().outline(slot, outline);
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  Shape shape{triangulation.items().item(slot).kind, {}};
+  std::size_t i = 0;
+  for (const std::uint32_t end : outline.ring_ends) {
+    std::vector<Point>& ring = shape.rings.emplace_back();
+    for (; i < end; ++i) ring.push_back(geometry.nearest(number(outline.corners[i])));
+  }
+  if (shape.kind == ItemKind::segment && shape.rings[0].size() == 1) shape.rings[0].push_back(shape.rings[0][0]);
+  return shape;
+}
+
 Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
   return {kind, {std::vector<Point>(points.begin(), points.end())}};
 }
@@ -304,20 +319,17 @@ std::size_t World::item_count() const { return impl_->triangulation.items().size
 std::vector<ItemId> World::item_ids() const { return impl_->triangulation.items().ids(); }
 
 Result<Shape> World::shape(ItemId id) const {
-  const constraint::ItemTable& items = impl_->triangulation.items();
-  if (!items.contains(id)) return unknown_id(id);
-  const std::uint32_t slot = items.slot(id);
+  if (!contains(id)) return unknown_id(id);
   constraint::Outline outline;
-  items.outline(slot, outline);
-  const auto& geometry = impl_->triangulation.triangulation().geometry();
-  Shape shape{items.item(slot).kind, {}};
-  std::size_t i = 0;
-  for (const std::uint32_t end : outline.ring_ends) {
-    std::vector<Point>& ring = shape.rings.emplace_back();
-    for (; i < end; ++i) ring.push_back(geometry.nearest(number(outline.corners[i])));
-  }
-  if (shape.kind == ItemKind::segment && shape.rings[0].size() == 1) shape.rings[0].push_back(shape.rings[0][0]);
-  return shape;
+  return shape_of(impl_->triangulation, id, outline);
+}
+
+std::vector<Item> World::items() const {
+  std::vector<Item> items;
+  items.reserve(item_count());
+  constraint::Outline outline;
+  for (const ItemId id : item_ids()) items.push_back({id, shape_of(impl_->triangulation, id, outline)});
+  return items;
 }
 
 std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }

@@ -205,6 +205,17 @@ TEST(Shapes, CentroidIsTheCentreOfArea) {
   EXPECT_DOUBLE_EQ(centre.y, 2.0);
 }
 
+// A square of side 2 and half another beside it, whichever way the ring runs around them.
+TEST(Shapes, CentroidIsTheSameOfARingTurnedRound) {
+  std::vector<Point> ring = {{0, 0}, {4, 0}, {2, 2}, {0, 2}};
+  for (int way = 0; way < 2; ++way) {
+    const Point centre = centroid({ItemKind::polygon, {ring}});
+    EXPECT_DOUBLE_EQ(centre.x, (4 * 1.0 + 2 * (2 + 2 / 3.0)) / 6);
+    EXPECT_DOUBLE_EQ(centre.y, (4 * 1.0 + 2 * (2 / 3.0)) / 6);
+    std::reverse(ring.begin(), ring.end());
+  }
+}
+
 TEST(Shapes, TranslatedMovesEveryPoint) {
   EXPECT_EQ(translated(rectangle(0, 0, 1, 1), 2, -3), rectangle(2, -3, 3, -2));
 }

@@ -172,6 +172,11 @@ class World {
   /// Cost: linear in its points.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
 
+  /// All live items, ascending by id, as shape() gives them. Another world over the same domain that is given them (by
+  /// insert_all) is the same in all but the ids that it hands out, which count on from the largest each has seen.
+  /// Cost: O(n log n), and their points.
+  [[nodiscard]] std::vector<Item> items() const;
+
   /// The vertices of the mesh: the domain's corners, the items', and the crossings. Cost: O(1).
   [[nodiscard]] std::size_t vertex_count() const;
   /// The triangles of the mesh. Cost: linear in the vertices on the domain's border.

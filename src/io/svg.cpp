@@ -77,10 +77,7 @@ void sort_item(Item item, Things& things) {
 
 Things things_of(const World& world) {
   Things things;
-  for (const ItemId id : world.item_ids()) {
-    Result<Shape> shape = world.shape(id);
-    if (shape.ok()) sort_item({id, std::move(*shape)}, things);
-  }
+  for (Item& item : world.items()) sort_item(std::move(item), things);
   return things;
 }
 

@@ -129,7 +129,11 @@ class ChangesCheck {
     for (const Item& item : items) {
       if (!fresh->insert(item.shape, item.id)) return "a fresh world refuses " + name_of(item.id);
     }
-    return find_difference(world, dump, *fresh);
+    if (const Fault fault = find_difference(world, dump, *fresh)) return fault;
+    Result<World> copy = World::create(script_.domain);
+    if (!copy || !copy->insert_all(world.items())) return "another world refuses the items";
+    if (const Fault fault = find_difference(world, dump, *copy)) return "given its items: " + *fault;
+    return std::nullopt;
   }
 
   static Fault find_difference(const World& world, std::string_view dump, const World& fresh) {
