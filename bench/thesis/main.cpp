@@ -3,6 +3,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include <benchmark/benchmark.h>
 
 #include "thesis/registers.hpp"
@@ -12,6 +16,16 @@ namespace {
 
 constexpr std::size_t kThesisTrials = 1'000'000;
 constexpr std::size_t kScenes = 1000;
+
+/// Has what is freed stay with the process. Else a mesh would go back to the system and be asked for again, page by
+/// page, by the run that is timed; whether it does depends on the sizes of others' tables.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int kMost = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kMost);
+  mallopt(M_TRIM_THRESHOLD, kMost);
+#endif
+}
 
 // Benchmarks are named WORKLOAD/SIZE/CONTENDER.
 int run_benchmarks(int argc, char** argv) {
@@ -42,5 +56,6 @@ int main(int argc, char** argv) {
     waywright::bench::print_evaluations_table();
     return 0;
   }
+  keep_freed_memory();
   return run_benchmarks(argc, argv);
 }
