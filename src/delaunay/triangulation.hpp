@@ -170,6 +170,8 @@ class Triangulation {
   /// apex.
   void legalise_around_apex();
   [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;
+  /// Not inlined, so that is_legal, which few such ties come to, keeps what it looks at in registers.
+  [[nodiscard, gnu::noinline]] bool is_legal_on_circle(mesh::HalfEdge h) const;
   void remember(mesh::HalfEdge h);
   [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
   void divide_sector(const Point& point);

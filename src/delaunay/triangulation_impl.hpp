@@ -207,20 +207,23 @@ bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
 }
 
 //        c
-//      /   \         The edge a - b is legal when d lies outside the circle through a, b and c. On the circle, it is
-//    a ----- b       when the first of the four is a or b.
+//      /   \         The edge a - b is legal when d lies outside the circle through a, b and c.
+//    a ----- b
 //      \   /
 //        d
 template <class Geometry>
 bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h, const View& c) const {
   const mesh::HalfEdge t = mesh_.twin(h);
-  const View a = view(mesh_.origin(h));
-  const View b = view(mesh_.origin(t));
-  const View d = view(mesh_.apex(t));
-  const exact::Sign sign = geometry_.in_circle(a, b, c, d);
-  if (sign != exact::Sign::zero) return sign == exact::Sign::negative;
-  const auto first_of = [&](const View& p, const View& q) { return geometry_.order(p, q) < 0 ? p : q; };
-  return geometry_.order(first_of(a, b), first_of(c, d)) < 0;
+  const exact::Sign sign = geometry_.in_circle(view(mesh_.origin(h)), view(mesh_.origin(t)), c, view(mesh_.apex(t)));
+  return sign == exact::Sign::zero ? is_legal_on_circle(h) : sign == exact::Sign::negative;
+}
+
+// When all four lie on a circle, the edge is legal when the first of them is a or b.
+template <class Geometry>
+bool Triangulation<Geometry>::is_legal_on_circle(mesh::HalfEdge h) const {
+  const mesh::HalfEdge t = mesh_.twin(h);
+  const auto first_of = [&](mesh::Vertex p, mesh::Vertex q) { return comes_before(p, q) ? p : q; };
+  return comes_before(first_of(mesh_.origin(h), mesh_.origin(t)), first_of(mesh_.apex(h), mesh_.apex(t)));
 }
 
 template <class Geometry>

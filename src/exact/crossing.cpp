@@ -110,17 +110,6 @@ std::string to_fraction(Integer numerator, Integer denominator, int exponent) {
 
 }  // namespace
 
-namespace by_construction {
-
-std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
-  const auto& [a, b, c, d] = crossing;
-  if (a.x == b.x && c.y == d.y) return RoundedCrossing{{a.x, c.y}, true};
-  if (a.y == b.y && c.x == d.x) return RoundedCrossing{{c.x, a.y}, true};
-  return std::nullopt;
-}
-
-}  // namespace by_construction
-
 namespace doubles {
 
 namespace {
@@ -208,11 +197,7 @@ RoundedCrossing round_to_nearest(const Crossing& crossing) {
 
 }  // namespace integers
 
-RoundedCrossing round_to_nearest(const Crossing& crossing) {
-  if (const auto rounded = by_construction::round_to_nearest(crossing)) {
-    ++counts.crossing.doubles;
-    return *rounded;
-  }
+RoundedCrossing detail::round_other_to_nearest(const Crossing& crossing) {
   if (const auto rounded = doubles::round_to_nearest(crossing)) {
     ++counts.crossing.doubles;
     return *rounded;

@@ -68,6 +68,30 @@ template <class Place>
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
+/// The in-circle determinant, and what it is made of: the points as seen from the last, and the squares of their
+/// distances. In plain numbers, not points, which compilers would put together again and take apart.
+struct CircleTerms {
+  double adx, ady, bdx, bdy, cdx, cdy;
+  double a_lift, b_lift, c_lift;
+  double determinant;
+};
+
+template <class Place>
+[[nodiscard]] CircleTerms circle_terms(const Place& a, const Place& b, const Place& c, const Place& d) {
+  const double adx = a.x - d.x;
+  const double ady = a.y - d.y;
+  const double bdx = b.x - d.x;
+  const double bdy = b.y - d.y;
+  const double cdx = c.x - d.x;
+  const double cdy = c.y - d.y;
+  const double a_lift = adx * adx + ady * ady;
+  const double b_lift = bdx * bdx + bdy * bdy;
+  const double c_lift = cdx * cdx + cdy * cdy;
+  const double determinant =
+      a_lift * (bdx * cdy - cdx * bdy) + b_lift * (cdx * ady - adx * cdy) + c_lift * (adx * bdy - bdx * ady);
+  return {adx, ady, bdx, bdy, cdx, cdy, a_lift, b_lift, c_lift, determinant};
+}
+
 /// What the orientation's determinant of any points in the box is never off by.
 [[nodiscard]] inline double largest_orientation_error(const Box& box) {
   const double width = box.max.x - box.min.x;
@@ -112,21 +136,11 @@ template <class Place>
 
 template <class Place>
 [[nodiscard]] Sign in_circle(const Place& a, const Place& b, const Place& c, const Place& d) {
-  const double adx = a.x - d.x;
-  const double ady = a.y - d.y;
-  const double bdx = b.x - d.x;
-  const double bdy = b.y - d.y;
-  const double cdx = c.x - d.x;
-  const double cdy = c.y - d.y;
-  const double a_lift = adx * adx + ady * ady;
-  const double b_lift = bdx * bdx + bdy * bdy;
-  const double c_lift = cdx * cdx + cdy * cdy;
-  const double determinant =
-      a_lift * (bdx * cdy - cdx * bdy) + b_lift * (cdx * ady - adx * cdy) + c_lift * (adx * bdy - bdx * ady);
-  const double squares = a_lift + b_lift + c_lift;
+  const CircleTerms terms = circle_terms(a, b, c, d);
+  const double squares = terms.a_lift + terms.b_lift + terms.c_lift;
   const double place = d.x * d.x + d.y * d.y;
   const double error = squares * (kInCircleBySquares * squares + kInCircleByPlace * place) + kUnderflow;
-  return sign_beyond(determinant, error);
+  return sign_beyond(terms.determinant, error);
 }
 
 }  // namespace coarse
@@ -174,17 +188,7 @@ inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
 
 [[nodiscard]] inline std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                                    const ExactPoint& d) {
-  const double adx = a.x - d.x;
-  const double ady = a.y - d.y;
-  const double bdx = b.x - d.x;
-  const double bdy = b.y - d.y;
-  const double cdx = c.x - d.x;
-  const double cdy = c.y - d.y;
-  const double a_lift = adx * adx + ady * ady;
-  const double b_lift = bdx * bdx + bdy * bdy;
-  const double c_lift = cdx * cdx + cdy * cdy;
-  const double determinant =
-      a_lift * (bdx * cdy - cdx * bdy) + b_lift * (cdx * ady - adx * cdy) + c_lift * (adx * bdy - bdx * ady);
+  const auto [adx, ady, bdx, bdy, cdx, cdy, a_lift, b_lift, c_lift, determinant] = circle_terms(a, b, c, d);
   const double permanent = a_lift * (std::abs(bdx * cdy) + std::abs(cdx * bdy)) +
                            b_lift * (std::abs(cdx * ady) + std::abs(adx * cdy)) +
                            c_lift * (std::abs(adx * bdy) + std::abs(bdx * ady));

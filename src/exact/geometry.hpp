@@ -82,7 +82,7 @@ class Geometry {
     return finer_in_circle(copy(a), copy(b), copy(c), copy(d));
   }
   [[nodiscard]] std::strong_ordering order(const View& p, const View& q) const {
-    if (p.x == q.x && !(is_explicit(p.vertex) && is_explicit(q.vertex))) return finer_order(copy(p), copy(q));
+    if (p.x == q.x && !crossing_of_.empty()) return finer_order(copy(p), copy(q));
     ++counts.order.doubles;
     return filter::order(p, q);
   }
@@ -112,6 +112,7 @@ class Geometry {
   [[nodiscard]] std::uint32_t crossing_of(std::uint32_t vertex) const {
     return vertex < crossing_of_.size() ? crossing_of_[vertex] : kExplicit;
   }
+  [[nodiscard]] bool is_explicit(const View& view) const { return is_explicit(view.vertex); }
   void log(std::uint32_t vertex) { log_.push_back({places_[vertex], vertex, crossing_of(vertex)}); }
   [[nodiscard]] ExactPoint exact(const View& view) const;
   [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);

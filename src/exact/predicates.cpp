@@ -30,11 +30,6 @@ Sign finer_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoin
 }
 
 Sign finer_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
-  const bool are_explicit = a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit();
-  if (are_explicit && filter::is_rectangle(a, b, c, d)) {
-    ++counts.in_circle.doubles;
-    return Sign::zero;
-  }
   if (const auto sign = lattice::whole_in_circle(a, b, c, d)) {
     ++counts.in_circle.lattice;
     return *sign;

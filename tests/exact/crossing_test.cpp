@@ -1,7 +1,11 @@
 #include "exact/crossing.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -114,6 +118,37 @@ TEST(Fractions, AreReduced) {
   EXPECT_EQ(exact::to_fractions(exact::ExactPoint{1.5, 0.5, &halves}), "3 2 1 2");
   const exact::Crossing sevenths{{0, 0}, {7, 1}, {1, -1}, {1, 4}};
   EXPECT_EQ(exact::to_fractions(exact::ExactPoint{1.0, 1.0 / 7, &sevenths}), "1 1 1 7");
+}
+
+// A wall from (0, 0) to (1, 3) crosses that at y = 1 at x = 1/3, which as a double is a little less. With the corner
+// there, the rectangle right of that is one in doubles only.
+TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
+  const double rounded = 1.0 / 3.0;
+  ASSERT_LT(Rational(rounded), Rational(1) / 3);
+  exact::Geometry geometry(Box{{0, 0}, {8, 8}});
+  std::uint32_t count = 0;
+  const auto add = [&](double x, double y) {
+    geometry.place(count, {x, y});
+    return count++;
+  };
+  const std::array<std::uint32_t, 5> corners = {add(rounded, 0), add(1, 0), add(1, 1), add(rounded, 1),
+                                                add(rounded, 0.5)};
+  const auto view = [&](std::size_t i) { return geometry.view(corners[i]); };
+  EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), view(3)), exact::Sign::zero);
+  EXPECT_EQ(geometry.order(view(3), view(4)), std::strong_ordering::greater);
+
+  const std::array<std::uint32_t, 4> ends = {add(0, 0), add(1, 3), add(0, 1), add(8, 1)};
+  const std::uint32_t made = count++;
+  geometry.place_crossing(made, ends[0], ends[1], ends[2], ends[3]);
+  const exact::Geometry::View crossing = geometry.view(made);
+  ASSERT_FALSE(geometry.is_explicit(made));
+  ASSERT_EQ(crossing.x, rounded);
+  EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), crossing), exact::Sign::positive) << "a little inside";
+  EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), view(3)), exact::Sign::zero) << "as before";
+  EXPECT_EQ(geometry.order(crossing, view(3)), std::strong_ordering::greater);
+  EXPECT_EQ(geometry.order(crossing, geometry.view(Point{rounded, 2})), std::strong_ordering::greater) << "by x";
+  const std::uint32_t above = add(rounded, 2);
+  EXPECT_EQ(geometry.order(geometry.view(above), geometry.view(corners[3])), std::strong_ordering::greater);
 }
 
 TEST(Geometry, CrossingsThatAreDoublesBecomeExplicit) {
