@@ -242,13 +242,21 @@ std::string dot_sample() {
   return out + ">" + circle({14.0, 8.0}, 3.2) + "</g>";
 }
 
+/// Each path with its length; of more than there are colours, how many.
 void add_path_entries(std::vector<LegendEntry>& entries, const std::vector<Path>& paths) {
-  const auto drawn = [](const Path& path) { return !path.points.empty(); };
-  const auto count = static_cast<std::size_t>(std::count_if(paths.begin(), paths.end(), drawn));
+  std::vector<LegendEntry> one_each;
+  std::size_t count = 0;
+  for (const Path& path : paths) {
+    if (path.points.empty()) continue;
+    const std::string_view colour = kPathColours[count++ % kPathColours.size()];
+    one_each.push_back({line_sample(colour, 4.5), "path, length " + rounded(path.length)});
+  }
   if (count == 0) return;
-  const Path& first = *std::find_if(paths.begin(), paths.end(), drawn);
-  const std::string label = count == 1 ? "path, length " + rounded(first.length) : counted(count, "path", "paths");
-  entries.push_back({line_sample(kPathColours[0], 4.5), label});
+  if (count <= kPathColours.size()) {
+    entries.insert(entries.end(), one_each.begin(), one_each.end());
+  } else {
+    entries.push_back({line_sample(kPathColours[0], 4.5), counted(count, "path", "paths")});
+  }
   entries.push_back({start_marker({14.0, 8.0}, 7.0), "start"});
   entries.push_back({goal_marker({14.0, 8.0}, 6.5, kPathColours[0]), "goal"});
 }

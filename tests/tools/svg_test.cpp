@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -169,6 +170,20 @@ TEST(ToSvg, TakesPathsThatLeaveThePicture) {
   for (const double number : drawn["numbers"]) EXPECT_LE(std::abs(number), 1e7);
 }
 
+TEST(ToSvg, CountsPathsWhereThereAreMoreThanColours) {
+  const World world = make_world({{0, 0}, {1, 1}});
+  Path path;
+  path.status = PathStatus::found;
+  path.length = 1.0;
+  path.points = {{0, 0}, {0, 1}};
+  const std::string four = to_svg(world, std::vector<Path>(4, path), {});
+  EXPECT_THAT(four, ::testing::HasSubstr("path, length 1<"));
+  EXPECT_THAT(four, ::testing::Not(::testing::HasSubstr("paths<")));
+  const std::string five = to_svg(world, std::vector<Path>(5, path), {});
+  EXPECT_THAT(five, ::testing::HasSubstr("5 paths<"));
+  EXPECT_THAT(five, ::testing::Not(::testing::HasSubstr("path, length")));
+}
+
 TEST(SvgFile, OfARunShowsTheFinalWorldAndThePathsFoundInIt) {
   const TemporaryFolder folder;
   const std::string picture = folder.file("world.svg");
@@ -181,6 +196,8 @@ TEST(SvgFile, OfARunShowsTheFinalWorldAndThePathsFoundInIt) {
   ASSERT_TRUE(drawn.is_object()) << drawn;
   EXPECT_EQ(drawn["groups"]["walls"], 1);
   EXPECT_EQ(drawn["groups"]["paths"], 2);
+  EXPECT_THAT(read_file(picture), ::testing::HasSubstr("path, length 8.4853"));  // 6 sqrt(2)
+  EXPECT_THAT(read_file(picture), ::testing::HasSubstr("path, length 1.4142"));
   EXPECT_EQ(drawn["title"], "standard input");
   EXPECT_GT(drawn["mesh"], 0);
 }
