@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,49 @@ TEST(PathCommand, NoPathIsAnAnswer) {
   EXPECT_EQ(json_lines(run_command(arguments(map, {"2", "2"}, {"4", "8"})).out).at(0).at("reason"), "start-blocked");
   EXPECT_EQ(json_lines(run_command(arguments(map, {"4", "8"}, {"2", "2"})).out).at(0).at("reason"), "goal-blocked");
 }
+
+class PathCommandBy : public ::testing::TestWithParam<std::string> {};
+
+/// Expects the answer's length, and a piece from each of the points to the next.
+void expect_path(const std::string& map, const std::vector<std::string>& from, const std::vector<std::string>& to,
+                 const std::string& algorithm, double length, const std::vector<double>& points) {
+  std::vector<std::string> all = arguments(map, from, to);
+  all.insert(all.end(), {"--algorithm", algorithm});
+  const auto lines = json_lines(run_command(all).out);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(lines[0].at("length").get<double>(), length, 1e-12);
+  const json& pieces = lines[0].at("pieces");
+  ASSERT_EQ(pieces.size() + 1, points.size() / 2);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto from_here = points.begin() + static_cast<std::ptrdiff_t>(2 * i);
+    EXPECT_EQ(pieces.at(i).at("line"), json(std::vector<double>(from_here, from_here + 4)));
+  }
+}
+
+// Over the block, from corner to corner, it is 5 + 2 + 5; under it 2 + 2 sqrt(109).
+TEST_P(PathCommandBy, GoesAroundTheNearerSide) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 20\npolygon 1 4 4 2 6 2 6 16 4 16\n");
+  expect_path(map, {"1", "12"}, {"9", "12"}, GetParam(), 12.0, {1, 12, 4, 16, 6, 16, 9, 12});
+}
+
+// The first wall stands on the border, so that every way leads around three of the ends.
+TEST_P(PathCommandBy, WindsAroundWallsThatCross) {
+  const TemporaryFolder folder;
+  const std::string map =
+      folder.file("map.wws", "waywright 1\ndomain 0 0 10 10\nsegment 1 4 0 4 7\nsegment 2 2 4 8 4\n");
+  expect_path(map, {"1", "1"}, {"7", "1"}, GetParam(), 2 * std::sqrt(10.0) + std::sqrt(13.0) + 5,
+              {1, 1, 2, 4, 4, 7, 8, 4, 7, 1});
+}
+
+TEST_P(PathCommandBy, GoesStraightWhereItCan) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 10\nsegment 1 4 5 4 7\npoint 2 5 4\n");
+  expect_path(map, {"1", "1"}, {"9", "7"}, GetParam(), 10.0, {1, 1, 9, 7});
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, PathCommandBy, ::testing::Values("optimal", "ta", "tra"),
+                         [](const auto& algorithm) { return algorithm.param; });
 
 TEST(PathCommand, ReadsMovingAiMaps) {
   const TemporaryFolder folder;
