@@ -93,6 +93,13 @@ TEST(PathSearch, EndsWhenTheWorldChanges) {
   while (!search.step(1).value()) {
   }
   EXPECT_EQ(search.path().status, PathStatus::found);
+
+  World filled = World::create({{0, 0}, {10, 10}}).value();
+  ASSERT_TRUE(search.begin(filled, query).ok());
+  filled.insert_all(std::vector<Item>{{{1}, {ItemKind::segment, {{{5, 0}, {5, 9}}}}}}).value();
+  const Result<bool> stepped_in_filled = search.step(1);
+  ASSERT_FALSE(stepped_in_filled.ok()) << "a world without items is made anew when it is filled";
+  EXPECT_EQ(stepped_in_filled.error().code, ErrorCode::world_changed);
 }
 
 TEST(PathSearch, RefusesWhatFindPathRefusesAndCanBeGivenUp) {
