@@ -15,6 +15,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   // In a large world, what a removal reads is asked for as soon as it is known where that is.
   for (const mesh::Vertex v : outline_.corners) {
     triangulation_.prefetch(v);
+    triangulation_.prefetch_faces_made_with(v);
     __builtin_prefetch(&corner_uses_[number(v)]);
   }
   const ItemHash::Words hash = hash_of(slot, outline_);
