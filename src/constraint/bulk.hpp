@@ -121,8 +121,11 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
     const std::uint32_t first_rank = ranks[corner];
     outline_.clear();
     for (const auto& ring : batch.rings(i)) {
-      for_each_corner(ring, kind == ItemKind::polygon,
-                      [&](const Point&) { add_corner(vertex_of(ranks[corner++]), slot); });
+      for_each_corner(ring, kind == ItemKind::polygon, [&](const Point&) {
+        const std::size_t ahead = corner + kCornersAhead;
+        if (ahead < ranks.size()) prefetch_corner_uses(vertex_of(ranks[ahead]));
+        add_corner(vertex_of(ranks[corner++]), slot);
+      });
       end_ring();
     }
     items_.set_outline(slot, outline_);

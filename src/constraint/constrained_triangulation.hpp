@@ -94,6 +94,7 @@ class ConstrainedTriangulation {
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
   static constexpr std::size_t kIdsAhead = 8;
+  static constexpr std::size_t kCornersAhead = 16;
   /// The first sides are the domain's.
   static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::of(0), UseLists::of(1), UseLists::of(2),
                                                              UseLists::of(3)};
@@ -109,6 +110,8 @@ class ConstrainedTriangulation {
   void begin_records();
   void roll_back();
   void set_corner_uses(mesh::Vertex v, Uses uses);
+  /// Has the memory fetched that add_corner(v, …) writes.
+  void prefetch_corner_uses(mesh::Vertex v) const { __builtin_prefetch(&corner_uses_[number(v)], 1); }
   void grow_corner_uses();
 
   /// Gives the domain its record, of corners of these ranks.

@@ -17,6 +17,7 @@ constexpr int kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 constexpr int kLowestBit = 64 - 3 * kDigitBits;
 constexpr std::size_t kWorthwhile = 1024;
+constexpr std::size_t kAhead = 16;
 
 /// A stable sort by the digit that starts at `bit`. Each thread counts and moves a part of its own; its entries of a
 /// digit come after those of the threads before it.
@@ -103,6 +104,11 @@ SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, con
   crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     std::size_t next = distinct[t];
     for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < end) {
+        const std::uint32_t ahead = entries[i + kAhead].given;
+        __builtin_prefetch(&points[ahead]);
+        __builtin_prefetch(&sorted.ranks[ahead], 1);
+      }
       if (is_new(i)) {
         sorted.points[next] = points[entries[i].given];
         sorted.keys[next] = entries[i].key;
