@@ -112,5 +112,32 @@ TEST_P(MemoryFailure, AnywhereInAnOperationChangesNothing) {
   }
 }
 
+// What a dump doesn't tell is as it was too: which id is given next, and that there are polygons at all.
+TEST(MemoryFailureOf, AnInsertionGivesItsIdToTheNext) {
+  const std::vector<Change> insertion = {{Change::Kind::insert, {1000}, {ItemKind::point, {{{3, 4}}}}}};
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = World::create({{0, 0}, {10, 10}}).value();
+    ASSERT_EQ(world.insert_point({1, 1}).value(), ItemId{1});
+    std::size_t left = n;
+    if (apply_with_failure(world, insertion, left)) break;
+    EXPECT_EQ(world.insert_point({2, 7}).value(), ItemId{2}) << "after allocation " << n << " failed";
+  }
+  EXPECT_GT(failures, 3U);
+}
+
+TEST(MemoryFailureOf, ARemovalLeavesTheOnlyPolygonWhereItWas) {
+  const std::vector<Change> removal = {{Change::Kind::remove, {1}, {}}};
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
+    world.insert_polygon(std::vector<std::vector<Point>>{{{2, 2}, {6, 2}, {4, 6}}}, {1}).value();
+    std::size_t left = n;
+    if (apply_with_failure(world, removal, left)) break;
+    EXPECT_EQ(world.items_at({4, 3}).value(), std::vector<ItemId>{{1}}) << "after allocation " << n << " failed";
+  }
+  EXPECT_GT(failures, 0U);
+}
+
 }  // namespace
 }  // namespace waywright::test

@@ -61,6 +61,20 @@ TEST(MemoryGrowth, MillionInsertionsAndRemovalsOfMovingObstaclesLeaveNothingBehi
   EXPECT_LE(bytes_late, bytes_early) << "memory still grows";
 }
 
+// Where a crossing goes, the two pieces of the edge under several items become one, with one list.
+TEST(MemoryGrowth, AWallThatComesAndGoesAcrossSeveralLeavesNoListBehind) {
+  World world = World::create({{0, 0}, {100, 100}}).value();
+  for (std::uint64_t id = 1; id <= 3; ++id) world.insert_segment({10, 50}, {90, 50}, {id}).value();
+  std::size_t walls_early = 0;
+  for (int round = 0; round < 1000; ++round) {
+    world.insert_segment({50, 10}, {50, 90}, {9}).value();
+    world.remove({9}).value();
+    if (round == 10) walls_early = world.memory().walls;
+  }
+  EXPECT_EQ(world.memory().walls, walls_early);
+  EXPECT_TRUE(world.validate().ok);
+}
+
 TEST(MemoryGrowth, AWorldGivesEverythingBack) {
   const std::ptrdiff_t before = live_allocations();
   {

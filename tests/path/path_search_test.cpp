@@ -220,6 +220,7 @@ TEST(TaStar, BettersItsPathUntilItIsTheShortestOrTheBudgetIsSpent) {
         EXPECT_GE(path->length, shortest.length * (1 - 1e-12));
       }
       EXPECT_LE(second.length, first.length);
+      EXPECT_GE(second.lower_bound, first.lower_bound) << "what is proven stays so";
       EXPECT_LE(second.expansions, first.expansions + 40) << "hardly more than the budget";
       if (last.length < first.length) ++bettered;
       if (first.lower_bound == first.length) ++proven_first;

@@ -255,6 +255,19 @@ TEST(RunCommand, StopsAtTheFirstRefusalAndWritesNoFilesWhenStrict) {
   EXPECT_EQ(folder.file_count(), 0U);
 }
 
+// A path is drawn in the world it was found in: once that has changed, a picture shows the world alone.
+TEST(RunCommand, DrawsNoPathOfAWorldThatHasChangedSince) {
+  const TemporaryFolder folder;
+  const std::string world = kHead + "segment 1 2 5 8 5\nsegment 2 5 6 5 9\n";
+  const auto picture = [&](const std::string& script) {
+    EXPECT_EQ(run_script(script, {"--svg", folder.file("svg")}).status, 0);
+    return read_file(folder.file("svg"));
+  };
+  EXPECT_NE(picture(world + "path 5 1 5 4 0\n"), picture(world));
+  EXPECT_EQ(picture(world + "path 5 1 5 4 0\nremove 2\n"), picture(world + "remove 2\n"));
+  EXPECT_EQ(picture(world + "path 5 1 5 4 0\npoint 3 1 1\n"), picture(world + "point 3 1 1\n"));
+}
+
 TEST(RunCommand, ManyAnswersComeInOrder) {
   std::string script = kHead;
   for (int i = 0; i < 5000; ++i) script += "locate 5 2\n";
