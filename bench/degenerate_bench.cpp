@@ -27,7 +27,8 @@ Workload shuffled(Workload workload) {
   Random random(300);
   std::vector<Update>& updates = workload.updates;
   for (std::size_t i = updates.size(); i > 1; --i) std::swap(updates[i - 1], updates[random.below(i)]);
-  return workload;
+  // A copy's shapes lie in memory in the order in which they are read, as those of random points do.
+  return Workload(workload);
 }
 
 /// The lattice, every coordinate times `unit` as doubles have it.
