@@ -135,8 +135,9 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 //
 // So that need not be asked: where m lies beyond the base, the determinant's sign is turned about, and it is positive
 // for n in front, which lies outside m's circle, as it is where m lies in front and its circle holds n. For n beyond,
-// it is negative where m lies in front, and where neither does, either may be chosen. Only on one circle the two
-// differ.
+// it is negative where m lies in front, and where neither does, either may be chosen. Ties are those of lifts of which
+// one is lowered by an infinitesimal, and there the same is true. Its sign is that of the determinant but where n is
+// lowered: then n lies in every circle, also in m's, so it can't be that m lies beyond the base and n in front.
 //
 // No vertex in the circle can be hidden behind a side of the hole, for v lies in the circle and saw them all. Source:
 // Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*, 2011,
@@ -146,15 +147,9 @@ typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_ove
                                                                                   std::uint32_t to) const {
   const View& a = hole_places_[from];
   const View& b = hole_places_[to];
-  const auto gives_way = [&](const View& m, const View& n) {
-    const exact::Sign sign = geometry_.in_circle(a, m, b, n);
-    if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
-    return geometry_.orientation(a, m, b) != exact::Sign::positive ||
-           delaunay::tied_circle_holds(geometry_, a, m, b, n);
-  };
   std::uint32_t apex = from + 1;
   for (std::uint32_t i = apex + 1; i < to; ++i) {
-    if (gives_way(hole_places_[apex], hole_places_[i])) apex = i;
+    if (circle_holds(geometry_, a, hole_places_[apex], b, hole_places_[i])) apex = i;
   }
   return {from, apex, to};
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -20,9 +21,9 @@ struct Setting {
   std::vector<PathQuery> queries;
 };
 
-Setting random_setting(std::uint64_t seed) {
+Setting random_setting(std::uint64_t seed, const WorldOptions& options = {}) {
   const Scene scene = random_scene(Flavour::small, seed, 60);
-  Setting setting{World::create(scene.domain).value(), {}};
+  Setting setting{World::create(scene.domain, options).value(), {}};
   for (const Item& item : scene.items) EXPECT_TRUE(setting.world.insert(item.shape, item.id).ok());
   Random random(seed);
   for (int i = 0; i < 60; ++i) {
@@ -62,6 +63,36 @@ TEST(PathSearch, InSlicesAnswersAsInOneGo) {
     expect_equal(search.path(), setting.world.find_path(query).value());
   }
   EXPECT_GT(slices, 2 * setting.queries.size());
+}
+
+// Without components it takes a search to know that there is no way, and a walk to know what covers an end.
+TEST(PathSearch, FindsTheSameInAWorldThatKeepsNoAbstraction) {
+  std::map<PathStatus, std::size_t> counts;
+  for (std::uint64_t seed = 30; seed < 45; ++seed) {
+    const Setting kept = random_setting(seed);
+    const Setting bare = random_setting(seed, {.keep_abstraction = false});
+    std::vector<Point> goals;
+    for (const PathQuery& query : kept.queries) {
+      const Path path = bare.world.find_path(query).value();
+      const Path other = kept.world.find_path(query).value();
+      ASSERT_EQ(path.status, other.status);
+      ++counts[path.status];
+      goals.push_back(query.goal);
+      if (path.status != PathStatus::found) continue;
+      EXPECT_NEAR(path.length, other.length, 1e-12 * other.length);
+    }
+    const ManyGoalsQuery many{.start = kept.queries.front().start, .goals = goals};
+    const std::vector<Path> paths = bare.world.find_paths_from(many).value();
+    const std::vector<Path> others = kept.world.find_paths_from(many).value();
+    ASSERT_EQ(paths.size(), goals.size());
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+      ASSERT_EQ(paths[i].status, others[i].status);
+      if (paths[i].status != PathStatus::found) continue;
+      EXPECT_NEAR(paths[i].length, others[i].length, 1e-12 * others[i].length);
+    }
+  }
+  EXPECT_GT(counts[PathStatus::found], 100U);
+  EXPECT_GT(counts[PathStatus::no_path], 20U);
 }
 
 TEST(PathSearch, EndsWhenTheWorldChanges) {
