@@ -4,6 +4,7 @@
 #include <future>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "waywright/path_search.hpp"
@@ -98,9 +99,10 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
                                     std::vector<Path>& paths) const {
   if (auto error = find_point_error(domain(), query.start, 0, "the start")) return *std::move(error);
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
-    if (auto error = find_point_error(domain(), query.goals[i], i + 1, "goal " + std::to_string(i))) {
-      return *std::move(error);
-    }
+    const auto find_error = [&](std::string_view name) {
+      return find_point_error(domain(), query.goals[i], i + 1, name);
+    };
+    if (find_error("a goal")) return *find_error("goal " + std::to_string(i));
   }
   if (auto error = find_radius_error(query.radius)) return *std::move(error);
   context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);

@@ -110,8 +110,10 @@ class ConstrainedTriangulation {
   void begin_records();
   void roll_back();
   void set_corner_uses(mesh::Vertex v, Uses uses);
-  /// Has the memory fetched that add_corner(v, …) writes.
-  void prefetch_corner_uses(mesh::Vertex v) const { __builtin_prefetch(&corner_uses_[number(v)], 1); }
+  /// Has the memory fetched that tells which items have a corner at `v`.
+  [[gnu::always_inline]] void prefetch_corner_uses(mesh::Vertex v) const {
+    __builtin_prefetch(&corner_uses_[number(v)], 1);
+  }
   void grow_corner_uses();
 
   /// Gives the domain its record, of corners of these ranks.

@@ -16,7 +16,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   for (const mesh::Vertex v : outline_.corners) {
     triangulation_.prefetch(v);
     triangulation_.prefetch_faces_made_with(v);
-    __builtin_prefetch(&corner_uses_[number(v)]);
+    prefetch_corner_uses(v);
   }
   const ItemHash::Words hash = hash_of(slot, outline_);
   for (const mesh::Vertex v : outline_.corners) triangulation_.prefetch_star(v);
