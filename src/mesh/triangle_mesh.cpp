@@ -15,11 +15,6 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 
 }  // namespace
 
-void LabelPages::add_page(std::size_t index) {
-  pages_[index] = std::make_unique<Page>();
-  ++page_count_;
-}
-
 TriangleMesh::TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count)
     : corners_(std::move(corners)), outgoing_(vertex_count) {
   labels_.cover(corners_.size());
@@ -75,7 +70,7 @@ void TriangleMesh::save(Face f) {
   const auto corners = corners_.begin() + number(a);
   if (((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0) [[unlikely]] {
     for (const HalfEdge h : {a, next(a), previous(a)}) {
-      if (is_fixed(h)) log(ChangeKind::rebuild_label, number(h), labels_.read(h));
+      if (is_fixed(h)) log(ChangeKind::rebuild_label, number(h), labels_[number(h)]);
     }
   }
   saved_faces_.push_back({corners[0], corners[1], corners[2]});
@@ -112,15 +107,15 @@ void TriangleMesh::set_label(HalfEdge h, Label new_label) {
 }
 
 void TriangleMesh::make_room_for_label(HalfEdge g, HalfEdge h) {
-  labels_.make_room(g);
-  labels_.make_room(h);
+  labels_.make_room(number(g));
+  labels_.make_room(number(h));
 }
 
 void TriangleMesh::write_label(HalfEdge h, Label label) {
   for (const HalfEdge side : {h, twin(h)}) {
     std::uint32_t& twin = corners_[number(side)].twin;
     twin = label == 0 ? twin & ~kFixed : twin | kFixed;
-    if (label != 0) labels_.write(side, label);
+    if (label != 0) labels_[number(side)] = label;
   }
 }
 
@@ -136,7 +131,7 @@ void TriangleMesh::release(HalfEdge h) {
 /// What take_over(to, from) needs.
 void TriangleMesh::make_room_to_take_over(HalfEdge to, HalfEdge from) {
   if (is_fixed(from)) [[unlikely]]
-    labels_.make_room(to);
+    labels_.make_room(number(to));
 }
 
 void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
@@ -144,7 +139,7 @@ void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
   corners_[number(to)].twin = twin_and_flag;
   corners_[twin_and_flag & ~kFixed].twin = number(to) | (twin_and_flag & kFixed);
   if ((twin_and_flag & kFixed) != 0) [[unlikely]]
-    labels_.write(to, labels_.read(from));
+    labels_[number(to)] = labels_[number(from)];
 }
 
 //        c                      c

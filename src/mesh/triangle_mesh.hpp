@@ -9,10 +9,14 @@
 #include <vector>
 
 #include "memory/count.hpp"
+#include "memory/pages.hpp"
 #include "mesh/index.hpp"
-#include "mesh/label_pages.hpp"
 
 namespace waywright::mesh {
+
+/// What an edge carries for the layers above; the mesh only copies it. An edge with a label other than 0 is fixed: it
+/// is never flipped.
+using Label = std::uint32_t;
 
 /// A triangulated sphere: every half-edge has a twin, every vertex a closed loop of faces. A triangulated polygon
 /// becomes one by a ghost vertex, joined to every vertex of its border; the faces there are ghosts too. Pure topology:
@@ -59,7 +63,7 @@ class TriangleMesh {
   /// The next half-edge that starts at the same vertex, clockwise.
   [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
   [[nodiscard]] bool is_fixed(HalfEdge h) const { return (corners_[number(h)].twin & kFixed) != 0; }
-  [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_.read(h) : 0; }
+  [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
   /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: the degree of `from`.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
 
@@ -181,7 +185,7 @@ class TriangleMesh {
   void count_memory(MemoryUse& use) const {
     memory::count(use, &MemoryUse::faces, corners_);
     memory::count(use, &MemoryUse::vertices, outgoing_);
-    labels_.count_memory(use);
+    labels_.count_memory(use, &MemoryUse::walls);
     memory::count_spare(use, log_, saved_faces_);
   }
 
@@ -236,7 +240,7 @@ class TriangleMesh {
   void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
 
   std::vector<Corner> corners_;
-  LabelPages labels_;                    ///< has room wherever the edge is fixed
+  memory::Pages<Label> labels_;          ///< by half-edge; has room wherever the edge is fixed
   std::vector<std::uint32_t> outgoing_;  ///< by vertex; with kFree set, the next free vertex
   std::uint32_t first_free_face_ = kEndOfList;
   std::uint32_t first_free_vertex_ = kEndOfList;

@@ -51,7 +51,7 @@ void TriangleMesh::undo(const Undo& change) {
     case ChangeKind::set_label_of_twin:
       break;
     case ChangeKind::rebuild_label:
-      labels_.write(HalfEdge{change.index}, change.saved);
+      labels_[change.index] = change.saved;
       break;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "memory/count.hpp"
 
@@ -32,56 +33,43 @@ class Abstraction::Guard {
   bool is_done_ = false;
 };
 
-Abstraction::Abstraction(const Triangulation& triangulation) {
-  Guard guard(*this);
-  rebuild(triangulation);
-  guard.done();
-  give_back();
-}
+Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
 
 void Abstraction::begin() {
   inserted_.clear();
   removed_.clear();
 }
 
-// Where most faces changed, a rebuild is cheaper.
 void Abstraction::update(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
-  collect_touched(triangulation);
-  const bool is_large = 2 * gone_.size() > triangulation.topology().face_slots();
-  if (is_in_the_open(triangulation.topology())) {
-    components_.refill(triangulation.topology(), gone_, made_);
-    core_.refill(triangulation.topology(), gone_, made_);
-  } else if (is_large) {
+  collect_touched(mesh);
+  if (2 * gone_.size() > mesh.face_slots()) {
     rebuild(triangulation);
+    return guard.done();
+  }
+  collect_made(triangulation);
+  drop_replaced();
+  if (is_in_the_open(mesh)) {
+    components_.refill(mesh, gone_, made_);
+    core_.refill(mesh, gone_, made_);
   } else {
-    bring_up_to_date(triangulation, {gone_, made_, removed_, inserted_});
+    components_.update(triangulation, {gone_, made_, removed_, inserted_});
+    core_.update(mesh, gone_, made_);
   }
   guard.done();
-  if (is_large) give_back();
 }
 
+/// Where most faces changed, this is cheaper than to go through what did.
 void Abstraction::rebuild(const Triangulation& triangulation) {
-  collect_all(triangulation);
-  bring_up_to_date(triangulation, {gone_, made_, {}, {}});
+  gone_ = std::vector<Face>();  // as large as the mesh
+  Components components(triangulation);
+  core_ = TwoCore(triangulation);
+  components_ = std::move(components);
 }
 
-/// Keeps no log nor scratch as large as the mesh. The log of what is done isn't needed any more.
-void Abstraction::give_back() {
-  components_.give_back();
-  core_.give_back();
-  gone_ = std::vector<Face>();
-  made_ = std::vector<Face>();
-}
-
-void Abstraction::bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes) {
-  components_.update(triangulation, changes);
-  core_.update(triangulation.topology(), changes.gone, changes.made);
-}
-
-/// The faces that the operation touched, each once, and which polygons it is that came or went for good.
-void Abstraction::collect_touched(const Triangulation& triangulation) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
+/// The faces that the operation touched, each once.
+void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
   gone_.clear();
   mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
@@ -90,8 +78,17 @@ void Abstraction::collect_touched(const Triangulation& triangulation) {
     is_touched_[number(f)] = true;
   });
   for (const Face f : gone_) is_touched_[number(f)] = false;
-  collect_made(triangulation);
+}
 
+/// Those of them that are faces of the box now.
+void Abstraction::collect_made(const Triangulation& triangulation) {
+  made_.clear();
+  std::copy_if(gone_.begin(), gone_.end(), std::back_inserter(made_),
+               [&](Face f) { return triangulation.triangulation().is_in_box(f); });
+}
+
+/// Leaves of the polygons that came or went those that did so for good.
+void Abstraction::drop_replaced() {
   std::sort(inserted_.begin(), inserted_.end());
   std::sort(removed_.begin(), removed_.end());
   common_.clear();
@@ -118,27 +115,14 @@ bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
          });
 }
 
-/// All faces, as if none had been there before.
-void Abstraction::collect_all(const Triangulation& triangulation) {
-  gone_.clear();
-  for (std::uint32_t i = 0; i < triangulation.topology().face_slots(); ++i) gone_.push_back(Face{i});
-  collect_made(triangulation);
-}
-
-void Abstraction::collect_made(const Triangulation& triangulation) {
-  made_.clear();
-  for (const Face f : gone_) {
-    const bool is_in_box =
-        triangulation.topology().is_alive(f) && !triangulation.triangulation().is_ghost_face(mesh::first(f));
-    if (is_in_box) made_.push_back(f);
-  }
-}
-
 std::optional<std::string> Abstraction::find_fault(const Triangulation& triangulation) const {
-  Abstraction rebuilt(triangulation);
-  rebuilt.collect_all(triangulation);
-  if (auto fault = components_.find_difference(rebuilt.components_, rebuilt.made_)) return fault;
-  return core_.find_difference(triangulation.topology(), rebuilt.core_, rebuilt.made_);
+  const Abstraction rebuilt(triangulation);
+  std::vector<Face> faces;
+  for (std::uint32_t i = 0; i < triangulation.topology().face_slots(); ++i) {
+    if (triangulation.triangulation().is_in_box(Face{i})) faces.push_back(Face{i});
+  }
+  if (auto fault = components_.find_difference(rebuilt.components_, faces)) return fault;
+  return core_.find_difference(triangulation.topology(), rebuilt.core_, faces);
 }
 
 void Abstraction::count_memory(MemoryUse& use) const {

@@ -45,12 +45,10 @@ class Abstraction {
   class Guard;
 
   void rebuild(const Triangulation& triangulation);
-  void give_back();
-  void bring_up_to_date(const Triangulation& triangulation, const Components::Changes& changes);
-  void collect_touched(const Triangulation& triangulation);
-  void collect_all(const Triangulation& triangulation);
-  [[nodiscard]] bool is_in_the_open(const mesh::TriangleMesh& mesh) const;
+  void collect_touched(const mesh::TriangleMesh& mesh);
   void collect_made(const Triangulation& triangulation);
+  void drop_replaced();
+  [[nodiscard]] bool is_in_the_open(const mesh::TriangleMesh& mesh) const;
 
   Components components_;
   TwoCore core_;

@@ -10,6 +10,7 @@ namespace waywright::path {
 
 using constraint::Side;
 using constraint::UseLists;
+using constraint::Uses;
 using mesh::Face;
 using mesh::HalfEdge;
 
@@ -76,16 +77,16 @@ void Components::drop_removed(const Triangulation& triangulation, const Changes&
 /// Finds the components of old faces that the polygon covered. They are reached from the new faces: all along its sides
 /// faces have changed.
 void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Face> made, std::uint32_t polygon) {
-  const std::uint32_t mark = next_mark_++;
+  const std::uint32_t flood = next_mark_++;
   stack_.clear();
   flooded_.clear();
   const auto visit_neighbours = [&](Face f) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const Face other = mesh::face(mesh.twin(HalfEdge{3 * number(f) + side}));
       const Label label = labels_[number(other)];
-      if (label == kNone || marks_[number(other)] == mark) continue;
+      if (label == kNone || mark(other) == flood) continue;
       if (!covers_.contains(records_[label].cover, polygon)) continue;
-      marks_[number(other)] = mark;
+      set_mark(other, flood);
       stack_.push_back(other);
       if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);
     }
@@ -119,7 +120,7 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
       for (std::uint32_t k = group.begin; k < group.end; ++k) {
         for (std::uint32_t side = 0; side < 3; ++side) {
           const HalfEdge h{3 * number(faces_[k]) + side};
-          const std::uint32_t other = marks_[number(mesh::face(mesh.twin(h)))] - group_mark_;
+          const std::uint32_t other = mark(mesh::face(mesh.twin(h))) - group_mark_;
           if (other >= groups_.size() || groups_[other].label != kNone) continue;
           cover_group(triangulation, changes, other, h);
           reached_.push_back(other);
@@ -143,37 +144,43 @@ bool Components::cover_from_beyond(const Triangulation& triangulation, const Cha
   return false;
 }
 
-/// `beyond` is a half-edge to the group in a neighbour that has its cover, or in a ghost face. What came lately is left
-/// out; it covers nothing yet.
+/// `beyond` is a half-edge to the group in a neighbour that has its cover, or in a ghost face.
 void Components::cover_group(const Triangulation& triangulation, const Changes& changes, std::uint32_t group,
                              HalfEdge beyond) {
-  const Label neighbour = labels_[number(beyond) / 3];
+  const Uses cover = cover_beyond(triangulation, beyond, changes.inserted);
+  Group& added = groups_[group];
+  added.label = add_record({added.end - added.begin, cover});
+  for (std::uint32_t i = added.begin; i < added.end; ++i) write_label(faces_[i], added.label);
+}
+
+/// What covers the face beyond `h`, a half-edge of one whose cover is known or of a ghost face. What came lately is
+/// left out; it covers nothing yet.
+Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, std::span<const std::uint32_t> inserted) {
+  const Label neighbour = of(mesh::face(h));
   polygons_.clear();
   if (neighbour != kNone) {
     covers_.for_each(records_[neighbour].cover, [&](std::uint32_t polygon) { polygons_.push_back(polygon); });
   }
-  triangulation.for_each_side(beyond, [&](const Side& side) {
-    if (triangulation.items().is_polygon(side.item) && !contains(changes.inserted, side.item)) {
+  triangulation.for_each_side(h, [&](const Side& side) {
+    if (triangulation.items().is_polygon(side.item) && !contains(inserted, side.item)) {
       polygons_.push_back(side.item);
     }
   });
   constraint::keep_odd(polygons_);
   Uses cover = UseLists::kNone;
   for (const std::uint32_t polygon : polygons_) cover = covers_.add(cover, polygon);
-  Group& added = groups_[group];
-  added.label = add_record({added.end - added.begin, cover});
-  for (std::uint32_t i = added.begin; i < added.end; ++i) write_label(faces_[i], added.label);
+  return cover;
 }
 
 /// Adds a polygon to what it covers: the faces between its sides.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  const std::uint32_t mark = next_mark_++;
+  const std::uint32_t flood = next_mark_++;
   stack_.clear();
   flooded_.clear();
   const auto visit = [&](Face f) {
-    if (marks_[number(f)] == mark) return;
-    marks_[number(f)] = mark;
+    if (mark(f) == flood) return;
+    set_mark(f, flood);
     stack_.push_back(f);
     const Label label = labels_[number(f)];
     if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);

@@ -15,7 +15,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   make_room(mesh);
   constexpr std::uint32_t kMarksToSpare = 0x40000000;  // more than an update takes
   if (next_mark_ > ~kMarksToSpare) {
-    std::fill(marks_.begin(), marks_.end(), 0);
+    marks_.clear();
     next_mark_ = 1;
   }
   take_out(changes.gone);
@@ -44,9 +44,8 @@ void Components::refill(const mesh::TriangleMesh& mesh, std::span<const Face> go
 }
 
 void Components::make_room(const mesh::TriangleMesh& mesh) {
-  if (labels_.size() >= mesh.face_slots()) return;
-  marks_.resize(mesh.face_slots(), 0);
-  labels_.resize(mesh.face_slots(), kNone);
+  marks_.cover(mesh.face_slots());
+  if (labels_.size() < mesh.face_slots()) labels_.resize(mesh.face_slots(), kNone);
 }
 
 /// The changed faces leave their components. One without faces is none.
@@ -81,13 +80,13 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   contacts_.clear();
   const std::uint32_t no_group = next_mark_++;
   group_mark_ = next_mark_;
-  for (const Face f : made) marks_[number(f)] = no_group;
+  for (const Face f : made) set_mark(f, no_group);
   for (const Face f : made) {
-    if (marks_[number(f)] != no_group) continue;
+    if (mark(f) != no_group) continue;
     const auto group = static_cast<std::uint32_t>(groups_.size());
     const auto begin = static_cast<std::uint32_t>(faces_.size());
-    const std::uint32_t mark = next_mark_++;
-    marks_[number(f)] = mark;
+    const std::uint32_t group_mark = next_mark_++;
+    set_mark(f, group_mark);
     faces_.push_back(f);
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t side = 0; side < 3; ++side) {
@@ -96,8 +95,8 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
         const Face other = mesh::face(mesh.twin(h));
         if (labels_[number(other)] != kNone) {
           contacts_.push_back({labels_[number(other)], group, other});
-        } else if (marks_[number(other)] == no_group) {
-          marks_[number(other)] = mark;
+        } else if (mark(other) == no_group) {
+          set_mark(other, group_mark);
           faces_.push_back(other);
         }
       }
@@ -197,12 +196,12 @@ void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
 /// A face is found by the search, or it shows that another search that found it is the same.
 void Components::find(Search& search, Face f) {
   const auto own = static_cast<std::uint32_t>(&search - searches_.data());
-  std::uint32_t& mark = marks_[number(f)];
-  if (mark < search_mark_) {
-    mark = search_mark_ + own;
+  const std::uint32_t found_by = mark(f);
+  if (found_by < search_mark_) {
+    set_mark(f, search_mark_ + own);
     search.found.push_back(f);
   } else {
-    unite(search_sets_, own, mark - search_mark_);
+    unite(search_sets_, own, found_by - search_mark_);
   }
 }
 
@@ -337,18 +336,9 @@ void Components::roll_back() {
   free_count_ = free_count_before_;
 }
 
-void Components::give_back() {
-  label_log_ = decltype(label_log_)();
-  record_log_ = decltype(record_log_)();
-  for (auto* const faces : {&faces_, &parted_, &stack_}) *faces = std::vector<Face>();
-  contacts_ = std::vector<Contact>();
-  groups_ = std::vector<Group>();
-  group_sets_ = std::vector<std::uint32_t>();
-}
-
 void Components::count_memory(MemoryUse& use) const {
   memory::count(use, &MemoryUse::abstraction, labels_);
-  memory::count(use, &MemoryUse::abstraction, marks_);
+  marks_.count_memory(use, &MemoryUse::abstraction);
   memory::count(use, &MemoryUse::abstraction, records_);
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_,

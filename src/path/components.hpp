@@ -13,6 +13,7 @@
 #include "constraint/cover.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/use_lists.hpp"
+#include "memory/pages.hpp"
 
 namespace waywright::path {
 
@@ -21,12 +22,15 @@ namespace waywright::path {
 ///
 /// Kept up from one mesh to the next: where something was parted, searches from all sides of it run in turn until one
 /// side at most is still unfinished; where components meet, the smaller ones take the label of the largest. A label is
-/// good for comparing, no more: which component has which depends on history. Four bytes a face, and four more as
-/// scratch.
+/// good for comparing, no more: which component has which depends on history. Four bytes a face, and up to four more
+/// as scratch.
 class Components {
  public:
   using Label = std::uint32_t;
   static constexpr Label kNone = 0xffffffff;
+
+  /// Those of a triangulation. Cost: linear, and nearly no memory besides what stays.
+  explicit Components(const constraint::ExactTriangulation& triangulation);
 
   /// The component of a face of the box.
   [[nodiscard]] Label of(mesh::Face f) const { return labels_[number(f)]; }
@@ -65,8 +69,6 @@ class Components {
   void begin();
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
-  /// Frees the logs and the scratch that grow with an update. What is done can't be taken back any more.
-  void give_back();
 
   void count_memory(MemoryUse& use) const;
 
@@ -105,6 +107,17 @@ class Components {
     std::uint32_t begin, end;  ///< a piece's faces, in `parted_`; else the old component's contacts, in `contacts_`
   };
 
+  // A mesh that nothing is known of.
+  /// A wall half-edge of a face of the component, or of a ghost face, with another component beyond it.
+  struct Door {
+    Label component;
+    mesh::HalfEdge h;
+  };
+  void join_faces(const Triangulation& triangulation);
+  void number_components();
+  void cover_components(const Triangulation& triangulation);
+  [[nodiscard]] std::vector<Door> find_doors(const mesh::TriangleMesh& mesh) const;
+
   // Labels.
   void make_room(const mesh::TriangleMesh& mesh);
   void take_out(std::span<const mesh::Face> gone);
@@ -127,6 +140,15 @@ class Components {
   [[nodiscard]] static std::uint32_t top(std::vector<std::uint32_t>& sets, std::uint32_t i);
   static void unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j);
 
+  // Marks.
+  [[nodiscard]] std::uint32_t mark(mesh::Face f) const {
+    return marks_.has_room(number(f)) ? marks_[number(f)] : 0;
+  }
+  void set_mark(mesh::Face f, std::uint32_t mark) {
+    marks_.make_room(number(f));
+    marks_[number(f)] = mark;
+  }
+
   // Covers.
   void drop_removed(const Triangulation& triangulation, const Changes& changes);
   void find_covered(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made, std::uint32_t polygon);
@@ -134,6 +156,8 @@ class Components {
   [[nodiscard]] bool cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group);
   void cover_group(const Triangulation& triangulation, const Changes& changes, std::uint32_t group,
                    mesh::HalfEdge beyond);
+  [[nodiscard]] Uses cover_beyond(const Triangulation& triangulation, mesh::HalfEdge h,
+                                  std::span<const std::uint32_t> inserted);
   [[nodiscard]] mesh::HalfEdge outer_half_edge(const Triangulation& triangulation, mesh::Vertex v);
   void cover_with(const Triangulation& triangulation, std::uint32_t polygon);
   void set_cover(Label component, Uses cover);
@@ -151,7 +175,7 @@ class Components {
   std::size_t free_count_before_ = 0;
 
   // Scratch, kept for its memory.
-  std::vector<std::uint32_t> marks_;  ///< by face: numbers that are never used twice
+  memory::Pages<std::uint32_t> marks_;  ///< by face: numbers that are never used twice
   std::uint32_t next_mark_ = 1;
   std::uint32_t group_mark_ = 0;   ///< the first group's; the one before is that of new faces without a group yet
   std::uint32_t search_mark_ = 0;  ///< the first search's

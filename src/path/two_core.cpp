@@ -5,6 +5,23 @@ namespace waywright::path {
 using mesh::Face;
 using mesh::HalfEdge;
 
+TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation)
+    : states_(triangulation.topology().face_slots(), kAbsent) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  for (std::uint32_t f = 0; f < states_.size(); ++f) {
+    if (!triangulation.triangulation().is_in_box(Face{f})) continue;
+    states_[f] = kCore;
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge h{3 * f + side};
+      if (!mesh.is_fixed(h)) states_[f] |= way(h);
+    }
+  }
+  for (std::uint32_t f = 0; f < states_.size(); ++f) {
+    peel_from(mesh, Face{f});
+    begin();  // there is nothing to take back to
+  }
+}
+
 // The core is found from above: a set that is surely large enough is peeled until every face has two ways.
 //
 // Every new face is in the set, and so are the faces on the way towards the core from each old tree face beside them,
@@ -40,11 +57,6 @@ void TwoCore::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
 
 void TwoCore::roll_back() {
   for (; !log_.empty(); log_.pop_back()) states_[number(log_.back().first)] = log_.back().second;
-}
-
-void TwoCore::give_back() {
-  log_ = decltype(log_)();
-  loose_ = decltype(loose_)();
 }
 
 void TwoCore::write(Face f, State state) {
@@ -105,20 +117,19 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
   while (!loose_.empty()) {
     const Face f = loose_.back();
     loose_.pop_back();
-    const State state = states_[number(f)];
-    const unsigned ways = state & kWays;
-    if ((state & kCore) == 0 || std::popcount(ways) > 1) continue;
-    if (ways == 0) {
-      write(f, kRoot);
-      continue;
-    }
-    const HalfEdge up{3 * number(f) + static_cast<std::uint32_t>(std::countr_zero(ways))};
+    peel_from(mesh, f);
+  }
+}
+
+/// Takes a face out of the core if it has fewer than two ways; then the next, that it hung on.
+void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
+  while (is_core(f) && degree(f) < 2) {
+    if (degree(f) == 0) return write(f, kRoot);
+    const HalfEdge up{3 * number(f) + static_cast<std::uint32_t>(std::countr_zero(ways(f)))};
     write(f, leaf(up));
     const HalfEdge back = mesh.twin(up);
-    const Face other = mesh::face(back);
-    if (!is_core(other)) continue;
-    write(other, static_cast<State>(states_[number(other)] & ~way(back)));
-    loose_.push_back(other);
+    f = mesh::face(back);
+    if (is_core(f)) write(f, static_cast<State>(states_[number(f)] & ~way(back)));
   }
 }
 

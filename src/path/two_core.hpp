@@ -10,6 +10,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "constraint/exact_triangulation.hpp"
 #include "memory/count.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -27,6 +28,9 @@ namespace waywright::path {
 /// tree, 2 a corridor, 3 a junction). Departure: theirs is rebuilt.
 class TwoCore {
  public:
+  /// That of a triangulation's faces in the box. Cost: linear, and nearly no memory besides what stays.
+  explicit TwoCore(const constraint::ExactTriangulation& triangulation);
+
   /// Whether the face lies on a ring of ways, or between two.
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Whether the way over `h` joins two faces of the core.
@@ -62,8 +66,6 @@ class TwoCore {
   void begin() { log_.clear(); }
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
-  /// Frees the log and the scratch. What is done can't be taken back any more.
-  void give_back();
 
   void count_memory(MemoryUse& use) const {
     memory::count(use, &MemoryUse::abstraction, states_);
@@ -96,6 +98,7 @@ class TwoCore {
   void climb_trees(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
   void climb(const mesh::TriangleMesh& mesh, mesh::HalfEdge back);
   void peel(const mesh::TriangleMesh& mesh);
+  void peel_from(const mesh::TriangleMesh& mesh, mesh::Face f);
 
   std::vector<State> states_;
   std::vector<std::pair<mesh::Face, State>> log_;  ///< what they were
