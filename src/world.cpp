@@ -167,7 +167,7 @@ Shape shape_of(const constraint::ExactTriangulation& triangulation, ItemId id, c
   const std::uint32_t slot = triangulation.items().slot(id);
   triangulation.items().outline(slot, outline);
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  Shape shape{triangulation.items().item(slot).kind, {}};
+  Shape shape{triangulation.items().kind(slot), {}};
   std::size_t i = 0;
   for (const std::uint32_t end : outline.ring_ends) {
     std::vector<Point>& ring = shape.rings.emplace_back();
@@ -363,7 +363,7 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   path::KeptCover& cover = context.scratch_->cover;
   cover.use(impl_->kept_abstraction());
   for (const std::uint32_t item : cover.of_place(triangulation, place)) {
-    location.inside.push_back(triangulation.items().item(item).id);
+    location.inside.push_back(triangulation.items().id(item));
   }
   std::sort(location.inside.begin(), location.inside.end());
   return {};

@@ -16,7 +16,7 @@ void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h
                        MeshSnapshot& snapshot) {
   MeshSnapshot::ConstrainedEdge edge{{i, j}, static_cast<std::uint32_t>(snapshot.ids.size()), 0};
   triangulation.for_each_side(
-      h, [&](const Side& side) { snapshot.ids.push_back(triangulation.items().item(side.item).id); });
+      h, [&](const Side& side) { snapshot.ids.push_back(triangulation.items().id(side.item)); });
   const auto first = snapshot.ids.begin() + edge.first_id;
   std::sort(first, snapshot.ids.end());
   snapshot.ids.erase(std::unique(first, snapshot.ids.end()), snapshot.ids.end());

@@ -18,8 +18,7 @@ void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
 
 template <class Geometry>
 ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, const Outline& outline) const {
-  const ItemRecord& record = items_.item(slot);
-  ItemHash hash(record.id, record.kind, outline.ring_ends.size());
+  ItemHash hash(items_.id(slot), items_.kind(slot), outline.ring_ends.size());
   std::uint32_t i = 0;
   for (const std::uint32_t end : outline.ring_ends) {
     hash.begin_ring(end - i);
@@ -31,7 +30,7 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
 /// The corners of a ring; its sides come later.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_ring(const std::vector<Point>& ring, std::uint32_t slot) {
-  for_each_corner(ring, items_.item(slot).kind == ItemKind::polygon,
+  for_each_corner(ring, items_.kind(slot) == ItemKind::polygon,
                   [&](const Point& point) { add_corner(insert_vertex(triangulation_.insert(point)), slot); });
   end_ring();
 }

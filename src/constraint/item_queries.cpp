@@ -18,7 +18,7 @@ std::vector<ItemId> ids_of(const ExactTriangulation& triangulation, Slots slots)
   keep_one_of_each(slots);
   std::vector<ItemId> ids;
   for (const std::uint32_t slot : slots) {
-    if (slot != ItemTable::kDomain) ids.push_back(triangulation.items().item(slot).id);
+    if (slot != ItemTable::kDomain) ids.push_back(triangulation.items().id(slot));
   }
   std::sort(ids.begin(), ids.end());
   return ids;
@@ -125,7 +125,7 @@ class FirstWall : public SegmentVisitor {
  private:
   void append_items(mesh::HalfEdge h) {
     triangulation_.for_each_side(
-        h, [&](const Side& side) { hit_.items.push_back(triangulation_.items().item(side.item).id); });
+        h, [&](const Side& side) { hit_.items.push_back(triangulation_.items().id(side.item)); });
   }
 
   const ExactTriangulation& triangulation_;

@@ -12,21 +12,27 @@ constexpr std::size_t kSmallestIndex = 16;
 
 }  // namespace
 
-ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({{}, kNone, ItemKind::polygon, false}); }
+ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({kNone, ItemKind::polygon}); }
 
 void ItemTable::prefetch(ItemId id) const { __builtin_prefetch(&index_[home(id)], 1); }
 
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
   if (first_free_item_ == kNone) {
-    items_.push_back({{}, kNone, kind, false});
+    items_.emplace_back();
     first_free_item_ = static_cast<std::uint32_t>(items_.size() - 1);
   }
   const std::uint32_t slot = first_free_item_;
-  if (id.value != slot) make_room_in_index(1);
+  const bool is_slot_id = id.value == slot;
+  if (!is_slot_id) {
+    make_room_in_index(1);
+    ids_.cover(items_.size());
+    ids_.make_room(slot);
+    ids_[slot] = id;
+  }
   log_.push_back({slot, false});
   first_free_item_ = items_[slot].place;
-  items_[slot] = {id, kNone, kind, false};
+  items_[slot] = {kNone, kind, is_slot_id};
   enter(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
@@ -120,7 +126,7 @@ void ItemTable::roll_back() {
 
 /// Frees a slot and the ring of its sides.
 void ItemTable::recycle(std::uint32_t slot) {
-  ItemRecord& record = items_[slot];
+  Record& record = items_[slot];
   if (record.kind != ItemKind::point && record.place != kNone) {
     const std::uint32_t first = sides_[record.place].next & ~kEndsRing;
     sides_[record.place].next = first_free_side_;
@@ -131,28 +137,26 @@ void ItemTable::recycle(std::uint32_t slot) {
 }
 
 void ItemTable::enter(std::uint32_t slot) {
-  ItemRecord& record = items_[slot];
-  record.is_alive = true;
+  items_[slot].is_alive = true;
   ++size_;
-  if (record.id.value == slot) return;
-  index_[gap_for(record.id)] = slot;
+  if (items_[slot].is_slot_id) return;
+  index_[gap_for(ids_[slot])] = slot;
   ++index_size_;
 }
 
 void ItemTable::leave(std::uint32_t slot) {
-  ItemRecord& record = items_[slot];
-  record.is_alive = false;
+  items_[slot].is_alive = false;
   --size_;
-  if (record.id.value == slot) return;
-  erase_from_index(record.id);
+  if (items_[slot].is_slot_id) return;
+  erase_from_index(ids_[slot]);
   --index_size_;
 }
 
 std::vector<ItemId> ItemTable::ids() const {
   std::vector<ItemId> result;
   result.reserve(size_);
-  for (const ItemRecord& record : items_) {
-    if (record.is_alive) result.push_back(record.id);
+  for (std::uint32_t slot = 0; slot < items_.size(); ++slot) {
+    if (items_[slot].is_alive) result.push_back(id(slot));
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -164,7 +168,7 @@ std::size_t ItemTable::home(ItemId id) const { return (mix(id.value) >> 32) * in
 
 std::size_t ItemTable::position(ItemId id) const {
   std::size_t at = home(id);
-  while (index_[at] != kEmpty && items_[index_[at]].id != id) at = place_after(at);
+  while (index_[at] != kEmpty && ids_[index_[at]] != id) at = place_after(at);
   return at;
 }
 
@@ -181,14 +185,14 @@ void ItemTable::make_room_in_index(std::size_t count) {
   std::vector<std::uint32_t> larger(std::max(needed, 2 * index_.size()), kEmpty);
   index_.swap(larger);
   for (const std::uint32_t slot : larger) {
-    if (slot != kEmpty) index_[gap_for(items_[slot].id)] = slot;
+    if (slot != kEmpty) index_[gap_for(ids_[slot])] = slot;
   }
 }
 
 void ItemTable::erase_from_index(ItemId id) {
   std::size_t gap = position(id);
   for (std::size_t at = place_after(gap); index_[at] != kEmpty; at = place_after(at)) {
-    if (way_round(home(items_[index_[at]].id), at) < way_round(gap, at)) continue;
+    if (way_round(home(ids_[index_[at]]), at) < way_round(gap, at)) continue;
     index_[gap] = index_[at];
     gap = at;
   }

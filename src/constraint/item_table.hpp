@@ -10,6 +10,7 @@
 
 #include "constraint/item_hash.hpp"
 #include "memory/count.hpp"
+#include "memory/pages.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::constraint {
@@ -20,15 +21,6 @@ struct Side {
   std::uint32_t item = 0;  ///< slot in the item table
   mesh::Vertex from{};
   mesh::Vertex to{};
-};
-
-/// An item as the mesh holds it. What more it has is asked of the table.
-struct ItemRecord {
-  ItemId id;
-  /// Of a point, its corner; of anything else, its last side, by slot; of a free slot, the next free one.
-  std::uint32_t place = 0;
-  ItemKind kind = ItemKind::point;
-  bool is_alive = false;  ///< never the domain
 };
 
 /// An item's corners, ring after ring, points that repeat their predecessor merged; and where each ring's corners end.
@@ -47,7 +39,7 @@ struct Outline {
 ///
 /// Worlds of a million points are why this is lean: an item owns no memory of its own. Its sides run in a ring through
 /// the table of sides, from the last, which the item knows, to the first. Where ids count up, an item's id is its slot;
-/// the others' slots are found in an open table.
+/// the others' ids are kept in pages, and their slots are found in an open table.
 class ItemTable {
  public:
   static constexpr std::uint32_t kDomain = 0;
@@ -59,7 +51,8 @@ class ItemTable {
   [[nodiscard]] std::uint32_t slot(ItemId id) const {
     return is_in_its_own_slot(id) ? static_cast<std::uint32_t>(id.value) : index_[position(id)];
   }
-  [[nodiscard]] const ItemRecord& item(std::uint32_t slot) const { return items_[slot]; }
+  [[nodiscard]] ItemId id(std::uint32_t slot) const { return items_[slot].is_slot_id ? ItemId{slot} : ids_[slot]; }
+  [[nodiscard]] ItemKind kind(std::uint32_t slot) const { return items_[slot].kind; }
   [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
     return slot != kDomain && items_[slot].kind == ItemKind::polygon;
   }
@@ -113,6 +106,7 @@ class ItemTable {
     memory::count(use, &MemoryUse::items, items_);
     memory::count(use, &MemoryUse::items, sides_);
     memory::count(use, &MemoryUse::items, index_);
+    ids_.count_memory(use, &MemoryUse::items);
     memory::count_spare(use, log_);
   }
 
@@ -121,6 +115,13 @@ class ItemTable {
   static constexpr std::uint32_t kNone = 0x7fffffff;
   static constexpr std::uint32_t kEndsRing = 0x80000000;
 
+  struct Record {
+    /// Of a point, its corner; of anything else, its last side, by slot; of a free slot, the next free one.
+    std::uint32_t place = kNone;
+    ItemKind kind = ItemKind::point;
+    bool is_slot_id = true;
+    bool is_alive = false;  ///< never the domain
+  };
   struct Link {
     Side side;                   ///< of no length where a ring has one corner
     std::uint32_t next = kNone;  ///< the item's next side, after the last the first; with kEndsRing, the last of a ring
@@ -148,7 +149,7 @@ class ItemTable {
 
   /// Whether a live item is in the slot that its id names: then the index doesn't have it.
   [[nodiscard]] bool is_in_its_own_slot(ItemId id) const {
-    return id.value < items_.size() && items_[id.value].is_alive && items_[id.value].id == id;
+    return id.value < items_.size() && items_[id.value].is_alive && items_[id.value].is_slot_id;
   }
   /// Where the index has an id, or the gap where it isn't.
   [[nodiscard]] std::size_t position(ItemId id) const;
@@ -162,7 +163,8 @@ class ItemTable {
   void make_room_in_index(std::size_t count);
   void erase_from_index(ItemId id);
 
-  std::vector<ItemRecord> items_;
+  std::vector<Record> items_;
+  memory::Pages<ItemId> ids_;  ///< by slot, of items whose slot is another
   std::vector<Link> sides_;
   std::uint32_t first_free_item_ = kNone;
   std::uint32_t first_free_side_ = kNone;

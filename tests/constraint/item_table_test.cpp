@@ -67,8 +67,8 @@ void expect_entries(const ItemTable& table, const Entries& entries) {
     ids.push_back(id);
     ASSERT_TRUE(table.contains(id));
     const std::uint32_t slot = table.slot(id);
-    ASSERT_EQ(table.item(slot).id, id);
-    ASSERT_EQ(table.item(slot).kind, entry.kind);
+    ASSERT_EQ(table.id(slot), id);
+    ASSERT_EQ(table.kind(slot), entry.kind);
     table.outline(slot, outline);
     ASSERT_EQ(outline.corners, outline_of(entry.rings).corners);
     ASSERT_EQ(outline.ring_ends, outline_of(entry.rings).ring_ends);
