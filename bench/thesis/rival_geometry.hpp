@@ -28,7 +28,7 @@ class PlaceView {
 };
 
 /// A geometry (exact::AnyGeometry) over arithmetic other than the library's. What it
-/// keeps and logs, and when, is what exact::Geometry keeps and logs, so that a comparison compares arithmetic.
+/// keeps, logs and fetches ahead, and when, is what exact::Geometry does, so that a comparison compares arithmetic.
 ///
 /// An Arithmetic has: a `Place`, where a vertex is, with a `rounded` Point; a `View` of one; `at(point)` and
 /// `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three questions on views.
@@ -51,6 +51,7 @@ class RivalGeometry {
   }
 
   [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(places_[vertex]); }
+  void prefetch(std::uint32_t vertex) const { __builtin_prefetch(&places_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return Arithmetic::view(point); }
   [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex].rounded; }
 

@@ -15,8 +15,8 @@ std::array<std::uint32_t, 3> from_smallest(std::uint32_t a, std::uint32_t b, std
 void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t i, std::uint32_t j,
                        MeshSnapshot& snapshot) {
   MeshSnapshot::ConstrainedEdge edge{{i, j}, static_cast<std::uint32_t>(snapshot.ids.size()), 0};
-  triangulation.for_each_side(
-      h, [&](const Side& side) { snapshot.ids.push_back(triangulation.items().id(side.item)); });
+  triangulation.for_each_side(h,
+                              [&](const Side& side) { snapshot.ids.push_back(triangulation.items().id(side.item)); });
   const auto first = snapshot.ids.begin() + edge.first_id;
   std::sort(first, snapshot.ids.end());
   snapshot.ids.erase(std::unique(first, snapshot.ids.end()), snapshot.ids.end());

@@ -92,8 +92,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_use_fault() 
     const Side& side = items_.side(slot);
     const std::size_t edges = count_edges(slot);
     if (edges == 0) {
-      return "a side of item " + std::to_string(items_.id(side.item).value) +
-             " does not reach its end over its edges";
+      return "a side of item " + std::to_string(items_.id(side.item).value) + " does not reach its end over its edges";
     }
     uses_by_sides += edges;
   }

@@ -124,8 +124,8 @@ class FirstWall : public SegmentVisitor {
 
  private:
   void append_items(mesh::HalfEdge h) {
-    triangulation_.for_each_side(
-        h, [&](const Side& side) { hit_.items.push_back(triangulation_.items().id(side.item)); });
+    triangulation_.for_each_side(h,
+                                 [&](const Side& side) { hit_.items.push_back(triangulation_.items().id(side.item)); });
   }
 
   const ExactTriangulation& triangulation_;

@@ -116,10 +116,20 @@ namespace {
 
 constexpr double kLargestExact = 0x1p53;
 
-bool is_whole(double value) {
-  return std::abs(value) < kLargestExact && value == static_cast<double>(static_cast<std::int64_t>(value));
+/// 0 of whole numbers only, and of all those below 2^52.
+double fraction(double value) {
+  constexpr double kNoFraction = 0x1p52;  // no double from here on has one
+  const double magnitude = std::abs(value);
+  return magnitude - ((magnitude + kNoFraction) - kNoFraction);
 }
-bool is_whole(const Point& point) { return is_whole(point.x) && is_whole(point.y); }
+bool are_whole(const Crossing& crossing) {
+  Point fractions{};
+  for (const Point& p : {crossing.a, crossing.b, crossing.c, crossing.d}) {
+    fractions.x += std::abs(fraction(p.x));
+    fractions.y += std::abs(fraction(p.y));
+  }
+  return fractions.x + fractions.y == 0.0;
+}
 
 /// A product, exactly. Source: Dekker, *A floating-point technique for extending the available precision*, 1971.
 struct Product {
@@ -138,20 +148,23 @@ Product multiply_exactly(double a, double b) {
   return {product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)};
 }
 
-/// Both are whole and exact, so that IEEE's division rounds the quotient correctly.
-RoundedNumber divide(double numerator, double denominator) {
-  const double nearest = numerator / denominator + 0.0;  // never -0
-  const Product product = multiply_exactly(nearest, denominator);
-  return {nearest, product.rounded == numerator && product.error == 0.0};
+/// Whether a rounded quotient is the quotient itself.
+bool is_quotient(double rounded, double numerator, double denominator) {
+  const Product product = multiply_exactly(rounded, denominator);
+  return product.rounded == numerator && product.error == 0.0;
 }
+
+double magnitude(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
 }  // namespace
 
 // The sum of two whole numbers, and their product, is a whole number; if that is rounded to less than 2^53, it wasn't
-// rounded at all. So it is enough to look at the results.
+// rounded at all. So it is enough to look at the results; and at none that is only multiplied, for it then is 0 or no
+// larger than the product, or it is multiplied by 0, and it makes no difference whether it was rounded. IEEE's division
+// rounds the quotient of the two correctly.
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const auto& [a, b, c, d] = crossing;
-  if (!(is_whole(a) && is_whole(b) && is_whole(c) && is_whole(d))) return std::nullopt;
+  if (!are_whole(crossing)) return std::nullopt;
   const Point ab{b.x - a.x, b.y - a.y};
   const Point ac{c.x - a.x, c.y - a.y};
   const Point cd{d.x - c.x, d.y - c.y};
@@ -161,16 +174,14 @@ std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const double t = t_terms.x - t_terms.y;
   const Point bases{a.x * w, a.y * w};
   const Point ways{t * ab.x, t * ab.y};
-  double largest = 0.0;
-  for (const Point& p : {ab, ac, cd, w_terms, t_terms, Point{w, t}, bases, ways}) {
-    largest = std::max(largest, std::max(std::abs(p.x), std::abs(p.y)));
-  }
   const Point numerator{bases.x + ways.x, bases.y + ways.y};
-  largest = std::max(largest, std::max(std::abs(numerator.x), std::abs(numerator.y)));
+  const double largest =
+      std::max(std::max(std::max(magnitude(w_terms), magnitude(t_terms)), std::max(magnitude(bases), magnitude(ways))),
+               std::max(magnitude(numerator), std::abs(w)));
   if (!(largest < kLargestExact)) return std::nullopt;
-  const RoundedNumber x = divide(numerator.x, w);
-  const RoundedNumber y = divide(numerator.y, w);
-  return RoundedCrossing{{x.nearest, y.nearest}, x.is_exact && y.is_exact};
+  const Point nearest{numerator.x / w + 0.0, numerator.y / w + 0.0};  // never -0
+  const bool is_exact = is_quotient(nearest.x, numerator.x, w) && is_quotient(nearest.y, numerator.y, w);
+  return RoundedCrossing{nearest, is_exact};
 }
 
 }  // namespace doubles

@@ -49,7 +49,8 @@
 // Again the constants are a few per cent larger.
 //
 // In a box of width w and height h whose corners' largest magnitude is M, so are rounded coordinates, for rounding is
-// monotone. So |l| and |r| are at most w h, S is at most 2 (w + h), and m is at most M.
+// monotone. So |l| and |r| are at most w h, S is at most 2 (w + h), and m is at most M: which in the coarse bound of
+// in-circle takes the place of |p| + t, so that M^2 may take that of q.
 
 namespace waywright::exact::filter {
 
@@ -92,13 +93,17 @@ template <class Place>
   return {adx, ady, bdx, bdy, cdx, cdy, a_lift, b_lift, c_lift, determinant};
 }
 
+/// The largest magnitude of a coordinate in the box.
+[[nodiscard]] inline double largest_magnitude(const Box& box) {
+  return std::max(std::max(std::abs(box.min.x), std::abs(box.max.x)),
+                  std::max(std::abs(box.min.y), std::abs(box.max.y)));
+}
+
 /// What the orientation's determinant of any points in the box is never off by.
 [[nodiscard]] inline double largest_orientation_error(const Box& box) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
-  const double largest =
-      std::max(std::max(std::abs(box.min.x), std::abs(box.max.x)), std::max(std::abs(box.min.y), std::abs(box.max.y)));
-  const double rounding = kHalfUlp * largest;  // u M
+  const double rounding = kHalfUlp * largest_magnitude(box);  // u M
   return 6.2 * kHalfUlp * width * height + 4.1 * rounding * (width + height) + 9.0 * rounding * rounding + kUnderflow;
 }
 
@@ -134,13 +139,21 @@ template <class Place>
   return sign_beyond(acx * bcy - acy * bcx, error);
 }
 
+/// `place` is the last point's own in_circle_place(), or that of a box with all four.
 template <class Place>
-[[nodiscard]] Sign in_circle(const Place& a, const Place& b, const Place& c, const Place& d) {
+[[nodiscard]] Sign in_circle(const Place& a, const Place& b, const Place& c, const Place& d, double place) {
   const CircleTerms terms = circle_terms(a, b, c, d);
   const double squares = terms.a_lift + terms.b_lift + terms.c_lift;
-  const double place = d.x * d.x + d.y * d.y;
-  const double error = squares * (kInCircleBySquares * squares + kInCircleByPlace * place) + kUnderflow;
+  const double error = squares * (kInCircleBySquares * squares + place) + kUnderflow;
   return sign_beyond(terms.determinant, error);
+}
+template <class Place>
+[[nodiscard]] double in_circle_place(const Place& last) {
+  return kInCircleByPlace * (last.x * last.x + last.y * last.y);
+}
+[[nodiscard]] inline double in_circle_place(const Box& box) {
+  const double largest = largest_magnitude(box);
+  return kInCircleByPlace * (largest * largest);
 }
 
 }  // namespace coarse

@@ -5,7 +5,7 @@
 namespace waywright::exact {
 
 void Geometry::place(std::uint32_t vertex, const Point& point) {
-  if (vertex >= places_.size()) places_.resize(vertex + std::size_t{1});
+  while (vertex >= places_.size()) places_.emplace_back();  // once, nearly always
   log(vertex);
   places_[vertex] = point;
   if (vertex < crossing_of_.size()) crossing_of_[vertex] = kExplicit;
@@ -17,7 +17,7 @@ void Geometry::place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32
   const RoundedCrossing rounded = round_to_nearest(crossing);
   place(vertex, rounded.nearest);
   if (rounded.is_exact) return;
-  if (vertex >= crossing_of_.size()) crossing_of_.resize(vertex + std::size_t{1}, kExplicit);
+  while (vertex >= crossing_of_.size()) crossing_of_.push_back(kExplicit);
   crossing_of_[vertex] = add_crossing(crossing);
 }
 
@@ -68,8 +68,7 @@ std::strong_ordering Geometry::finer_order(const View& p, const View& q) const {
 
 std::uint32_t Geometry::add_crossing(const Crossing& crossing) {
   if (free_crossings_.empty()) {
-    if (crossings_.size() == crossings_.capacity()) crossings_.reserve(2 * crossings_.size() + 1);
-    free_crossings_.reserve(crossings_.capacity());
+    if (free_crossings_.capacity() == crossings_.size()) free_crossings_.reserve(2 * crossings_.size() + 1);
     crossings_.push_back(crossing);
     return static_cast<std::uint32_t>(crossings_.size() - 1);
   }

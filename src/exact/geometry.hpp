@@ -35,7 +35,9 @@ class Geometry {
   };
 
   /// Requires: all vertices, and all points asked about, lie in the box.
-  explicit Geometry(const Box& box) : orientation_error_(filter::largest_orientation_error(box)) {}
+  explicit Geometry(const Box& box)
+      : orientation_error_(filter::largest_orientation_error(box)),
+        in_circle_place_(filter::coarse::in_circle_place(box)) {}
 
   /// Puts an explicit point, in range, at `vertex`, growing the table where needed.
   void place(std::uint32_t vertex, const Point& point);
@@ -75,7 +77,7 @@ class Geometry {
     return finer_orientation(copy(a), copy(b), copy(c));
   }
   [[nodiscard]] Sign in_circle(const View& a, const View& b, const View& c, const View& d) const {
-    if (const Sign sign = filter::coarse::in_circle(a, b, c, d); sign != Sign::zero) {
+    if (const Sign sign = filter::coarse::in_circle(a, b, c, d, in_circle_place_); sign != Sign::zero) {
       ++counts.in_circle.doubles;
       return sign;
     }
@@ -118,6 +120,7 @@ class Geometry {
   [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
   double orientation_error_;
+  double in_circle_place_;
   std::vector<Point> places_;
   std::vector<std::uint32_t> crossing_of_;  ///< of the vertices up to the last constructed one
   std::vector<Crossing> crossings_;

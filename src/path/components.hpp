@@ -141,9 +141,7 @@ class Components {
   static void unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j);
 
   // Marks.
-  [[nodiscard]] std::uint32_t mark(mesh::Face f) const {
-    return marks_.has_room(number(f)) ? marks_[number(f)] : 0;
-  }
+  [[nodiscard]] std::uint32_t mark(mesh::Face f) const { return marks_.has_room(number(f)) ? marks_[number(f)] : 0; }
   void set_mark(mesh::Face f, std::uint32_t mark) {
     marks_.make_room(number(f));
     marks_[number(f)] = mark;

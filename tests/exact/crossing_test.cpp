@@ -93,6 +93,45 @@ TEST(Rounding, OfWholeNumbersIsTheSameInEveryStage) {
   EXPECT_LT(in_doubles, kCalls);
 }
 
+// Coordinates of all sizes side by side, zeros, and halves among them: differences and products that are rounded, and
+// are then multiplied by nothing, or by a lot.
+TEST(Rounding, OfNumbersOfAllSizesIsTheSameInEveryStage) {
+  Random random(8);
+  int in_doubles = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const auto coordinate = [&] {
+      const std::int64_t reach = std::int64_t{1} << random.between(0, 55);
+      const auto whole = static_cast<double>(random.chance(30) ? 0 : random.between(-reach, reach));
+      return random.chance(3) ? whole + 0.5 : whole;
+    };
+    const auto point = [&] {
+      const double x = coordinate();
+      return Point{x, coordinate()};
+    };
+    const exact::Crossing crossing{point(), point(), point(), point()};
+    const auto rounded = exact::doubles::round_to_nearest(crossing);
+    if (!rounded) continue;
+    const RationalPoint a = rational(crossing.a), b = rational(crossing.b);
+    const RationalPoint c = rational(crossing.c), d = rational(crossing.d);
+    if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;  // parallel, which no crossing's lines are
+    ++in_doubles;
+    const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
+    ASSERT_EQ(rounded->nearest, right.nearest) << "call " << i;
+    ASSERT_EQ(rounded->is_exact, right.is_exact) << "call " << i;
+  }
+  EXPECT_GT(in_doubles, 1000);
+}
+
+// All that is used up to the numerators is below 2^53 but for one sum, 2^54 - 3, and then but for one product.
+TEST(Rounding, SeesEachNumberThatWasRounded) {
+  const exact::Crossing one_sum{{0, 0}, {1, 1}, {0, 1}, {-0x1p53 + 2, 0x1p53}};
+  EXPECT_EQ(exact::doubles::round_to_nearest(one_sum), std::nullopt);
+  EXPECT_FALSE(exact::round_to_nearest(one_sum).is_exact);  // (2^53 - 2) / (2^54 - 3), not a half
+  const exact::Crossing one_product{{0, 0}, {-5, -8}, {1, 5}, {517451740691950, 2587258703459758}};
+  EXPECT_EQ(exact::doubles::round_to_nearest(one_product), std::nullopt);
+  EXPECT_EQ(exact::round_to_nearest(one_product).nearest, exact::integers::round_to_nearest(one_product).nearest);
+}
+
 TEST(Rounding, TiesGoToEven) {
   // On the line y = 2^53 + 1 + x, at x = 0: halfway between 2^53, even in its last bit, and 2^53 + 2.
   const exact::Crossing between{{-1, 0x1p53}, {1, 0x1p53 + 2}, {0, 0}, {0, 1}};

@@ -69,7 +69,8 @@ TEST_P(Predicates, InCircleAgreesWithRationals) {
     ASSERT_EQ(exact::in_circle(a, b, c, d), expected) << "call " << i;
     ASSERT_EQ(exact::integers::in_circle(a, b, c, d), expected) << "call " << i;
     ASSERT_EQ(exact::filter::fine::in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
-    ASSERT_TRUE(is_open_or(expected, exact::filter::coarse::in_circle(a, b, c, d))) << "call " << i;
+    ASSERT_TRUE(is_open_or(expected, coarse_in_circle(a, b, c, d))) << "call " << i;
+    ASSERT_TRUE(is_open_or(expected, in_circle_in_box(a, b, c, d))) << "call " << i;
     ASSERT_EQ(exact::lattice::whole_in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
     ASSERT_EQ(exact::in_circle(b, c, a, d), expected);
     ASSERT_EQ(exact::in_circle(b, a, c, d), -expected);
@@ -127,9 +128,12 @@ TEST(Filter, TellsPlainCasesByItsCoarseBounds) {
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
   EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
   EXPECT_EQ(orientation_in_box(a, b, ExactPoint{9, 0}), Sign::zero);
-  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
-  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
-  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{4, 4}), Sign::zero);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{1, 1}), Sign::positive);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{9, 9}), Sign::negative);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{4, 4}), Sign::zero);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{4, 4}), Sign::zero);
 }
 
 // A metre apart, thousands of kilometres from the origin, as surveyors have them.
@@ -137,7 +141,8 @@ TEST(Filter, TellsPointsFarFromTheOriginByItsCoarseBounds) {
   const ExactPoint a{4500000.25, 5300000.5}, b{4500001.25, 5300000.5}, c{4500000.25, 5300001.75};
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
   EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
-  EXPECT_EQ(exact::filter::coarse::in_circle(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
 }
 
 TEST(Rectangle, IsToldByItsCornersInAnyOrder) {

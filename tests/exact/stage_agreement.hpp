@@ -119,13 +119,25 @@ struct Agreement {
   }
 };
 
-/// The bound of a box that holds just these points.
+/// What the bounds of a box that holds just these points say.
 inline exact::Sign orientation_in_box(const exact::ExactPoint& a, const exact::ExactPoint& b,
                                       const exact::ExactPoint& c) {
   const Box box = {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
                    {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
   return exact::filter::sign_beyond(exact::filter::orientation_determinant(a, b, c),
                                     exact::filter::largest_orientation_error(box));
+}
+
+inline exact::Sign in_circle_in_box(const exact::ExactPoint& a, const exact::ExactPoint& b, const exact::ExactPoint& c,
+                                    const exact::ExactPoint& d) {
+  const Box box = {{std::min({a.x, b.x, c.x, d.x}), std::min({a.y, b.y, c.y, d.y})},
+                   {std::max({a.x, b.x, c.x, d.x}), std::max({a.y, b.y, c.y, d.y})}};
+  return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_place(box));
+}
+/// The coarse bound by the last point's place alone.
+inline exact::Sign coarse_in_circle(const exact::ExactPoint& a, const exact::ExactPoint& b, const exact::ExactPoint& c,
+                                    const exact::ExactPoint& d) {
+  return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_place(d));
 }
 
 /// Holds the first stage, with each of its bounds, against the second in all calls, and both against the last in every
@@ -144,7 +156,8 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
     const exact::Sign boxed_turn = orientation_in_box(a, b, c);
     const auto lattice_turn = exact::lattice::orientation(a, b, c);
     const auto circle = exact::filter::fine::in_circle(a, b, c, d);
-    const exact::Sign coarse_circle = exact::filter::coarse::in_circle(a, b, c, d);
+    const exact::Sign coarse_circle = coarse_in_circle(a, b, c, d);
+    const exact::Sign boxed_circle = in_circle_in_box(a, b, c, d);
     const auto whole_circle = exact::lattice::whole_in_circle(a, b, c, d);
     const auto lattice_circle = exact::lattice::in_circle(a, b, c, d);
     const auto order = exact::lattice::compare(a, b);
@@ -159,6 +172,7 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
     }
     for (const auto& exact_circle : {circle, lattice_circle}) {
       if (misleads(coarse_circle, exact_circle)) result.fault = "in-circle: coarse bound";
+      if (misleads(boxed_circle, exact_circle)) result.fault = "in-circle: bound of the box";
     }
     if (order && *order != exact::compare(a, b)) result.fault = "order: doubles against lattice";
     const auto swapped_turn = exact::lattice::orientation(b, a, c);
