@@ -40,16 +40,13 @@ std::optional<Error> find_range_error(const Point& point, std::size_t index, std
   return Error{ErrorCode::coordinate_range, std::move(message), {}, index};
 }
 
-std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index, std::string_view name) {
-  if (!exact::in_range(point)) return find_range_error(point, index, name);
-  if (point.x < domain.min.x || point.x > domain.max.x || point.y < domain.min.y || point.y > domain.max.y) {
-    return Error{ErrorCode::out_of_domain,
-                 name_of(index, name) + ", " + place_of(point) + ", lies outside the domain, " + place_of(domain.min) +
-                     " to " + place_of(domain.max),
-                 {},
-                 index};
-  }
-  return std::nullopt;
+Error point_error(const Box& domain, const Point& point, std::size_t index, std::string_view name) {
+  if (auto error = find_range_error(point, index, name)) return *std::move(error);
+  return {ErrorCode::out_of_domain,
+          name_of(index, name) + ", " + place_of(point) + ", lies outside the domain, " + place_of(domain.min) +
+              " to " + place_of(domain.max),
+          {},
+          index};
 }
 
 }  // namespace waywright

@@ -17,15 +17,17 @@ SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
   }
 }
 
-SegmentWalk::Stand SegmentWalk::leave_start_edge() const {
+/// On the edge, coming from the side that the end isn't on; where that lies on the edge's line, at the vertex ahead.
+SegmentWalk::Stand SegmentWalk::stand_on_start_edge() const {
   const mesh::HalfEdge h = start_.h;
+  if (geometry().order(from(), to()) == 0) return {mesh::kNoVertex, h, false, true};
   const Sign end_side = geometry().orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to());
-  if (end_side == Sign::positive) return leave_face(h);
-  if (end_side == Sign::negative) return leave_face(mesh_.twin(h));
-  return stand_at(is_ahead(mesh_.origin(h), mesh_.target(h)) ? mesh_.target(h) : mesh_.origin(h));
+  if (end_side == Sign::zero)
+    return stand_at(is_ahead(mesh_.origin(h), mesh_.target(h)) ? mesh_.target(h) : mesh_.origin(h));
+  return {mesh::kNoVertex, end_side == Sign::positive ? mesh_.twin(h) : h};
 }
 
-/// From a place inside the face, or inside one of its edges.
+/// From a place inside the face.
 SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
   const std::array<mesh::HalfEdge, 3> sides = {any, mesh::next(any), mesh::previous(any)};
   std::array<Sign, 3> corner{};

@@ -65,9 +65,10 @@ class SegmentWalk {
   [[nodiscard]] bool is_ahead(mesh::Vertex u, mesh::Vertex v) const { return delaunay_.comes_before(u, v) == ascends_; }
 
   [[nodiscard]] Stand leave_vertex(mesh::Vertex u) const;
-  [[nodiscard]] Stand leave_start_edge() const;
+  [[nodiscard]] Stand stand_on_start_edge() const;
   [[nodiscard]] Stand leave_face(mesh::HalfEdge any) const;
-  [[nodiscard]] Stand enter_face(mesh::HalfEdge entry) const;
+  template <class Visitor>
+  [[nodiscard]] mesh::HalfEdge cross_faces(mesh::HalfEdge exit, Visitor&& visitor) const;
   [[nodiscard]] Stand stand_at(mesh::Vertex v, mesh::HalfEdge through = mesh::kNoHalfEdge) const {
     return {v, mesh::kNoHalfEdge, ends_before(v), false, through};
   }
@@ -88,12 +89,26 @@ inline SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
   return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero, exit};
 }
 
-/// Across an edge with its origin on the line's left and its target on the right, as seen from the face it comes into.
-inline SegmentWalk::Stand SegmentWalk::enter_face(mesh::HalfEdge entry) const {
-  const mesh::Vertex apex = mesh_.apex(entry);
-  const Sign apex_side = side(apex);
-  if (apex_side == Sign::zero) return stand_at(apex, entry);
-  return stand_before(apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry));
+/// Leaves a face by `exit`, and then one face after the other, as long as the segment crosses the inside of an edge
+/// and runs on. Returns a half-edge of the face that it came to whose apex it comes to, or kNoHalfEdge where it has
+/// ended, or the visitor has ended the walk. Nearly all of a walk happens here.
+template <class Visitor>
+mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) const {
+  exact::Geometry::View right = delaunay_.view(mesh_.origin(exit));
+  exact::Geometry::View left = delaunay_.view(mesh_.target(exit));
+  for (;;) {
+    const mesh::HalfEdge entry = mesh_.twin(exit);
+    const exact::Geometry::View apex = delaunay_.view(mesh_.apex(entry));
+    const Sign apex_side = geometry().orientation(from(), to(), apex);
+    if (apex_side == Sign::zero) return entry;
+    const bool is_left = apex_side == Sign::positive;
+    exit = is_left ? mesh::next(entry) : mesh::previous(entry);
+    (is_left ? left : right) = apex;
+    if (!visitor.through_face(exit)) return mesh::kNoHalfEdge;
+    const Sign end_side = geometry().orientation(right, left, to());
+    if (end_side == Sign::positive) return mesh::kNoHalfEdge;
+    if (!visitor.at_edge(exit, end_side == Sign::zero) || end_side == Sign::zero) return mesh::kNoHalfEdge;
+  }
 }
 
 template <class Visitor>
@@ -102,9 +117,8 @@ void SegmentWalk::run(Visitor&& visitor) {
   if (start_.spot == locate::Spot::vertex) {
     stand = stand_at(mesh_.origin(start_.h));
   } else if (start_.spot == locate::Spot::edge) {
-    const bool is_point = geometry().order(from(), to()) == 0;
-    if (!visitor.at_edge(start_.h, is_point) || is_point) return;
-    stand = leave_start_edge();
+    stand = stand_on_start_edge();
+    if (stand.vertex != mesh::kNoVertex && !visitor.at_edge(start_.h, false)) return;
   } else {
     if (geometry().order(from(), to()) == 0) return;
     stand = leave_face(start_.h);
@@ -119,7 +133,9 @@ void SegmentWalk::run(Visitor&& visitor) {
     } else {
       if (!visitor.at_edge(stand.exit, stand.ends_on_exit)) return;
       if (stand.ends_on_exit) return;
-      stand = enter_face(mesh_.twin(stand.exit));
+      const mesh::HalfEdge entry = cross_faces(stand.exit, visitor);
+      if (entry == mesh::kNoHalfEdge) return;
+      stand = stand_at(mesh_.apex(entry), entry);
     }
   }
 }

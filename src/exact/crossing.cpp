@@ -11,6 +11,7 @@
 #include "exact/lattice_point.hpp"
 #include "exact/offsets.hpp"
 #include "exact/power_of_two.hpp"
+#include "exact/whole.hpp"
 #include "exact/wide_integer.hpp"
 
 namespace waywright::exact {
@@ -116,12 +117,6 @@ namespace {
 
 constexpr double kLargestExact = 0x1p53;
 
-/// 0 of whole numbers only, and of all those below 2^52.
-double fraction(double value) {
-  constexpr double kNoFraction = 0x1p52;  // no double from here on has one
-  const double magnitude = std::abs(value);
-  return magnitude - ((magnitude + kNoFraction) - kNoFraction);
-}
 bool are_whole(const Crossing& crossing) {
   Point fractions{};
   for (const Point& p : {crossing.a, crossing.b, crossing.c, crossing.d}) {
@@ -158,10 +153,9 @@ double magnitude(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y))
 
 }  // namespace
 
-// The sum of two whole numbers, and their product, is a whole number; if that is rounded to less than 2^53, it wasn't
-// rounded at all. So it is enough to look at the results; and at none that is only multiplied, for it then is 0 or no
-// larger than the product, or it is multiplied by 0, and it makes no difference whether it was rounded. IEEE's division
-// rounds the quotient of the two correctly.
+// Whether a number was rounded shows in its size (see is_whole). So it is enough to look at the results; and at none
+// that is only multiplied, for it then is 0 or no larger than the product, or it is multiplied by 0, and it makes no
+// difference whether it was rounded. IEEE's division rounds the quotient of the two correctly.
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const auto& [a, b, c, d] = crossing;
   if (!are_whole(crossing)) return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include "exact/lattice_point.hpp"
 #include "exact/offsets.hpp"
+#include "exact/whole.hpp"
 #include "exact/wide_integer.hpp"
 
 namespace waywright::exact::lattice {
@@ -114,12 +115,6 @@ WideInteger<2> lift(const LatticeVector& p) { return Offset(p.x) * Offset(p.x) +
 
 std::int64_t small_cross(const LatticeVector& p, const LatticeVector& q) { return p.x * q.y - p.y * q.x; }
 std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; }
-
-constexpr double kLargestWhole = 0x1p52;  // below this, the difference of two whole numbers is computed exactly
-
-bool is_whole(double value) {
-  return std::abs(value) < kLargestWhole && value == static_cast<double>(static_cast<std::int64_t>(value));
-}
 
 /// From `origin`, whose coordinates are whole, to `p`, where its are too and no further off than 2^kSmallBits: by far
 /// the most common lattice, seen at once.

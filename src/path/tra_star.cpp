@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <span>
 
 namespace waywright::path {
 
@@ -199,23 +200,21 @@ void TraStar::collect_channel(std::uint32_t goal_node) {
 }
 
 void TraStar::write_path(Path& path) {
-  tree_.reset(*geometry_, ends_->start());
-  Funnel funnel{TautTree::kRoot, tree_.add_seen(mesh_->target(exits_[0])), tree_.add_seen(mesh_->origin(exits_[0]))};
+  string_.begin(*geometry_, ends_->start(), mesh_->target(exits_[0]), mesh_->origin(exits_[0]), exits_.size());
   for (std::size_t i = 1; i < exits_.size(); ++i) {
     const HalfEdge entry = mesh_->twin(exits_[i - 1]);
     const mesh::Vertex apex = mesh_->apex(entry);
-    funnel = exits_[i] == mesh::next(entry) ? tree_.move_left(funnel, apex) : tree_.move_right(funnel, apex);
+    exits_[i] == mesh::next(entry) ? string_.move_left(apex) : string_.move_right(apex);
   }
   const Point& goal = ends_->goal();
-  const std::uint32_t corner = tree_.last_corner(funnel, goal);
+  string_.end_at(goal);
   path.status = PathStatus::found;
-  path.length = tree_.length(corner) + distance(tree_.point(corner), goal);
+  path.length = string_.length();
   path.lower_bound = std::min(distance(ends_->start(), goal), path.length);
-  path.points.clear();
-  path.points.push_back(goal);
-  for (std::uint32_t node = corner;; node = tree_.parent(node)) {
-    if (tree_.point(node) != path.points.back()) path.points.push_back(tree_.point(node));
-    if (node == TautTree::kRoot) break;
+  const std::span<const Point> corners = string_.corners();
+  path.points.assign(1, goal);
+  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner) {
+    if (*corner != path.points.back()) path.points.push_back(*corner);
   }
   std::reverse(path.points.begin(), path.points.end());
 }

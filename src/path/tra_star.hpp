@@ -7,9 +7,9 @@
 
 #include "path/abstraction.hpp"
 #include "path/ends.hpp"
-#include "path/funnel.hpp"
 #include "path/open_list.hpp"
 #include "path/sight.hpp"
+#include "path/taut_string.hpp"
 
 namespace waywright::path {
 
@@ -94,7 +94,7 @@ class TraStar {
   std::vector<mesh::Face> tops_;       ///< faces of the core, and roots, above the goal; then faces below them
   std::vector<std::uint32_t> chosen_;  ///< the nodes of the path, from the goal back
   std::vector<mesh::HalfEdge> exits_;  ///< the edges that the channel crosses, in the faces before them
-  TautTree tree_;
+  TautString string_;
 };
 
 }  // namespace waywright::path

@@ -170,8 +170,12 @@ TEST(WholeNumbers, TellOnlyWhatFits) {
   EXPECT_EQ(ask(16384), Sign::zero);
   EXPECT_EQ(ask(16385), std::nullopt);
   EXPECT_EQ(ask(0.5), std::nullopt);
-  const double far = 0x1p52;
-  EXPECT_EQ(exact::lattice::whole_in_circle({far, 0}, {far + 2, 0}, {far + 2, 2}, {far, 2}), std::nullopt);
+  const auto ask_far_out = [](double x) {
+    return exact::lattice::whole_in_circle({x, 0}, {x + 2, 0}, {x + 2, 2}, {x, 2});
+  };
+  EXPECT_EQ(ask_far_out(0x1p52), Sign::zero);
+  EXPECT_EQ(ask_far_out(0x1p51 + 0.5), std::nullopt);
+  EXPECT_EQ(ask_far_out(-0x1p51 - 0.5), std::nullopt);
   EXPECT_EQ(exact::lattice::whole_in_circle({0, 0}, {9, 0}, {9, 9}, {1, 8}), Sign::positive);
 }
 

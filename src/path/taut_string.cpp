@@ -1,0 +1,74 @@
+#include "path/taut_string.hpp"
+
+#include "path/distance.hpp"
+
+namespace waywright::path {
+
+using exact::Sign;
+
+// A string of length zero has no direction to turn from, so a vertex at the start is the apex itself.
+void TautString::begin(const Geometry& geometry, const Point& start, mesh::Vertex left, mesh::Vertex right,
+                       std::size_t portal_count) {
+  geometry_ = &geometry;
+  corners_.clear();
+  if (row_.size() < 2 * portal_count + 1) row_.resize(2 * portal_count + 1);
+  left_ = apex_ = right_ = portal_count;
+  row_[apex_] = Geometry::view(start);
+  if (!is_at_start(left)) row_[--left_] = geometry.view(number(left));
+  if (!is_at_start(right)) row_[++right_] = geometry.view(number(right));
+}
+
+bool TautString::is_at_start(mesh::Vertex v) const {
+  return geometry_->order(row_[apex_], geometry_->view(number(v))) == 0;
+}
+
+//        left end . . . . . v       The string to v leaves the left one where v no longer lies inwards of its next
+//        piece;
+//       /               .'          if it leaves it nowhere, it follows the right one from the apex for as long as v
+//       lies
+//      .            . '             beyond its next piece.
+//     /        . '
+//   apex --- . --- right end
+void TautString::move_left(mesh::Vertex v) {
+  const View place = geometry_->view(number(v));
+  while (left_ < apex_ && geometry_->orientation(row_[left_ + 1], row_[left_], place) != Sign::positive) ++left_;
+  if (left_ == apex_) {
+    while (apex_ < right_ && geometry_->orientation(row_[apex_], row_[apex_ + 1], place) == Sign::negative) {
+      turn_at(row_[apex_++]);
+    }
+    left_ = apex_;
+  }
+  row_[--left_] = place;
+}
+
+/// The mirror image of move_left.
+void TautString::move_right(mesh::Vertex v) {
+  const View place = geometry_->view(number(v));
+  while (right_ > apex_ && geometry_->orientation(row_[right_ - 1], row_[right_], place) != Sign::negative) --right_;
+  if (right_ == apex_) {
+    while (apex_ > left_ && geometry_->orientation(row_[apex_], row_[apex_ - 1], place) == Sign::positive) {
+      turn_at(row_[apex_--]);
+    }
+    right_ = apex_;
+  }
+  row_[++right_] = place;
+}
+
+void TautString::end_at(const Point& goal) {
+  const View place = Geometry::view(goal);
+  const std::size_t first = apex_;
+  while (apex_ > left_ && geometry_->orientation(row_[apex_], row_[apex_ - 1], place) == Sign::positive) {
+    turn_at(row_[apex_--]);
+  }
+  if (apex_ == first) {
+    while (apex_ < right_ && geometry_->orientation(row_[apex_], row_[apex_ + 1], place) == Sign::negative) {
+      turn_at(row_[apex_++]);
+    }
+  }
+  turn_at(row_[apex_]);
+  length_ = 0.0;
+  for (std::size_t i = 1; i < corners_.size(); ++i) length_ += distance(corners_[i - 1], corners_[i]);
+  length_ += distance(corners_.back(), goal);
+}
+
+}  // namespace waywright::path
