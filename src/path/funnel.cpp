@@ -7,27 +7,22 @@ using exact::Sign;
 void TautTree::reset(const Geometry& geometry, const Point& start) {
   geometry_ = &geometry;
   nodes_.clear();
-  nodes_.push_back({start, mesh::kNoVertex, kRoot, 0.0});
-}
-
-TautTree::Geometry::View TautTree::view(std::uint32_t node) const {
-  const Node& at = nodes_[node];
-  return at.vertex == mesh::kNoVertex ? Geometry::view(at.point) : geometry_->view(number(at.vertex));
+  nodes_.push_back({Geometry::view(start), kRoot, 0.0});
 }
 
 Sign TautTree::side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const {
-  return geometry_->orientation(view(p), view(q), v);
+  return geometry_->orientation(nodes_[p].place, nodes_[q].place, v);
 }
 
 std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
-  const Point& place = geometry_->nearest(number(v));
-  nodes_.push_back({place, v, parent, nodes_[parent].length + distance(nodes_[parent].point, place)});
+  const Geometry::View place = geometry_->view(number(v));
+  nodes_.push_back({place, parent, nodes_[parent].length + distance(point(parent), {place.x, place.y})});
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
 // A string of length zero has no direction to turn from, so a vertex at the start is the root itself.
 std::uint32_t TautTree::add_seen(mesh::Vertex v) {
-  return geometry_->order(view(kRoot), geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
+  return geometry_->order(nodes_[kRoot].place, geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
 }
 
 /// The chain from just after `apex` to `end`, backwards.

@@ -38,7 +38,7 @@ class TautTree {
   /// The node from which the taut string through the funnel runs straight to `goal`, just beyond the portal.
   [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
 
-  [[nodiscard]] const Point& point(std::uint32_t node) const { return nodes_[node].point; }
+  [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].place.x, nodes_[node].place.y}; }
   [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
   /// The length of the string from the start.
   [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
@@ -47,13 +47,11 @@ class TautTree {
 
  private:
   struct Node {
-    Point point;
-    mesh::Vertex vertex;
+    Geometry::View place;
     std::uint32_t parent;
     double length;
   };
 
-  [[nodiscard]] Geometry::View view(std::uint32_t node) const;
   /// Which side of the string from `p` to `q` `v` lies on.
   [[nodiscard]] exact::Sign side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const;
   void collect(std::uint32_t end, std::uint32_t apex, std::vector<std::uint32_t>& chain) const;
