@@ -120,22 +120,16 @@ mesh::HalfEdge Triangulation<Geometry>::cut_ear(Chain& chain, mesh::Vertex a, co
   return base;
 }
 
-/// Flips what is illegal between the chains; they themselves are Delaunay and stay where they are, for who forces an
-/// edge may hold on to what lies beyond them. Returns whether anything had to be flipped.
+/// Flips what is illegal between the chains. Returns whether anything had to be flipped.
+///
+/// A chain's own edges always are legal, so that what lies beyond stays where it is; who forces an edge may hold on to
+/// that. For a triangle on a chain's edge lies in the cavity, where all edges were free: so the face beyond sees its
+/// apex, and a Delaunay face has no vertex that it sees in its circle.
 template <class Geometry>
 bool Triangulation<Geometry>::legalise_cavity() {
   while (!freed_.empty() && is_legal(freed_.back())) freed_.pop_back();
   if (freed_.empty()) return false;
-  const auto for_each_border = [&](auto&& visit) {
-    for (const Chain* chain : {&left_chain_, &right_chain_}) {
-      for (const ChainEdge& edge : *chain) {
-        if (edge.partner == kNotDangling && edge.label == 0) visit(edge.outer);
-      }
-    }
-  };
-  for_each_border([&](mesh::HalfEdge h) { mesh_.hold(h); });
   legalise_freed();
-  for_each_border([&](mesh::HalfEdge h) { mesh_.release(h); });
   return true;
 }
 

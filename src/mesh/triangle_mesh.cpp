@@ -119,15 +119,6 @@ void TriangleMesh::write_label(HalfEdge h, Label label) {
   }
 }
 
-void TriangleMesh::hold(HalfEdge h) {
-  make_room_for_label(h, twin(h));
-  for (const HalfEdge side : {h, twin(h)}) corners_[number(side)].twin |= kFixed;
-}
-
-void TriangleMesh::release(HalfEdge h) {
-  for (const HalfEdge side : {h, twin(h)}) corners_[number(side)].twin &= ~kFixed;
-}
-
 /// What take_over(to, from) needs.
 void TriangleMesh::make_room_to_take_over(HalfEdge to, HalfEdge from) {
   if (is_fixed(from)) [[unlikely]]

@@ -102,11 +102,6 @@ class TriangleMesh {
   /// Labels the edge of `h`; 0 frees it.
   void set_label(HalfEdge h, Label label);
 
-  /// Fixes an edge without a label for a while: until release(), it is not flipped. Not logged; taking back the changes
-  /// that it saw releases it, if its face on one side was made by them. Its label must not be asked for.
-  void hold(HalfEdge h);
-  void release(HalfEdge h);
-
   /// Puts `v` into `f`, joined to its three corners. Returns the half-edges opposite to `v`, counter-clockwise around
   /// it; the first is first(f).
   std::array<HalfEdge, 3> split_face(Face f, Vertex v);
