@@ -155,7 +155,7 @@ double magnitude(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y))
 
 // Whether a number was rounded shows in its size (see is_whole). So it is enough to look at the results; and at none
 // that is only multiplied, for it then is 0 or no larger than the product, or it is multiplied by 0, and it makes no
-// difference whether it was rounded. IEEE's division rounds the quotient of the two correctly.
+// difference whether it was rounded. Numerators and w being exact, IEEE's division rounds their quotients correctly.
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const auto& [a, b, c, d] = crossing;
   if (!are_whole(crossing)) return std::nullopt;

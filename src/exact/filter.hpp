@@ -50,7 +50,7 @@
 //
 // In a box of width w and height h whose corners' largest magnitude is M, so are rounded coordinates, for rounding is
 // monotone. So |l| and |r| are at most w h, S is at most 2 (w + h), and m is at most M: which in the coarse bound of
-// in-circle takes the place of |p| + t, so that M^2 may take that of q.
+// in-circle takes the place of |p| + t, so that M^2 may take that of q, also in what says that t is hardly shorter.
 
 namespace waywright::exact::filter {
 

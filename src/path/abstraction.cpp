@@ -10,6 +10,13 @@ namespace waywright::path {
 
 using mesh::Face;
 
+namespace {
+
+/// So many changed faces are gone through, whatever their share of the mesh.
+constexpr std::size_t kFewFaces = 1000;
+
+}  // namespace
+
 /// Takes everything back unless it is told that all went well.
 class Abstraction::Guard {
  public:
@@ -44,7 +51,7 @@ void Abstraction::update(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
   collect_touched(mesh);
-  if (2 * gone_.size() > mesh.face_slots()) {
+  if (gone_.size() > kFewFaces && 2 * gone_.size() > mesh.face_slots()) {
     rebuild(triangulation);
     return guard.done();
   }
@@ -62,7 +69,7 @@ void Abstraction::update(const Triangulation& triangulation) {
 
 /// Where most faces changed, this is cheaper than to go through what did.
 void Abstraction::rebuild(const Triangulation& triangulation) {
-  gone_ = std::vector<Face>();  // as large as the mesh
+  gone_ = made_ = std::vector<Face>();  // as large as the mesh
   Components components(triangulation);
   core_ = TwoCore(triangulation);
   components_ = std::move(components);

@@ -14,15 +14,16 @@
 namespace waywright::path {
 
 /// What the searches know about a world's faces before they start: which are joined at all, which polygons cover them,
-/// which lie in dead ends. Kept up from operation to operation, never rebuilt; equal to a rebuild at any time.
+/// which lie in dead ends. Kept up from operation to operation, rebuilt only where most of the mesh has changed; equal
+/// to a rebuild at any time.
 ///
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: theirs is rebuilt after
-/// a change, in time linear in the mesh.
+/// each change, in time linear in the mesh.
 class Abstraction {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Of a triangulation; it is told of the same one, or a copy of it, from then on.
+  /// Of a triangulation; it is told of the same one, wherever that is moved, from then on.
   explicit Abstraction(const Triangulation& triangulation);
 
   [[nodiscard]] const Components& components() const { return components_; }

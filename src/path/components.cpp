@@ -154,6 +154,7 @@ void Components::start_searches(std::span<const Contact> contacts) {
     while (i < search_sets_.size() && searches_[i].group != group) ++i;
     if (i == search_sets_.size()) {
       search_sets_.push_back(i);
+      ++next_mark_;  // before there is a mark, so that none is left for the next should memory run out here
       if (i == searches_.size()) searches_.emplace_back();
       searches_[i].group = group;
       searches_[i].found.clear();
@@ -161,7 +162,6 @@ void Components::start_searches(std::span<const Contact> contacts) {
     }
     find(searches_[i], contact.face);
   }
-  next_mark_ += static_cast<std::uint32_t>(search_sets_.size());
 }
 
 /// Searches from all sides in turn. Returns the set of searches that is still unfinished, or any if all are done.

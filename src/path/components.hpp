@@ -29,7 +29,7 @@ class Components {
   using Label = std::uint32_t;
   static constexpr Label kNone = 0xffffffff;
 
-  /// Those of a triangulation. Cost: linear, and nearly no memory besides what stays.
+  /// Those of a triangulation. Cost: linear, and no memory besides what stays but for walls between components.
   explicit Components(const constraint::ExactTriangulation& triangulation);
 
   /// The component of a face of the box.

@@ -22,11 +22,9 @@ bool TautString::is_at_start(mesh::Vertex v) const {
   return geometry_->order(row_[apex_], geometry_->view(number(v))) == 0;
 }
 
-//        left end . . . . . v       The string to v leaves the left one where v no longer lies inwards of its next
-//        piece;
-//       /               .'          if it leaves it nowhere, it follows the right one from the apex for as long as v
-//       lies
-//      .            . '             beyond its next piece.
+//        left end . . . . . v       The string to v leaves the left one where v no longer lies inwards of its
+//       /               .'          next piece; if it leaves it nowhere, it follows the right one from the apex for
+//      .            . '             as long as v lies beyond its next piece.
 //     /        . '
 //   apex --- . --- right end
 void TautString::move_left(mesh::Vertex v) {

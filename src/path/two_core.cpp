@@ -20,6 +20,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation)
     peel_from(mesh, Face{f});
     begin();  // there is nothing to take back to
   }
+  log_.shrink_to_fit();
 }
 
 // The core is found from above: a set that is surely large enough is peeled until every face has two ways.

@@ -28,7 +28,8 @@ namespace waywright::path {
 /// tree, 2 a corridor, 3 a junction). Departure: theirs is rebuilt.
 class TwoCore {
  public:
-  /// That of a triangulation's faces in the box. Cost: linear, and nearly no memory besides what stays.
+  /// That of a triangulation's faces in the box. Cost: linear, and no memory besides what stays but for the longest
+  /// dead end.
   explicit TwoCore(const constraint::ExactTriangulation& triangulation);
 
   /// Whether the face lies on a ring of ways, or between two.

@@ -112,6 +112,34 @@ TEST_P(MemoryFailure, AnywhereInAnOperationChangesNothing) {
   }
 }
 
+// Nothing that a search through the components had written down comes in the way of another, much later one.
+TEST(MemoryFailureOf, SeveralObstaclesLeavesTheComponentsToTheNext) {
+  std::vector<Change> obstacles;
+  for (int i = 0; i < 16; ++i) {
+    const double x = 100.0 + 200.0 * (i % 4);
+    const double y = 100.0 + 200.0 * (i / 4);
+    obstacles.push_back({Change::Kind::insert, {}, {ItemKind::polygon, {{{x, y}, {x + 9, y + 1}, {x + 3, y + 8}}}}});
+  }
+  const std::vector<Point> around = {{50.5, 50.5}, {950.5, 60.5}, {940.5, 930.5}, {60.5, 940.5}};
+  Random random(7);
+  std::vector<Point> points;
+  for (int i = 0; i < 600; ++i) {
+    const auto x = static_cast<double>(random.between(0, 1000));
+    points.push_back({x, static_cast<double>(random.between(0, 1000))});
+  }
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = World::create({{0, 0}, {1000, 1000}}).value();
+    world.insert_points(points).value();
+    std::size_t left = n;
+    if (apply_with_failure(world, obstacles, left)) break;
+    world.insert_polygon(around).value();
+    const Validation validation = world.validate();
+    ASSERT_TRUE(validation.ok) << validation.fault << " after allocation " << n << " failed";
+  }
+  EXPECT_GT(failures, 100U);
+}
+
 // What a dump doesn't tell is as it was too: which id is given next, and that there are polygons at all.
 TEST(MemoryFailureOf, AnInsertionGivesItsIdToTheNext) {
   const std::vector<Change> insertion = {{Change::Kind::insert, {1000}, {ItemKind::point, {{{3, 4}}}}}};

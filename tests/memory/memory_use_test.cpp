@@ -59,22 +59,24 @@ TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
   }
 }
 
-// A vertex takes its place (16), a half-edge (4) and a list of items (4), its two faces 48, its item 16, and sectors
+// A vertex takes its place (16), a half-edge (4) and a list of items (4), its two faces 48, its item 8, and sectors
 // from 4 to 8 and a little where they are crowded; ids that count up take nothing, and nor do labels.
-TEST(MemoryUse, APointOfManyTakesLessThanAHundredBytes) {
+TEST(MemoryUse, APointOfManyTakesLessThanNinetyTwoBytes) {
   const std::vector<Point> points = random_points(kCount);
   World world = World::create(kBox, {.keep_abstraction = false}).value();
   world.insert_points(points).value();
-  EXPECT_LE(world.memory().total(), 100 * kCount);
+  EXPECT_LE(world.memory().total(), 92 * kCount);
 }
 
-// Two faces a vertex, each of a component, a mark and a byte.
-TEST(MemoryUse, PathsTakeLessThanTwentyBytesMore) {
+// Two faces a vertex, each of a component and a byte; and pages of marks once there is something to search.
+TEST(MemoryUse, PathsTakeLessThanElevenBytesMore) {
   const std::vector<Point> points = random_points(kCount);
   World world = World::create(kBox).value();
   world.insert_points(points).value();
-  EXPECT_LE(world.memory().abstraction, 19 * kCount);
-  EXPECT_LE(world.memory().total(), 119 * kCount);
+  EXPECT_LE(world.memory().abstraction, 11 * kCount);
+  EXPECT_LE(world.memory().total(), 103 * kCount);
+  world.insert_segment({0.5, 0.5}, {0.505, 0.505}).value();
+  EXPECT_LE(world.memory().abstraction, 12 * kCount);
 }
 
 }  // namespace
