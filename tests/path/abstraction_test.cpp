@@ -188,7 +188,13 @@ class Expected {
   std::set<std::uint32_t> core_;
 };
 
-Fault fault_of(const Reduced& reduced) { return Expected(reduced.mesh()).fault_of(reduced.abstraction()); }
+/// Of the abstraction as it was kept up, and as it is built from nothing.
+Fault fault_of(const Reduced& reduced) {
+  const Expected expected(reduced.mesh());
+  if (auto fault = expected.fault_of(reduced.abstraction())) return fault;
+  if (auto fault = expected.fault_of(Abstraction(reduced.mesh()))) return *fault + ", built from nothing";
+  return std::nullopt;
+}
 
 Shape rectangle(double x0, double y0, double x1, double y1) {
   return {ItemKind::polygon, {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
