@@ -56,7 +56,8 @@ Sign Geometry::finer_orientation(const View& a, const View& b, const View& c) co
 }
 
 Sign Geometry::finer_in_circle(const View& a, const View& b, const View& c, const View& d) const {
-  const bool are_explicit = is_explicit(a) && is_explicit(b) && is_explicit(c) && is_explicit(d);
+  const bool are_explicit =
+      crossing_of_.empty() || (is_explicit(a) && is_explicit(b) && is_explicit(c) && is_explicit(d));
   if (are_explicit && filter::is_rectangle(a, b, c, d)) {
     ++counts.in_circle.doubles;
     return Sign::zero;
