@@ -51,7 +51,7 @@ CanonicalMesh canonical_mesh(const ExactTriangulation& triangulation) {
   std::vector<Edge> fixed;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
-    if (!mesh.is_alive(f) || delaunay.is_ghost_face(mesh::first(f))) continue;
+    if (!delaunay.is_in_box(f)) continue;
     mesh::HalfEdge h = mesh::first(f);
     std::array<std::uint32_t, 3> corners{};
     for (std::uint32_t& corner : corners) {

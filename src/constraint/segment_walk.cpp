@@ -22,8 +22,9 @@ SegmentWalk::Stand SegmentWalk::stand_on_start_edge() const {
   const mesh::HalfEdge h = start_.h;
   if (geometry().order(from(), to()) == 0) return {mesh::kNoVertex, h, false, true};
   const Sign end_side = geometry().orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to());
-  if (end_side == Sign::zero)
+  if (end_side == Sign::zero) {
     return stand_at(is_ahead(mesh_.origin(h), mesh_.target(h)) ? mesh_.target(h) : mesh_.origin(h));
+  }
   return {mesh::kNoVertex, end_side == Sign::positive ? mesh_.twin(h) : h};
 }
 
