@@ -6,7 +6,7 @@ function(waywright_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # A fused multiply-add rounds once where the error bounds of the predicates count two roundings.
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wconversion -Wshadow)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wconversion -Wshadow)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # Its -O3 sees overlapping copies in every `"text" + string` (GCC bug 105651).
     target_compile_options(${target} PRIVATE -Wno-restrict)

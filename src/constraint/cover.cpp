@@ -34,25 +34,28 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& pl
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   faces.clear();
+  const auto add = [&](mesh::HalfEdge h) {
+    if (!delaunay.is_ghost_face(h)) faces.push_back(h);
+  };
   if (place.spot == locate::Spot::vertex) {
     const mesh::HalfEdge start = first_neighbour(triangulation, mesh.origin(place.h));
     mesh::HalfEdge h = start;
     do {
-      faces.push_back(h);
+      add(h);
       h = mesh.next_around(h);
     } while (h != start);
   } else if (place.spot == locate::Spot::edge) {
     const bool ascends = delaunay.comes_before(mesh.origin(place.h), mesh.target(place.h));
     const mesh::HalfEdge left = ascends ? place.h : mesh.twin(place.h);
-    faces = {left, mesh.twin(left)};
+    add(left);
+    add(mesh.twin(left));
   } else {
     mesh::HalfEdge h = place.h;
     for (const mesh::HalfEdge side : {mesh::next(place.h), mesh::previous(place.h)}) {
       if (delaunay.comes_before(mesh.origin(side), mesh.origin(h))) h = side;
     }
-    faces.push_back(h);
+    add(h);
   }
-  std::erase_if(faces, [&](mesh::HalfEdge h) { return delaunay.is_ghost_face(h); });
 }
 
 // A polygon covers a face when a way from there to beyond the domain crosses an odd number of its sides. The way goes
@@ -114,11 +117,8 @@ bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const lo
 
 const std::vector<mesh::HalfEdge>& Cover::open_faces(const ExactTriangulation& triangulation,
                                                      const locate::Located& place) {
-  faces_at(triangulation, place, around_);
-  open_.clear();
-  for (const mesh::HalfEdge h : around_) {
-    if (!is_covered(triangulation, h)) open_.push_back(h);
-  }
+  faces_at(triangulation, place, open_);
+  std::erase_if(open_, [&](mesh::HalfEdge h) { return is_covered(triangulation, h); });
   return open_;
 }
 

@@ -30,8 +30,7 @@ class SegmentWalk {
   SegmentWalk(const ExactTriangulation& triangulation, const Point& from, const Point& to, const locate::Located& start)
       : delaunay_(triangulation.triangulation()),
         mesh_(triangulation.topology()),
-        from_(from),
-        to_(to),
+        line_(exact::Geometry::view(from), exact::Geometry::view(to)),
         ascends_(geometry().order(this->from(), this->to()) < 0),
         start_(start) {}
 
@@ -52,10 +51,10 @@ class SegmentWalk {
   };
 
   [[nodiscard]] const exact::Geometry& geometry() const { return delaunay_.geometry(); }
-  [[nodiscard]] exact::Geometry::View from() const { return exact::Geometry::view(from_); }
-  [[nodiscard]] exact::Geometry::View to() const { return exact::Geometry::view(to_); }
+  [[nodiscard]] const exact::Geometry::View& from() const { return line_.from; }
+  [[nodiscard]] const exact::Geometry::View& to() const { return line_.to; }
   [[nodiscard]] Sign side(mesh::Vertex v) const {
-    return v == delaunay_.ghost() ? Sign::zero : geometry().orientation(from(), to(), delaunay_.view(v));
+    return v == delaunay_.ghost() ? Sign::zero : geometry().side(line_, delaunay_.view(v));
   }
   /// Whether the end comes before `v`, a vertex on the segment's line ahead.
   [[nodiscard]] bool ends_before(mesh::Vertex v) const {
@@ -76,8 +75,7 @@ class SegmentWalk {
 
   const Delaunay& delaunay_;
   const mesh::TriangleMesh& mesh_;
-  Point from_;
-  Point to_;
+  exact::Geometry::Line line_;
   bool ascends_;
   locate::Located start_;
 };
@@ -99,7 +97,7 @@ mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) 
   for (;;) {
     const mesh::HalfEdge entry = mesh_.twin(exit);
     const exact::Geometry::View apex = delaunay_.view(mesh_.apex(entry));
-    const Sign apex_side = geometry().orientation(from(), to(), apex);
+    const Sign apex_side = geometry().side(line_, apex);
     if (apex_side == Sign::zero) return entry;
     const bool is_left = apex_side == Sign::positive;
     exit = is_left ? mesh::next(entry) : mesh::previous(entry);

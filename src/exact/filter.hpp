@@ -158,6 +158,13 @@ template <class Place>
 
 }  // namespace coarse
 
+/// Whether three explicit points lie on a line parallel to an axis, or the last at one of the others: where walls are
+/// laid out on a grid, by far the most common tie. Then both products of the determinant have a factor 0.
+template <class Place>
+[[nodiscard]] bool is_flat(const Place& a, const Place& b, const Place& c) {
+  return (a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x);
+}
+
 /// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. So they lie on a
 /// circle, and nothing needs computing: where walls are laid out on a grid, that is by far the most common tie.
 template <class Place>
@@ -193,8 +200,8 @@ inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
     const double sum = std::abs(acx) + std::abs(acy) + std::abs(bcx) + std::abs(bcy);
     const double rounding = kHalfUlp * (std::abs(c.x) + std::abs(c.y) + sum);  // u m
     error += 2.1 * rounding * (sum + 5.0 * rounding) + kUnderflow;
-  } else if (left == 0.0 && right == 0.0) {
-    return Sign::zero;  // differences of doubles vanish only where they are 0, and nothing underflows
+  } else if (is_flat(a, b, c)) {
+    return Sign::zero;
   }
   return sign_beyond(left - right, error);
 }

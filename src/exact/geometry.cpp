@@ -52,6 +52,15 @@ ExactPoint Geometry::exact(const View& view) const {
 }
 
 Sign Geometry::finer_orientation(const View& a, const View& b, const View& c) const {
+  const bool are_explicit = crossing_of_.empty() || (is_explicit(a) && is_explicit(b) && is_explicit(c));
+  if (are_explicit && filter::is_flat(a, b, c)) {
+    ++counts.orientation.doubles;
+    return Sign::zero;
+  }
+  if (const Sign sign = filter::coarse::orientation(a, b, c); sign != Sign::zero) {
+    ++counts.orientation.doubles;
+    return sign;
+  }
   return detail::finer_orientation(exact(a), exact(b), exact(c));
 }
 

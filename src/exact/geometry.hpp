@@ -34,6 +34,16 @@ class Geometry {
     std::uint32_t vertex = kNoVertex;  ///< kNoVertex: an explicit point
   };
 
+  /// The line from one place to another, for asking of many on which side of it they lie.
+  struct Line {
+    View from;
+    View to;
+    double dx = 0.0;
+    double dy = 0.0;
+    Line() = default;
+    Line(const View& a, const View& b) : from(a), to(b), dx(b.x - a.x), dy(b.y - a.y) {}
+  };
+
   /// Requires: all vertices, and all points asked about, lie in the box.
   explicit Geometry(const Box& box)
       : orientation_error_(filter::largest_orientation_error(box)),
@@ -68,13 +78,23 @@ class Geometry {
   [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 
   [[nodiscard]] Sign orientation(const View& a, const View& b, const View& c) const {
-    Sign sign = filter::sign_beyond(filter::orientation_determinant(a, b, c), orientation_error_);
-    if (sign == Sign::zero) sign = filter::coarse::orientation(a, b, c);
+    const Sign sign = filter::sign_beyond(filter::orientation_determinant(a, b, c), orientation_error_);
     if (sign != Sign::zero) {
       ++counts.orientation.doubles;
       return sign;
     }
     return finer_orientation(copy(a), copy(b), copy(c));
+  }
+  /// The orientation of the line's two places and `c`.
+  [[nodiscard]] Sign side(const Line& line, const View& c) const {
+    // The filter's determinant of the second place, c and the first, of which two differences are known.
+    const double determinant = line.dx * (c.y - line.from.y) - line.dy * (c.x - line.from.x);
+    const Sign sign = filter::sign_beyond(determinant, orientation_error_);
+    if (sign != Sign::zero) {
+      ++counts.orientation.doubles;
+      return sign;
+    }
+    return finer_orientation(copy(line.from), copy(line.to), copy(c));
   }
   [[nodiscard]] Sign in_circle(const View& a, const View& b, const View& c, const View& d) const {
     if (const Sign sign = filter::coarse::in_circle(a, b, c, d, in_circle_place_); sign != Sign::zero) {

@@ -37,7 +37,8 @@ class Curve {
   static constexpr double kCells = 0x1p32;
 
   [[nodiscard]] std::uint64_t cell(double at, double from) const {
-    return static_cast<std::uint64_t>(std::min((at - from) * scale_, kCells - 1.0));
+    const double cell = std::min((at - from) * scale_, kCells - 1.0);
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell));  // processors convert to signed numbers
   }
   /// Puts a zero before each of the lower 32 bits.
   [[nodiscard]] static std::uint64_t spread(std::uint64_t bits) {

@@ -78,7 +78,7 @@ class Sectors {
   static constexpr std::size_t kVerticesPerSector = 3;
   static constexpr std::size_t kCrowd = 8;
   static constexpr std::size_t kBlock = 16;
-  static constexpr double kFar = 4.0;  ///< squared: twice the sector's width
+  static constexpr double kFar = 9.0;  ///< squared: three times the sector's width
   static constexpr int kKeyBits = 64;
 
   [[nodiscard]] Sector find(Curve::Key key) const {

@@ -20,13 +20,11 @@ namespace waywright::path {
 /// Of two directions: positive where `w` points to the left of `v`.
 [[nodiscard]] inline double cross(const Point& v, const Point& w) { return v.x * w.y - v.y * w.x; }
 
-/// `q` where the line through `a` along `edge` parts it from `p`; else its mirror image there, which is as far from
-/// every point of the line.
-[[nodiscard]] inline Point beyond(const Point& p, const Point& a, const Point& edge, const Point& q) {
-  const double p_side = cross(edge, {p.x - a.x, p.y - a.y});
-  const double q_side = cross(edge, {q.x - a.x, q.y - a.y});
-  if (!(p_side > 0.0 && q_side > 0.0) && !(p_side < 0.0 && q_side < 0.0)) return q;
-  const double scale = 2.0 * q_side / (edge.x * edge.x + edge.y * edge.y);
+/// `q` where it doesn't lie on the right of the line through `a` along `edge`; else its mirror image there.
+[[nodiscard]] inline Point on_left(const Point& a, const Point& edge, const Point& q) {
+  const double side = cross(edge, {q.x - a.x, q.y - a.y});
+  if (!(side < 0.0)) return q;
+  const double scale = 2.0 * side / (edge.x * edge.x + edge.y * edge.y);
   return {q.x + edge.y * scale, q.y - edge.x * scale};
 }
 
@@ -56,7 +54,9 @@ namespace waywright::path {
 
 /// The length of the shortest way from `p` to `q` that touches the segment from `a` to `b`.
 [[nodiscard]] inline double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
-  const Point image = beyond(p, a, {b.x - a.x, b.y - a.y}, q);
+  const Point edge{b.x - a.x, b.y - a.y};
+  const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;
+  const Point image = is_right ? on_left(a, edge, q) : on_left(b, {-edge.x, -edge.y}, q);
   const Point way{image.x - p.x, image.y - p.y};
   const double a_turn = cross(way, {a.x - p.x, a.y - p.y});
   const double b_turn = cross(way, {b.x - p.x, b.y - p.y});

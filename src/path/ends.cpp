@@ -13,7 +13,10 @@ using mesh::HalfEdge;
 /// where a polygon covers the first face.
 class Ends::StraightWay : public constraint::SegmentVisitor {
  public:
-  explicit StraightWay(Ends& ends) : ends_(ends), is_at_start_(ends.start_place_.spot != locate::Spot::face) {
+  explicit StraightWay(Ends& ends)
+      : ends_(ends),
+        mesh_(ends.triangulation_->topology()),
+        is_at_start_(ends.start_place_.spot != locate::Spot::face) {
     ends_.crossed_.clear();
   }
 
@@ -21,14 +24,15 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
   [[nodiscard]] bool is_free() const { return is_inside_ && !is_stopped_; }
 
   bool through_face(HalfEdge h) {
-    if (!is_inside_ && ends_.cover_.is_covered(*ends_.triangulation_, h)) return stop();
+    if (is_inside_) [[likely]]
+      return true;
+    if (ends_.cover_.is_covered(*ends_.triangulation_, h)) return stop();
     return is_inside_ = true;
   }
 
   bool at_edge(HalfEdge h, bool ends_here) {
-    if (leaves_start()) return true;
-    if (ends_here) return true;
-    if (ends_.triangulation_->topology().is_fixed(h)) return stop();
+    if (ends_here || (!is_inside_ && leaves_start())) return true;
+    if (mesh_.is_fixed(h)) return stop();
     ends_.crossed_.push_back(h);
     return true;
   }
@@ -48,6 +52,7 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
   }
 
   Ends& ends_;
+  const mesh::TriangleMesh& mesh_;
   bool is_at_start_;
   bool is_inside_ = false;  ///< an open face
   bool is_stopped_ = false;

@@ -24,42 +24,32 @@ class Optimal::Cone {
   Cone(const Optimal& search, const Node& window)
       : geometry_(*search.geometry_), root_(search.view(search.roots_[window.root])) {
     const auto bound = [&](mesh::Vertex v) {
-      return v == kStraightOn ? Bound{search.view(search.roots_[search.roots_[window.root].before]), root_}
-                              : Bound{root_, geometry_.view(number(v))};
+      return v == kStraightOn ? Geometry::Line(search.view(search.roots_[search.roots_[window.root].before]), root_)
+                              : Geometry::Line(root_, geometry_.view(number(v)));
     };
     left_ = bound(window.left);
     right_ = bound(window.right);
   }
 
   /// Positive on the left of the cone's left bound.
-  [[nodiscard]] Sign side_of_left(const Geometry::View& p) const {
-    return geometry_.orientation(left_.from, left_.to, p);
-  }
+  [[nodiscard]] Sign side_of_left(const Geometry::View& p) const { return geometry_.side(left_, p); }
   /// Negative on the right of the cone's right bound.
-  [[nodiscard]] Sign side_of_right(const Geometry::View& p) const {
-    return geometry_.orientation(right_.from, right_.to, p);
-  }
+  [[nodiscard]] Sign side_of_right(const Geometry::View& p) const { return geometry_.side(right_, p); }
 
-  void set_left(mesh::Vertex v) { left_ = {root_, geometry_.view(number(v))}; }
-  void set_right(mesh::Vertex v) { right_ = {root_, geometry_.view(number(v))}; }
+  void set_left(mesh::Vertex v) { left_ = Geometry::Line(root_, geometry_.view(number(v))); }
+  void set_right(mesh::Vertex v) { right_ = Geometry::Line(root_, geometry_.view(number(v))); }
 
   [[nodiscard]] Point root() const { return {root_.x, root_.y}; }
   /// From the root along the bounds.
-  [[nodiscard]] Point left_direction() const { return left_.direction(); }
-  [[nodiscard]] Point right_direction() const { return right_.direction(); }
+  [[nodiscard]] Point left_direction() const { return {left_.dx, left_.dy}; }
+  [[nodiscard]] Point right_direction() const { return {right_.dx, right_.dy}; }
 
  private:
-  /// The line that a bound lies on: through the root, in the order in which a path along it comes to the two.
-  struct Bound {
-    Geometry::View from;
-    Geometry::View to;
-    [[nodiscard]] Point direction() const { return {to.x - from.x, to.y - from.y}; }
-  };
-
   const Geometry& geometry_;
   Geometry::View root_;
-  Bound left_;
-  Bound right_;
+  // The lines that the bounds lie on: through the root, from and to where a path along them comes to first and next.
+  Geometry::Line left_;
+  Geometry::Line right_;
 };
 
 void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends,
@@ -146,11 +136,11 @@ std::uint32_t Optimal::goals_around(mesh::Face f) const {
   return std::find_if(goals_in_components_.begin(), goals_in_components_.end(), is_here)->count;
 }
 
-/// Whether no goal's face lies beyond a free edge that is no way in the core. Where the roots of trees without a core
-/// are makes no difference.
+/// Whether no goal's face lies beyond a free edge that is no way in the core, in a component with a goal. Where the
+/// roots of trees without a core are makes no difference.
 bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
   const mesh::Face f = mesh::face(exit);
-  if (!core_->is_core(f) && core_->towards_core(f) == exit) return goals_below(f) == goals_around(f);
+  if (core_->leads_up(exit)) return goals_below(f) != 0 && goals_below(f) == goals_around(f);
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
@@ -160,6 +150,7 @@ void Optimal::leave_start() {
   const locate::Spot spot = ends_->start_place().spot;
   at_once_bound_ = -1.0;  // nothing is
   for (const mesh::HalfEdge h : ends_->start_faces()) {
+    if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
     if (spot == locate::Spot::vertex) reached(mesh_->origin(h)).length = 0.0;
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
       if (exit == h && spot != locate::Spot::face) continue;
@@ -206,7 +197,8 @@ void Optimal::follow_window(Node window) {
   Cone cone(*this, window);
   for (int faces = 1;; ++faces) {
     ++expansions_;
-    if (may_have_goals(mesh::face(window.entry))) meet_goals(window, cone);
+    const mesh::Face f = mesh::face(window.entry);
+    if (may_have_goals(f)) meet_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View place = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
@@ -222,37 +214,37 @@ void Optimal::follow_window(Node window) {
       if (right == Sign::zero) cone.set_right(window.right = apex);
     } else {
       exit = mesh::next(window.entry);
-      if (is_barred(exit)) {
+      if (is_barred(f, exit)) {
         exit = mesh::previous(window.entry);
         cone.set_right(window.right = apex);
-      } else if (is_barred(mesh::previous(window.entry))) {
+      } else if (is_barred(f, mesh::previous(window.entry))) {
         cone.set_left(window.left = apex);
       } else {
         return part(window, cone, apex);
       }
     }
-    if (is_barred(exit)) return;
+    if (is_barred(f, exit)) return;
     window.entry = mesh_->twin(exit);
     window.trace = traced(window.entry, window.trace);
-    if (faces % kFacesBetweenLooks == 0 && bound(window, cone) > at_once_bound_) return offer(window, cone);
+    if (faces % kFacesBetweenLooks != 0) continue;
+    const Point left = cone.left_direction();
+    const Point right = cone.right_direction();
+    if (bound(window, left, right) > at_once_bound_) return offer(window, left, right);
   }
 }
 
 void Optimal::part(const Node& window, const Cone& cone, mesh::Vertex apex) {
+  const Point to_apex{place(apex).x - cone.root().x, place(apex).y - cone.root().y};
   Node right = window;
   right.entry = mesh_->twin(mesh::next(window.entry));
   right.trace = traced(right.entry, window.trace);
   right.left = apex;
-  Cone right_cone = cone;
-  right_cone.set_left(apex);
   Node left = window;
   left.entry = mesh_->twin(mesh::previous(window.entry));
   left.trace = traced(left.entry, window.trace);
   left.right = apex;
-  Cone left_cone = cone;
-  left_cone.set_right(apex);
-  offer(left, left_cone);
-  offer(right, right_cone);
+  offer(left, cone.left_direction(), to_apex);
+  offer(right, to_apex, cone.right_direction());
 }
 
 void Optimal::meet_goals(const Node& window, const Cone& cone) {
@@ -344,7 +336,7 @@ void Optimal::make_left_turn(const Node& turn) {
   if (sees_apex && !is_barred(far_side)) {
     window.entry = mesh_->twin(far_side);
     window.trace = traced(window.entry, turn.trace);
-    offer(window, cone);
+    offer(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
   for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::previous(h));) {
@@ -375,7 +367,7 @@ void Optimal::make_right_turn(const Node& turn) {
   if (sees_apex && !is_barred(far_side)) {
     window.entry = mesh_->twin(far_side);
     window.trace = traced(window.entry, turn.trace);
-    offer(window, cone);
+    offer(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
   for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::next(h));) {
@@ -390,10 +382,13 @@ void Optimal::make_right_turn(const Node& turn) {
   }
 }
 
-void Optimal::offer(const Node& window) { offer(window, Cone(*this, window)); }
+void Optimal::offer(const Node& window) {
+  const Cone cone(*this, window);
+  offer(window, cone.left_direction(), cone.right_direction());
+}
 
-void Optimal::offer(const Node& window, const Cone& cone) {
-  const double least = bound(window, cone);
+void Optimal::offer(const Node& window, const Point& left, const Point& right) {
+  const double least = bound(window, left, right);
   if (least >= longest_ || is_outdone(window, window.entry) || is_outdone(window, mesh_->twin(window.entry))) return;
   if (least <= at_once_bound_) {
     at_once_.push_back(window);
@@ -436,23 +431,20 @@ double Optimal::bound_from(const Point& p) const {
 /// No path through the window is shorter: with one goal, the way through the window and on to the goal; with more, the
 /// way to the window. A bound in doubles: it decides what is looked at first, nothing else. Where the cone's bound
 /// meets the edge at so small an angle that doubles don't tell where, the window is as wide as the edge.
-double Optimal::bound(const Node& window, const Cone& cone) const {
+double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
   const Point& a = place(mesh_->origin(window.entry));
   const Point& b = place(mesh_->target(window.entry));
-  const Point p = cone.root();
+  const Point& p = roots_[window.root].point;
   const Point edge{b.x - a.x, b.y - a.y};
   const double length = roots_[window.root].length;
   const bool has_one_goal = goals_.size() == 1;
-  const Point q = has_one_goal ? beyond(p, a, edge, goals_.front().point) : foot(p, a, edge);
+  const Point q = has_one_goal ? on_left(a, edge, goals_.front().point) : foot(p, a, edge);
   const Point way{q.x - p.x, q.y - p.y};
-  std::optional<Point> between = q;
-  if (const Point left = cone.left_direction(); cross(left, way) > 0.0) {
-    between = meeting(p, left, a, edge);
-  } else if (const Point right = cone.right_direction(); cross(right, way) < 0.0) {
-    between = meeting(p, right, a, edge);
-  }
-  if (!between) return has_one_goal ? length + distance_by_way_of(p, a, b, q) : length;
-  return length + distance(p, *between) + (has_one_goal ? distance(*between, q) : 0.0);
+  const bool passes_left = cross(left, way) > 0.0;
+  if (!passes_left && !(cross(right, way) < 0.0)) return length + distance(p, q);
+  const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
+  if (has_one_goal) return length + (end ? length_by_way_of(p, *end, q) : distance_by_way_of(p, a, b, q));
+  return end ? length + distance(p, *end) : length;
 }
 
 Optimal::Geometry::View Optimal::view(const Root& root) const {

@@ -130,7 +130,7 @@ class Optimal {
   void make_left_turn(const Node& turn);
   void make_right_turn(const Node& turn);
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
-  void offer(const Node& window, const Cone& cone);
+  void offer(const Node& window, const Point& left, const Point& right);
   void offer(const Node& window);
   [[nodiscard]] bool is_outdone(const Node& window, mesh::HalfEdge from_end) const {
     const Reached& way = reached_[number(mesh_->origin(from_end))];
@@ -147,11 +147,13 @@ class Optimal {
   void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
   void limit_lengths();
 
-  /// Whether no path leaves a face by `exit`: for a wall, or because beyond it there is a dead end without the goal.
-  [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const {
+  /// Whether no path leaves the face `f` by its side `exit`: for a wall, or because beyond it there is a dead end
+  /// without the goal.
+  [[nodiscard]] bool is_barred(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return mesh_->is_fixed(exit);
-    return !core_->is_way(exit) && (mesh_->is_fixed(exit) || is_dead_end(exit));
+    return !core_->is_way(f, exit) && (mesh_->is_fixed(exit) || is_dead_end(exit));
   }
+  [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const { return is_barred(mesh::face(exit), exit); }
   [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
     const GoalsBelow& below = goals_below_[number(f)];
@@ -162,7 +164,7 @@ class Optimal {
   [[nodiscard]] std::uint32_t traced(mesh::HalfEdge entry, std::uint32_t before);
   [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
   [[nodiscard]] Geometry::View view(const Root& root) const;
-  [[nodiscard]] double bound(const Node& window, const Cone& cone) const;
+  [[nodiscard]] double bound(const Node& window, const Point& left, const Point& right) const;
   [[nodiscard]] double bound_from(const Point& p) const;
 
   const Ends* ends_ = nullptr;

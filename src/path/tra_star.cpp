@@ -116,7 +116,7 @@ unsigned TraStar::ways_down(Face f) const {
     if (mesh_->is_fixed(exit)) continue;
     const HalfEdge entry = mesh_->twin(exit);
     const Face below = mesh::face(entry);
-    const bool hangs_here = !core_->is_core(below) && core_->towards_core(below) == entry;
+    const bool hangs_here = core_->leads_up(entry);
     if (hangs_here && (marks_of(below) & kAboveGoal) != 0) ways |= 1U << side;
   }
   return ways;

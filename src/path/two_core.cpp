@@ -77,7 +77,7 @@ void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around)
     if (mesh.is_fixed(h)) continue;
     const HalfEdge back = mesh.twin(h);
     const Face other = mesh::face(back);
-    if (!is_core(other) && towards_core(other) == back) continue;
+    if (leads_up(back)) continue;
     add_way(h);
     if (!is_core(other)) {
       ++around.trees;

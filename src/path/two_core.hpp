@@ -36,6 +36,10 @@ class TwoCore {
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Whether the way over `h` joins two faces of the core.
   [[nodiscard]] bool is_way(mesh::HalfEdge h) const { return (states_[number(h) / 3] >> (number(h) % 3) & 1U) != 0; }
+  /// The same, of a side of `f`.
+  [[nodiscard]] bool is_way(mesh::Face f, mesh::HalfEdge h) const {
+    return (states_[number(f)] >> (number(h) - 3 * number(f)) & 1U) != 0;
+  }
   /// The face's ways in the core, a bit for each of its half-edges from the first.
   [[nodiscard]] unsigned ways(mesh::Face f) const { return states_[number(f)] & unsigned{kWays}; }
   /// The face's number of ways in the core: 0 outside of it, 2 in a corridor, 3 at a junction.
@@ -44,6 +48,12 @@ class TwoCore {
   [[nodiscard]] mesh::HalfEdge towards_core(mesh::Face f) const {
     const std::uint32_t side = states_[number(f)] >> kSideShift & 3U;
     return side == kNoSide ? mesh::kNoHalfEdge : mesh::HalfEdge{3 * number(f) + side};
+  }
+
+  /// Whether, outside the core, `h` leads from its face towards it.
+  [[nodiscard]] bool leads_up(mesh::HalfEdge h) const {
+    const State state = states_[number(h) / 3];
+    return (state & kCore) == 0 && (state >> kSideShift & 3U) == number(h) % 3;
   }
 
   /// Brings everything up to the mesh. `gone` are the faces, by slot, that changed since the last time, and `made`

@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "exact/geometry.hpp"
 #include "exact/point_source.hpp"
 #include "exact/rational.hpp"
+#include "exact/stage_agreement.hpp"
 
 namespace waywright::test {
 namespace {
@@ -175,6 +177,7 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
   const auto view = [&](std::size_t i) { return geometry.view(corners[i]); };
   EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), view(3)), exact::Sign::zero);
   EXPECT_EQ(geometry.order(view(3), view(4)), std::strong_ordering::greater);
+  EXPECT_EQ(geometry.orientation(view(0), view(4), view(3)), exact::Sign::zero);
 
   const std::array<std::uint32_t, 4> ends = {add(0, 0), add(1, 3), add(0, 1), add(8, 1)};
   const std::uint32_t made = count++;
@@ -184,10 +187,65 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
   ASSERT_EQ(crossing.x, rounded);
   EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), crossing), exact::Sign::positive) << "a little inside";
   EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), view(3)), exact::Sign::zero) << "as before";
+  EXPECT_EQ(geometry.orientation(view(0), view(4), crossing), exact::Sign::negative) << "a little on the right";
+  EXPECT_EQ(geometry.side({view(0), view(4)}, crossing), exact::Sign::negative) << "the same";
+  EXPECT_EQ(geometry.orientation(view(0), view(4), view(3)), exact::Sign::zero) << "as before";
   EXPECT_EQ(geometry.order(crossing, view(3)), std::strong_ordering::greater);
   EXPECT_EQ(geometry.order(crossing, geometry.view(Point{rounded, 2})), std::strong_ordering::greater) << "by x";
   const std::uint32_t above = add(rounded, 2);
   EXPECT_EQ(geometry.order(geometry.view(above), geometry.view(corners[3])), std::strong_ordering::greater);
+}
+
+// Of a small lattice's points and the crossings of lines between them, all the triples: lines everywhere.
+TEST(Geometry, TellsOrientationsAndSidesOfLines) {
+  exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
+  std::vector<RationalPoint> places;
+  std::array<std::size_t, 3> signs = {0, 0, 0};
+  NearMisses source(NearMiss::crossings, 7);
+  std::uint32_t count = 0;
+  while (places.size() < 40) {
+    const exact::ExactPoint point = source.any();
+    if (std::abs(point.x) > 4.0 || std::abs(point.y) > 4.0) continue;
+    places.push_back(rational(point));
+    if (point.is_explicit()) {
+      geometry.place(count++, {point.x, point.y});
+      continue;
+    }
+    const auto [a, b, c, d] = *point.crossing;
+    for (const Point& end : {a, b, c, d}) {
+      geometry.place(count++, end);
+      places.insert(places.end() - 1, rational(end));
+    }
+    geometry.place_crossing(count, count - 4, count - 3, count - 2, count - 1);
+    ++count;
+  }
+  ASSERT_EQ(count, places.size());
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = 0; b < count; ++b) {
+      const exact::Geometry::Line line(geometry.view(a), geometry.view(b));
+      for (std::uint32_t c = 0; c < count; ++c) {
+        const exact::Sign expected = rational_orientation(places[a], places[b], places[c]);
+        ++signs[expected == exact::Sign::negative ? 0 : expected == exact::Sign::zero ? 1 : 2];
+        ASSERT_EQ(geometry.orientation(geometry.view(a), geometry.view(b), geometry.view(c)), expected);
+        ASSERT_EQ(geometry.side(line, geometry.view(c)), expected);
+      }
+    }
+  }
+  for (const std::size_t sign : signs) EXPECT_GT(sign, 5000U);
+}
+
+// Sides parallel to the axes, and far below what the box's bound can tell.
+TEST(Geometry, TellsTinyTrianglesFromTies) {
+  const exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
+  const std::array<Point, 6> points = {{{0, 0}, {0x1p-60, 0}, {0, 0x1p-60}, {0x1p-60, 0x1p-60}, {0, 3}, {3, 0x1p-60}}};
+  for (const Point& a : points) {
+    for (const Point& b : points) {
+      for (const Point& c : points) {
+        EXPECT_EQ(geometry.orientation(exact::Geometry::view(a), exact::Geometry::view(b), exact::Geometry::view(c)),
+                  rational_orientation(rational(a), rational(b), rational(c)));
+      }
+    }
+  }
 }
 
 TEST(Geometry, CrossingsThatAreDoublesBecomeExplicit) {

@@ -133,11 +133,11 @@ TEST(Sectors, OnesAroundKnowWhatIsNear) {
   EXPECT_EQ(around(sectors, {0.01, 0.01}), (std::vector<std::uint32_t>{2, 2, 2, 5}));
   EXPECT_EQ(around(sectors, {0.2, 0.2}), (std::vector<std::uint32_t>{2, 3}));
   const Sectors::Sector whole = sectors.at({0.2, 0.2});
-  EXPECT_FALSE(sectors.is_far(whole, 0.24 * 0.24));
-  EXPECT_TRUE(sectors.is_far(whole, 0.26 * 0.26));
+  EXPECT_FALSE(sectors.is_far(whole, 0.37 * 0.37));
+  EXPECT_TRUE(sectors.is_far(whole, 0.38 * 0.38));
   const Sectors::Sector quarter = sectors.at({0.01, 0.01});
-  EXPECT_FALSE(sectors.is_far(quarter, 0.12 * 0.12));
-  EXPECT_TRUE(sectors.is_far(quarter, 0.13 * 0.13));
+  EXPECT_FALSE(sectors.is_far(quarter, 0.18 * 0.18));
+  EXPECT_TRUE(sectors.is_far(quarter, 0.19 * 0.19));
 }
 
 // However many vertices and wherever they are, and whether they came at once or not.
