@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -15,6 +17,7 @@ struct World::Impl {
   Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
     if (options.keep_abstraction) abstraction.emplace(triangulation);
   }
+  ~Impl() { *version = kGone; }
 
   /// Inserts a batch as one operation.
   template <class Batch>
@@ -24,7 +27,8 @@ struct World::Impl {
 
   constraint::ExactTriangulation triangulation;
   std::optional<path::Abstraction> abstraction;
-  std::uint64_t version = 0;
+  static constexpr std::uint64_t kGone = std::numeric_limits<std::uint64_t>::max();
+  std::shared_ptr<std::uint64_t> version = std::make_shared<std::uint64_t>(0);  ///< outlives the world; kGone then
 };
 
 /// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.
@@ -53,7 +57,7 @@ class World::Operation {
   void commit() {
     if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation);
     operation_.commit();
-    ++impl_.version;
+    ++*impl_.version;
   }
 
  private:
@@ -77,7 +81,7 @@ void World::Impl::insert_all(const Batch& batch, const locate::Crew& crew) {
   made.see(triangulation.items().largest_id_seen());
   if (abstraction) abstraction = path::Abstraction(made);
   triangulation = std::move(made);
-  ++version;
+  ++*version;
 }
 
 }  // namespace waywright

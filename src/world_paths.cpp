@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -10,6 +8,7 @@
 #include "waywright/path_search.hpp"
 #include "waywright/world.hpp"
 
+#include "locate/crew.hpp"
 #include "point_error.hpp"
 #include "query_scratch.hpp"
 #include "world_impl.hpp"
@@ -68,23 +67,12 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
     }
   }
   paths.resize(queries.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&](QueryContext& context) {
-    path::Finder& finder = context.scratch_->finder;
-    for (std::size_t i = next++; i < queries.size(); i = next++) {
-      finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
-      finder.step(kToTheEnd, paths[i]);
-    }
-  };
-  // Futures hand on what a thread throws when memory runs out. They wait for their threads when they go.
-  std::vector<std::future<void>> helpers;
-  helpers.reserve(contexts.size() - 1);
-  for (QueryContext& context : contexts.subspan(1)) {
-    if (helpers.size() + 1 >= queries.size()) break;
-    helpers.push_back(std::async(std::launch::async, [&] { work(context); }));
-  }
-  work(contexts.front());
-  for (std::future<void>& helper : helpers) helper.get();
+  const locate::Crew crew(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {});
+  crew.take_turns(queries.size(), [&](std::size_t thread, std::size_t i) {
+    path::Finder& finder = contexts[thread].scratch_->finder;
+    finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
+    finder.step(kToTheEnd, paths[i]);
+  });
   return {};
 }
 
@@ -116,11 +104,11 @@ Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) co
   return paths;
 }
 
-std::uint64_t World::version() const { return impl_->version; }
+std::uint64_t World::version() const { return *impl_->version; }
 
 struct PathSearch::Impl {
-  const World::Impl* world = nullptr;  ///< null while no search is running
-  std::uint64_t version = 0;
+  std::shared_ptr<const std::uint64_t> world_version;  ///< null while no search is running
+  std::uint64_t version = 0;                           ///< the world's when the search began
   path::Finder finder;
   Path path;
 };
@@ -134,25 +122,27 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   cancel();
   if (auto error = find_query_error(world, world.impl_->abstraction.has_value(), query)) return *std::move(error);
   impl_->finder.begin(world.impl_->triangulation, world.impl_->kept_abstraction(), query, impl_->path);
-  impl_->world = world.impl_.get();
+  impl_->world_version = world.impl_->version;
   impl_->version = world.version();
   return {};
 }
 
+// While a step lasts, no search is running: one that memory runs out in is given up.
 Result<bool> PathSearch::step(std::size_t expansions) {
-  if (impl_->world != nullptr && impl_->world->version != impl_->version) {
-    cancel();
-    return Error{ErrorCode::world_changed, "the world has changed since the search began", {}, 0};
+  if (!is_running()) return true;
+  std::shared_ptr<const std::uint64_t> world_version = std::move(impl_->world_version);
+  if (*world_version != impl_->version) {
+    return Error{ErrorCode::world_changed, "the world has changed or gone since the search began", {}, 0};
   }
   const bool is_done = impl_->finder.step(expansions, impl_->path);
-  if (is_done) impl_->world = nullptr;
+  if (!is_done) impl_->world_version = std::move(world_version);
   return is_done;
 }
 
 const Path& PathSearch::path() const { return impl_->path; }
 
-void PathSearch::cancel() { impl_->world = nullptr; }
+void PathSearch::cancel() { impl_->world_version = nullptr; }
 
-bool PathSearch::is_running() const { return impl_->world != nullptr; }
+bool PathSearch::is_running() const { return impl_->world_version != nullptr; }
 
 }  // namespace waywright

@@ -14,7 +14,8 @@ class World;
 /// its answer is that of World::find_path. It has its own memory, which one search leaves to the next.
 ///
 /// Between the slices anything may be asked of the world and other searches may be on their way. A world that changes
-/// meanwhile ends the search with an error.
+/// or goes meanwhile ends the search with an error; it may be moved. A search that has been moved from may only be
+/// assigned to or destroyed.
 ///
 /// Threads: a search belongs to one thread at a time; step() reads the world.
 class PathSearch {
@@ -24,14 +25,14 @@ class PathSearch {
   PathSearch(PathSearch&&) noexcept;
   PathSearch& operator=(PathSearch&&) noexcept;
 
-  /// Starts a search, and gives up the one before. The world must outlive its steps; it may be moved.
-  /// Errors: those of World::find_path; there is no search then. Cost: the location of both ends, and what the straight
-  /// way between them crosses up to the first wall; where it meets none, the first step is the last.
+  /// Starts a search, and gives up the one before. Errors: those of World::find_path; there is no search then. Cost:
+  /// the location of both ends, and what the straight way between them crosses up to the first wall; where it meets
+  /// none, the first step is the last.
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. Of `tra` the
-  /// first step is the last. Errors: world_changed, when the world is no longer what it was at begin(); the search is
-  /// given up. Requires: a search has begun and not been given up.
+  /// first step is the last; where no search is running, nothing is left to do. Errors: world_changed, when the world
+  /// is no longer what it was at begin(); the search is given up then, and also where memory runs out (std::bad_alloc).
   Result<bool> step(std::size_t expansions);
 
   /// The answer, once the search is done. Before that the best path so far, with what is proven of it; its status is

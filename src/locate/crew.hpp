@@ -27,11 +27,12 @@ class Crew {
   /// Calls work(t) for each t below threads(), on a thread each; work(0) on the calling one.
   template <class Work>
   void run(const Work& work) const {
-    // Futures hand on what a thread throws. They wait for their threads when they go.
+    // Futures hand on what a thread throws. They wait for their threads when they go. Where the system has none left,
+    // the calling one does the work when it asks for what has come of it.
     std::vector<std::future<void>> others;
     others.reserve(threads_ - 1);
     for (std::size_t t = 1; t < threads_; ++t) {
-      others.push_back(std::async(std::launch::async, [&work, t] { work(t); }));
+      others.push_back(std::async(std::launch::async | std::launch::deferred, [&work, t] { work(t); }));
     }
     work(0);
     for (std::future<void>& other : others) other.get();

@@ -20,17 +20,25 @@ namespace waywright::path {
 /// Of two directions: positive where `w` points to the left of `v`.
 [[nodiscard]] inline double cross(const Point& v, const Point& w) { return v.x * w.y - v.y * w.x; }
 
-/// `q` where it doesn't lie on the right of the line through `a` along `edge`; else its mirror image there.
+/// Edges whose squared length is not above this have no direction in doubles. They join vertices that round to one
+/// place, or to two next to 0.
+inline constexpr double kNoLength = 0x1p-900;
+
+/// `q` where it doesn't lie on the right of the line through `a` along `edge`, or that has no direction; else its
+/// mirror image there.
 [[nodiscard]] inline Point on_left(const Point& a, const Point& edge, const Point& q) {
   const double side = cross(edge, {q.x - a.x, q.y - a.y});
-  if (!(side < 0.0)) return q;
-  const double scale = 2.0 * side / (edge.x * edge.x + edge.y * edge.y);
+  const double squared_length = edge.x * edge.x + edge.y * edge.y;
+  if (!(side < 0.0) || squared_length <= kNoLength) return q;
+  const double scale = 2.0 * side / squared_length;
   return {q.x + edge.y * scale, q.y - edge.x * scale};
 }
 
-/// The point nearest to `p` of the line through `a` along `edge`.
+/// The point nearest to `p` of the line through `a` along `edge`; `a` where that has no direction.
 [[nodiscard]] inline Point foot(const Point& p, const Point& a, const Point& edge) {
-  const double share = ((p.x - a.x) * edge.x + (p.y - a.y) * edge.y) / (edge.x * edge.x + edge.y * edge.y);
+  const double squared_length = edge.x * edge.x + edge.y * edge.y;
+  if (squared_length <= kNoLength) return a;
+  const double share = ((p.x - a.x) * edge.x + (p.y - a.y) * edge.y) / squared_length;
   return {a.x + share * edge.x, a.y + share * edge.y};
 }
 
@@ -52,7 +60,8 @@ namespace waywright::path {
   return distance(p, between) + distance(between, q);
 }
 
-/// The length of the shortest way from `p` to `q` that touches the segment from `a` to `b`.
+/// The length of the shortest way from `p` to `q` that touches the segment from `a` to `b`; with all four on a line, of
+/// one that touches that.
 [[nodiscard]] inline double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
   const Point edge{b.x - a.x, b.y - a.y};
   const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;

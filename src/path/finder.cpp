@@ -102,10 +102,10 @@ bool Finder::search(std::size_t limit, Path& path) {
 bool Finder::search_ta(std::size_t limit, Path& path) {
   if (!ta_.step(limit, path)) return false;
   if (path.status != PathStatus::found || path.lower_bound >= path.length) return true;
-  is_proving_ = true;
   ta_bound_ = path.lower_bound;
   if (query_.wants_channel) ta_.write_channel(path);
   begin_optimal(path.length);
+  is_proving_ = true;
   return false;
 }
 

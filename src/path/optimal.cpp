@@ -63,16 +63,28 @@ void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstr
   roots_.clear();
   nodes_.clear();
   open_.clear();
+  at_once_.clear();  // not empty where memory ran out
   traces_.clear();
   goals_.clear();
   goal_faces_.clear();
   goal_bits_ = 0;
   goals_in_components_.clear();
-  if (components_ != nullptr) {
-    for (const mesh::HalfEdge h : ends.start_faces())
-      goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
-  }
+  if (components_ != nullptr) list_components();
   forget_last_query();
+}
+
+/// Those of the start's faces, in order, each once.
+void Optimal::list_components() {
+  for (const mesh::HalfEdge h : ends_->start_faces()) {
+    goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
+  }
+  const auto comes_before = [](const GoalsInComponent& p, const GoalsInComponent& q) {
+    return p.component < q.component;
+  };
+  const auto is_same = [](const GoalsInComponent& p, const GoalsInComponent& q) { return p.component == q.component; };
+  std::sort(goals_in_components_.begin(), goals_in_components_.end(), comes_before);
+  const auto end = std::unique(goals_in_components_.begin(), goals_in_components_.end(), is_same);
+  goals_in_components_.erase(end, goals_in_components_.end());
 }
 
 void Optimal::add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces) {
@@ -94,7 +106,13 @@ void Optimal::start(double known_length) {
 
 void Optimal::limit_lengths() {
   longest_ = 0.0;
-  for (const Goal& goal : goals_) longest_ = std::max(longest_, std::min(goal.length, known_length_));
+  longest_count_ = 0;
+  for (const Goal& goal : goals_) {
+    const double length = std::min(goal.length, known_length_);
+    if (length > longest_) longest_count_ = 0;
+    longest_ = std::max(longest_, length);
+    if (length == longest_) ++longest_count_;
+  }
 }
 
 template <class Visit>
@@ -117,9 +135,8 @@ void Optimal::forget_last_query() {
 
 /// Counts a goal's face in its component, and at each face on the way from there to the core.
 void Optimal::count_goal_face(mesh::Face f) {
-  for (GoalsInComponent& goals : goals_in_components_) {
-    if (goals.component == components_->of(f)) ++goals.count;
-  }
+  const std::size_t component = find_component(components_->of(f));
+  if (component < goals_in_components_.size()) ++goals_in_components_[component].count;
   while (!core_->is_core(f)) {
     GoalsBelow& below = goals_below_[number(f)];
     if (below.query != query_) below = {query_, 0};
@@ -130,10 +147,18 @@ void Optimal::count_goal_face(mesh::Face f) {
   }
 }
 
+/// Where it stands in the list of the start's, or the list's size.
+std::size_t Optimal::find_component(Components::Label component) const {
+  const auto at =
+      std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component,
+                       [](const GoalsInComponent& goals, Components::Label label) { return goals.component < label; });
+  const bool is_listed = at != goals_in_components_.end() && at->component == component;
+  return is_listed ? static_cast<std::size_t>(at - goals_in_components_.begin()) : goals_in_components_.size();
+}
+
 /// How many of the goals' faces lie in the face's component, which is one of the start's.
 std::uint32_t Optimal::goals_around(mesh::Face f) const {
-  const auto is_here = [&](const GoalsInComponent& goals) { return goals.component == components_->of(f); };
-  return std::find_if(goals_in_components_.begin(), goals_in_components_.end(), is_here)->count;
+  return goals_in_components_[find_component(components_->of(f))].count;
 }
 
 /// Whether no goal's face lies beyond a free edge that is no way in the core, in a component with a goal. Where the
@@ -263,7 +288,7 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   at.length = length;
   at.root = root;
   at.trace = trace;
-  if (was_longest) limit_lengths();
+  if (was_longest && --longest_count_ == 0) limit_lengths();
 }
 
 //          apex          The cone's left bound grazes the entry's left end and leaves the face's apex on its left: what
@@ -428,9 +453,10 @@ double Optimal::bound_from(const Point& p) const {
   return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
 }
 
-/// No path through the window is shorter: with one goal, the way through the window and on to the goal; with more, the
-/// way to the window. A bound in doubles: it decides what is looked at first, nothing else. Where the cone's bound
-/// meets the edge at so small an angle that doubles don't tell where, the window is as wide as the edge.
+/// No path through the window is shorter, but for what rounding makes of a length: with one goal, the way through the
+/// window and on to the goal; with more, the way to the window. In doubles: of what lies on which side it decides
+/// nothing. Where the cone's bound meets the edge at so small an angle that doubles don't tell where, the window is
+/// taken to be as wide as the edge, or the way to it to have no length.
 double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
   const Point& a = place(mesh_->origin(window.entry));
   const Point& b = place(mesh_->target(window.entry));

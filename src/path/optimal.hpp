@@ -119,6 +119,8 @@ class Optimal {
   class Cone;
 
   void forget_last_query();
+  void list_components();
+  [[nodiscard]] std::size_t find_component(Components::Label component) const;
   void count_goal_face(mesh::Face f);
   [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();
@@ -181,7 +183,7 @@ class Optimal {
   std::vector<Trace> traces_;
   std::vector<Reached> reached_;                       ///< by vertex
   std::vector<GoalsBelow> goals_below_;                ///< by face outside the core
-  std::vector<GoalsInComponent> goals_in_components_;  ///< of the start's components
+  std::vector<GoalsInComponent> goals_in_components_;  ///< of the start's components, in order
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;
   std::uint64_t goal_bits_ = 0;  ///< the bit_of each of their faces
@@ -190,7 +192,8 @@ class Optimal {
   std::size_t expansions_ = 0;
   double at_once_bound_ = 0.0;  ///< windows whose bound is not above are followed at once
   double known_length_ = 0.0;
-  double longest_ = 0.0;  ///< paths that are not shorter are of no use to any goal
+  double longest_ = 0.0;           ///< paths that are not shorter are of no use to any goal
+  std::size_t longest_count_ = 0;  ///< goals whose best path, or the known length, is as long as that
 };
 
 }  // namespace waywright::path

@@ -1,8 +1,12 @@
+#include <cstddef>
+#include <limits>
 #include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "waywright/path_search.hpp"
+#include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
 #include "memory/allocations.hpp"
@@ -165,6 +169,109 @@ TEST(MemoryFailureOf, ARemovalLeavesTheOnlyPolygonWhereItWas) {
     EXPECT_EQ(world.items_at({4, 3}).value(), std::vector<ItemId>{{1}}) << "after allocation " << n << " failed";
   }
   EXPECT_GT(failures, 0U);
+}
+
+/// Whether `run` got through although the n-th allocation from here on failed, for it makes fewer.
+template <class Run>
+bool gets_through(std::size_t n, Run&& run) {
+  bool is_done = true;
+  fail_allocation(allocation_count() + n);
+  try {
+    run();
+  } catch (const std::bad_alloc&) {
+    is_done = false;
+  }
+  fail_allocation(0);
+  return is_done;
+}
+
+World world_of_triangles() {
+  World world = World::create({{0, 0}, {1000, 1000}}).value();
+  Random random(11);
+  const auto between = [&](int low, int high) { return static_cast<double>(random.between(low, high)); };
+  for (int i = 0; i < 300; ++i) {
+    const Point at{between(5, 960), between(5, 960)};
+    const std::vector<Point> ring = {
+        at, {at.x + between(3, 30), at.y + between(0, 3)}, {at.x + between(0, 9), at.y + between(4, 30)}};
+    world.insert_polygon(ring).value();
+  }
+  return world;
+}
+
+PathQuery query_by(PathAlgorithm algorithm, const Point& start, const Point& goal) {
+  PathQuery query{start, goal, 0.0, algorithm};
+  query.budget.expansions = PathBudget::kNoLimit;
+  query.wants_channel = true;
+  return query;
+}
+
+void expect_equal(const Path& path, const Path& expected, std::size_t n) {
+  EXPECT_EQ(path.status, expected.status) << "after allocation " << n << " failed";
+  EXPECT_EQ(path.points, expected.points) << "after allocation " << n << " failed";
+  EXPECT_EQ(path.channel, expected.channel) << "after allocation " << n << " failed";
+  EXPECT_EQ(path.expansions, expected.expansions) << "after allocation " << n << " failed";
+}
+
+class MemoryFailureBy : public testing::TestWithParam<PathAlgorithm> {};
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, MemoryFailureBy,
+                         testing::Values(PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal),
+                         [](const auto& algorithm) { return std::string(to_string(algorithm.param)); });
+
+// What a search had not done yet when memory ran out is no part of the next one.
+TEST_P(MemoryFailureBy, AQueryLeavesNothingToTheNext) {
+  const World world = world_of_triangles();
+  const PathQuery across = query_by(GetParam(), {1, 1}, {999, 999});
+  const PathQuery back = query_by(GetParam(), {999, 1}, {1, 999});
+  const Path expected = world.find_path(back).value();
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    QueryContext context;
+    Path path;
+    if (gets_through(n, [&] { world.find_path(across, context, path).value(); })) break;
+    world.find_path(back, context, path).value();
+    expect_equal(path, expected, n);
+  }
+  EXPECT_GT(failures, 20U);
+}
+
+TEST_P(MemoryFailureBy, ASearchInSlicesIsGivenUp) {
+  const World world = world_of_triangles();
+  const PathQuery across = query_by(GetParam(), {1, 1}, {999, 999});
+  const Path expected = world.find_path(across).value();
+  constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    PathSearch search;
+    search.begin(world, across).value();
+    if (gets_through(n, [&] { search.step(kToTheEnd).value(); })) break;
+    EXPECT_FALSE(search.is_running());
+    search.begin(world, across).value();
+    EXPECT_TRUE(search.step(kToTheEnd).value());
+    expect_equal(search.path(), expected, n);
+  }
+  EXPECT_GT(failures, 10U);
+}
+
+TEST(MemoryFailureOf, ASearchForManyGoalsLeavesNothingToTheNext) {
+  const World world = world_of_triangles();
+  Random random(12);
+  std::vector<Point> goals;
+  while (goals.size() < 300) {
+    goals.push_back({static_cast<double>(random.between(1, 999)), static_cast<double>(random.between(1, 999))});
+  }
+  const ManyGoalsQuery from_one_corner{{1, 1}, goals};
+  const ManyGoalsQuery from_another{{999, 1}, goals};
+  const std::vector<Path> expected = world.find_paths_from(from_another).value();
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    QueryContext context;
+    std::vector<Path> paths;
+    if (gets_through(n, [&] { world.find_paths_from(from_one_corner, context, paths).value(); })) break;
+    world.find_paths_from(from_another, context, paths).value();
+    for (std::size_t i = 0; i < goals.size(); ++i) expect_equal(paths[i], expected[i], n);
+  }
+  EXPECT_GT(failures, 20U);
 }
 
 }  // namespace

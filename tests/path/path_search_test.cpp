@@ -133,6 +133,26 @@ TEST(PathSearch, EndsWhenTheWorldChanges) {
   EXPECT_EQ(stepped_in_filled.error().code, ErrorCode::world_changed);
 }
 
+TEST(PathSearch, EndsWhenTheWorldGoes) {
+  const PathQuery query{{0.5, 5}, {9.5, 5}};
+  PathSearch search;
+  World world = World::create({{0, 0}, {10, 10}}).value();
+  world.insert_segment({5, 0}, {5, 9}).value();
+  ASSERT_TRUE(search.begin(world, query).ok());
+  world = World::create({{0, 0}, {10, 10}}).value();
+  const Result<bool> stepped = search.step(1);
+  ASSERT_FALSE(stepped.ok()) << "another world has taken its place";
+  EXPECT_EQ(stepped.error().code, ErrorCode::world_changed);
+  EXPECT_FALSE(search.is_running());
+  {
+    World short_lived = World::create({{0, 0}, {10, 10}}).value();
+    short_lived.insert_segment({5, 0}, {5, 9}).value();
+    ASSERT_TRUE(search.begin(short_lived, query).ok());
+  }
+  EXPECT_EQ(search.step(1).error().code, ErrorCode::world_changed);
+  EXPECT_TRUE(search.step(1).value()) << "nothing is left to do";
+}
+
 TEST(PathSearch, RefusesWhatFindPathRefusesAndCanBeGivenUp) {
   const World world = World::create({{0, 0}, {10, 10}}).value();
   PathSearch search;
@@ -214,6 +234,39 @@ TEST_P(FromOneStart, PathsAreAsLongAsThoseFoundAlone) {
       if (alone.status != PathStatus::found) continue;
       EXPECT_EQ(paths[i].points.front(), query.start);
       EXPECT_EQ(paths[i].points.back(), goals[i]);
+    }
+  }
+}
+
+/// Walls that cross, and a point at the rounded place of each crossing.
+World world_with_edges_without_length(Random& random) {
+  const auto fraction = [&] { return static_cast<double>(random.below(1U << 27)) * 0x1p-27; };
+  World world = World::create({{0, 0}, {40, 40}}).value();
+  for (int i = 0; i < 60; ++i) {
+    const Point at{1 + 28 * fraction(), 1 + 28 * fraction()};
+    world.insert_segment(at, {at.x + 1.5 * fraction(), at.y + 1.5 * fraction()}).value();
+    world.insert_segment({at.x + 1.5 * fraction(), at.y}, {at.x, at.y + 1.5 * fraction()}).value();
+  }
+  for (const Point& place : world.snapshot().vertices) world.insert_point(place).value();
+  return world;
+}
+
+// An edge between a crossing and a point at its rounded place has two ends but, in doubles, no length.
+TEST(ManyPaths, FromOneStartCrossEdgesWithoutLength) {
+  Random random(17);
+  const auto place = [&] { return static_cast<double>(random.below(1U << 27)) * 0x1p-27 * 30; };
+  for (int i = 0; i < 40; ++i) {
+    const World world = world_with_edges_without_length(random);
+    std::vector<Point> goals;
+    while (goals.size() < 400) goals.push_back({place(), place()});
+    for (int j = 0; j < 4; ++j) {
+      const Point start{place(), place()};
+      const std::vector<Path> paths = world.find_paths_from({start, goals}).value();
+      for (std::size_t goal = 0; goal < goals.size(); ++goal) {
+        const Path alone = world.find_path({start, goals[goal]}).value();
+        ASSERT_EQ(paths[goal].status, alone.status);
+        EXPECT_NEAR(paths[goal].length, alone.length, 1e-9 * alone.length);
+      }
     }
   }
 }
