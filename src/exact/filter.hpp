@@ -162,7 +162,8 @@ template <class Place>
 /// laid out on a grid, by far the most common tie. Then both products of the determinant have a factor 0.
 template <class Place>
 [[nodiscard]] bool is_flat(const Place& a, const Place& b, const Place& c) {
-  return (a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x);
+  if (a.x == c.x) return b.x == c.x || a.y == c.y;
+  return b.y == c.y && (a.y == c.y || b.x == c.x);
 }
 
 /// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. So they lie on a

@@ -28,8 +28,9 @@ inline constexpr double kNoLength = 0x1p-900;
 /// mirror image there.
 [[nodiscard]] inline Point on_left(const Point& a, const Point& edge, const Point& q) {
   const double side = cross(edge, {q.x - a.x, q.y - a.y});
+  if (!(side < 0.0)) return q;
   const double squared_length = edge.x * edge.x + edge.y * edge.y;
-  if (!(side < 0.0) || squared_length <= kNoLength) return q;
+  if (squared_length <= kNoLength) return q;
   const double scale = 2.0 * side / squared_length;
   return {q.x + edge.y * scale, q.y - edge.x * scale};
 }
