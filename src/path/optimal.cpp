@@ -78,13 +78,10 @@ void Optimal::list_components() {
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
   }
-  const auto comes_before = [](const GoalsInComponent& p, const GoalsInComponent& q) {
-    return p.component < q.component;
-  };
+  std::ranges::sort(goals_in_components_, {}, &GoalsInComponent::component);
   const auto is_same = [](const GoalsInComponent& p, const GoalsInComponent& q) { return p.component == q.component; };
-  std::sort(goals_in_components_.begin(), goals_in_components_.end(), comes_before);
-  const auto end = std::unique(goals_in_components_.begin(), goals_in_components_.end(), is_same);
-  goals_in_components_.erase(end, goals_in_components_.end());
+  const auto repeated = std::unique(goals_in_components_.begin(), goals_in_components_.end(), is_same);
+  goals_in_components_.erase(repeated, goals_in_components_.end());
 }
 
 void Optimal::add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces) {
@@ -135,8 +132,9 @@ void Optimal::forget_last_query() {
 
 /// Counts a goal's face in its component, and at each face on the way from there to the core.
 void Optimal::count_goal_face(mesh::Face f) {
-  const std::size_t component = find_component(components_->of(f));
-  if (component < goals_in_components_.size()) ++goals_in_components_[component].count;
+  const Components::Label component = components_->of(f);
+  const auto at = std::ranges::lower_bound(goals_in_components_, component, {}, &GoalsInComponent::component);
+  if (at != goals_in_components_.end() && at->component == component) ++at->count;
   while (!core_->is_core(f)) {
     GoalsBelow& below = goals_below_[number(f)];
     if (below.query != query_) below = {query_, 0};
@@ -147,18 +145,9 @@ void Optimal::count_goal_face(mesh::Face f) {
   }
 }
 
-/// Where it stands in the list of the start's, or the list's size.
-std::size_t Optimal::find_component(Components::Label component) const {
-  const auto at =
-      std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component,
-                       [](const GoalsInComponent& goals, Components::Label label) { return goals.component < label; });
-  const bool is_listed = at != goals_in_components_.end() && at->component == component;
-  return is_listed ? static_cast<std::size_t>(at - goals_in_components_.begin()) : goals_in_components_.size();
-}
-
 /// How many of the goals' faces lie in the face's component, which is one of the start's.
 std::uint32_t Optimal::goals_around(mesh::Face f) const {
-  return goals_in_components_[find_component(components_->of(f))].count;
+  return std::ranges::lower_bound(goals_in_components_, components_->of(f), {}, &GoalsInComponent::component)->count;
 }
 
 /// Whether no goal's face lies beyond a free edge that is no way in the core, in a component with a goal. Where the

@@ -35,7 +35,7 @@ class TwoCore {
   /// Whether the face lies on a ring of ways, or between two.
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Whether the way over `h` joins two faces of the core.
-  [[nodiscard]] bool is_way(mesh::HalfEdge h) const { return (states_[number(h) / 3] >> (number(h) % 3) & 1U) != 0; }
+  [[nodiscard]] bool is_way(mesh::HalfEdge h) const { return is_way(mesh::face(h), h); }
   /// The same, of a side of `f`.
   [[nodiscard]] bool is_way(mesh::Face f, mesh::HalfEdge h) const {
     return (states_[number(f)] >> (number(h) - 3 * number(f)) & 1U) != 0;

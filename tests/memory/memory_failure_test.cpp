@@ -69,20 +69,28 @@ Reference undisturbed(const Script& script) {
   return reference;
 }
 
+/// Whether `run` got through although the n-th allocation from here on was to fail; with 0, none.
+template <class Run>
+bool gets_through(std::size_t n, Run&& run) {
+  bool is_done = true;
+  fail_allocation(n == 0 ? 0 : allocation_count() + n);
+  try {
+    run();
+  } catch (const std::bad_alloc&) {
+    is_done = false;
+  }
+  fail_allocation(0);
+  return is_done;
+}
+
 /// Whether the operation got through. The n-th allocation from here on fails; what is left of n is returned in it.
 bool apply_with_failure(World& world, const std::vector<Change>& changes, std::size_t& n) {
   const std::size_t before = allocation_count();
-  fail_allocation(n == 0 ? 0 : before + n);
-  bool is_through = true;
-  try {
-    is_through = world.apply(changes).ok();
-  } catch (const std::bad_alloc&) {
-    is_through = false;
-  }
-  fail_allocation(0);
+  bool is_accepted = false;
+  const bool is_through = gets_through(n, [&] { is_accepted = world.apply(changes).ok(); });
   const std::size_t used = allocation_count() - before;
   n = n > used ? n - used : 0;
-  return is_through;
+  return is_through && is_accepted;
 }
 
 class MemoryFailure : public testing::TestWithParam<Flavour> {};
@@ -169,20 +177,6 @@ TEST(MemoryFailureOf, ARemovalLeavesTheOnlyPolygonWhereItWas) {
     EXPECT_EQ(world.items_at({4, 3}).value(), std::vector<ItemId>{{1}}) << "after allocation " << n << " failed";
   }
   EXPECT_GT(failures, 0U);
-}
-
-/// Whether `run` got through although the n-th allocation from here on failed, for it makes fewer.
-template <class Run>
-bool gets_through(std::size_t n, Run&& run) {
-  bool is_done = true;
-  fail_allocation(allocation_count() + n);
-  try {
-    run();
-  } catch (const std::bad_alloc&) {
-    is_done = false;
-  }
-  fail_allocation(0);
-  return is_done;
 }
 
 World world_of_triangles() {
