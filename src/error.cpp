@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace waywright {
 
@@ -36,6 +37,11 @@ std::string_view to_string(ErrorCode code) {
   }
   return "unknown";
 }
+
+BadResult::BadResult(Error error) : std::runtime_error(error.message), error_(std::move(error)) {}
+
+// Defined here so that the class's type information is in the library, once.
+BadResult::~BadResult() = default;
 
 namespace detail {
 

@@ -13,7 +13,7 @@
 
 namespace waywright {
 
-struct World::Impl {
+struct WAYWRIGHT_INTERNAL World::Impl {
   Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
     if (options.keep_abstraction) abstraction.emplace(triangulation);
   }
@@ -32,7 +32,7 @@ struct World::Impl {
 };
 
 /// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.
-class World::Operation {
+class WAYWRIGHT_INTERNAL World::Operation {
  public:
   explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
     if (impl_.abstraction) impl_.abstraction->begin();

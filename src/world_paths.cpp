@@ -106,7 +106,7 @@ Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) co
 
 std::uint64_t World::version() const { return *impl_->version; }
 
-struct PathSearch::Impl {
+struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   std::shared_ptr<const std::uint64_t> world_version;  ///< null while no search is running
   std::uint64_t version = 0;                           ///< the world's when the search began
   path::Finder finder;

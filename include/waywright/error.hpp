@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "waywright/export.hpp"
 #include "waywright/id.hpp"
 
 namespace waywright {
@@ -30,7 +31,7 @@ enum class ErrorCode : std::uint8_t {
 };
 
 /// The code as the world script prints it: `coordinate-range`, `out-of-domain`, ...
-[[nodiscard]] std::string_view to_string(ErrorCode code);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(ErrorCode code);
 
 /// What was wrong, where, and what to do about it.
 struct Error {
@@ -41,9 +42,15 @@ struct Error {
 };
 
 /// Thrown by Result::value() on an error, for callers who like exceptions; the library itself throws nothing.
-class BadResult : public std::runtime_error {
+class WAYWRIGHT_API_EXCEPTION BadResult : public std::runtime_error {
  public:
-  explicit BadResult(Error error) : std::runtime_error(error.message), error_(std::move(error)) {}
+  explicit BadResult(Error error);
+  BadResult(const BadResult&) = default;
+  BadResult(BadResult&&) = default;
+  BadResult& operator=(const BadResult&) = default;
+  BadResult& operator=(BadResult&&) = default;
+  ~BadResult() override;
+
   [[nodiscard]] const Error& error() const { return error_; }
 
  private:
@@ -51,7 +58,7 @@ class BadResult : public std::runtime_error {
 };
 
 namespace detail {
-[[noreturn]] void raise(const Error& error);
+[[noreturn]] WAYWRIGHT_API void raise(const Error& error);
 }  // namespace detail
 
 /// A value, or the reason why there is none.

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/point.hpp"
 
@@ -18,7 +19,7 @@ enum class ItemKind : std::uint8_t {
 };
 
 /// The kind as the world script names it: `point`, `segment`, `polyline`, `polygon`.
-[[nodiscard]] std::string_view to_string(ItemKind kind);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(ItemKind kind);
 
 /// The geometry of an item, free of any world: one ring of one point for a point, of two for a segment, of N for a
 /// polyline; a polygon has one ring or more, their closing sides implied.
@@ -30,13 +31,13 @@ struct Shape {
 };
 
 /// A copy of the shape, moved. Coordinates are sums of doubles, rounded to nearest.
-[[nodiscard]] Shape translated(const Shape& shape, double dx, double dy);
+[[nodiscard]] WAYWRIGHT_API Shape translated(const Shape& shape, double dx, double dy);
 
 /// The middle of a shape, in plain doubles: of a polygon the centre of its area, rings within an odd number of others
 /// counted as holes; of one without area, and of anything else, the mean of its points. Of rings that cross, or of a
 /// ring that crosses itself, it is an approximation. Requires: there is a point. Source: Bourke, *Calculating the area
 /// and centroid of a polygon*, 1988.
-[[nodiscard]] Point centroid(const Shape& shape);
+[[nodiscard]] WAYWRIGHT_API Point centroid(const Shape& shape);
 
 /// A shape under its id.
 struct Item {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "waywright/export.hpp"
 #include "waywright/point.hpp"
 
 namespace waywright {
@@ -21,9 +22,9 @@ enum class PathAlgorithm : std::uint8_t {
 };
 
 /// The algorithm as the world script names it: `ta`, `tra`, `optimal`.
-[[nodiscard]] std::string_view to_string(PathAlgorithm algorithm);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathAlgorithm algorithm);
 /// The algorithm of that name; nothing where none has it.
-[[nodiscard]] std::optional<PathAlgorithm> path_algorithm(std::string_view name);
+[[nodiscard]] WAYWRIGHT_API std::optional<PathAlgorithm> path_algorithm(std::string_view name);
 
 /// How far `ta` goes on after its first path: until no path can be shorter or the first of these is spent. The other
 /// algorithms do not ask.
@@ -57,7 +58,7 @@ enum class PathStatus : std::uint8_t {
 };
 
 /// The status as the world script prints it: `found`, `start-blocked`, `goal-blocked`, `no-path`.
-[[nodiscard]] std::string_view to_string(PathStatus status);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathStatus status);
 
 /// An edge of the mesh that a path crosses, as seen on the way; nearest doubles.
 struct Portal {

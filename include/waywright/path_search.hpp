@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "waywright/error.hpp"
+#include "waywright/export.hpp"
 #include "waywright/path.hpp"
 
 namespace waywright {
@@ -18,7 +19,7 @@ class World;
 /// assigned to or destroyed.
 ///
 /// Threads: a search belongs to one thread at a time; step() reads the world.
-class PathSearch {
+class WAYWRIGHT_API PathSearch {
  public:
   PathSearch();
   ~PathSearch();

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "waywright/export.hpp"
+
 namespace waywright {
 
 /// How many calls of one question about points each stage of the arithmetic decided.
@@ -25,6 +27,6 @@ struct PredicateCounts {
 
 /// What the calling thread has asked since it began, of all worlds together. Threads: each counts for itself, so asking
 /// shares nothing.
-[[nodiscard]] PredicateCounts predicate_counts();
+[[nodiscard]] WAYWRIGHT_API PredicateCounts predicate_counts();
 
 }  // namespace waywright

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "waywright/export.hpp"
+
 namespace waywright {
 
 namespace detail {
@@ -11,7 +13,7 @@ struct QueryScratch;
 /// The scratch memory of queries. Many threads may query one world at once, each with a context of its own. A context
 /// serves any number of worlds, one query at a time; kept between queries, it spares them every allocation. No answer
 /// depends on what a context served before. One that has been moved from may only be assigned to or destroyed.
-class QueryContext {
+class WAYWRIGHT_API QueryContext {
  public:
   QueryContext();
   ~QueryContext();

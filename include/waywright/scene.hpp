@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/error.hpp"
+#include "waywright/export.hpp"
 #include "waywright/item.hpp"
 #include "waywright/point.hpp"
 
@@ -28,14 +29,14 @@ enum class SceneFormat : unsigned char {
 };
 
 /// The format that a file name's ending stands for. Errors: not_supported.
-[[nodiscard]] Result<SceneFormat> scene_format(std::string_view file_name);
+[[nodiscard]] WAYWRIGHT_API Result<SceneFormat> scene_format(std::string_view file_name);
 
 /// Reads a map from text; `name` is what messages call the text, they start `NAME:LINE: `. The cells `.`, `G` and `S`
 /// are free, `@`, `O`, `T` and `W` blocked. Each group of blocked cells, connected through their sides, becomes one
 /// polygon: its outer ring and its holes, of true corners alone; where cells of one group touch diagonally the rings
 /// turn so that each of them is simple. Ids count from 1 in the order of the groups' first cells, row by row. The
 /// domain is [0, width] x [0, height]. Errors: malformed. Cost: linear.
-[[nodiscard]] Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);
+[[nodiscard]] WAYWRIGHT_API Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);
 
 /// Reads a `.poly` of Triangle from text: its vertices on no segment become points, then its segments segments, ids
 /// from 1 in this order. A file whose vertex list is empty takes its vertices from `node_text`, the `.node` file of the
@@ -43,18 +44,19 @@ enum class SceneFormat : unsigned char {
 /// regions are read and checked, and passed over. The domain is the vertices' bounding box, grown on each side by an
 /// eighth of its larger extent, 1 at least, and on to the next simple number. Errors: malformed, coordinate_range.
 /// Cost: linear.
-[[nodiscard]] Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,
-                                                std::string_view node_text = {}, std::string_view node_name = {});
+[[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,
+                                                              std::string_view node_text = {},
+                                                              std::string_view node_name = {});
 
 /// Reads a `.node` of Triangle from text: points, else as parse_triangle_poly.
-[[nodiscard]] Result<Scene> parse_triangle_node(std::string_view text, std::string_view name);
+[[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_node(std::string_view text, std::string_view name);
 
 /// Reads a scene from a file, its format told by its ending. Errors: unreadable, not_supported, malformed,
 /// coordinate_range; messages start with the file's name.
-[[nodiscard]] Result<Scene> read_scene(const std::string& file_name);
+[[nodiscard]] WAYWRIGHT_API Result<Scene> read_scene(const std::string& file_name);
 
 /// The scene as a world script: a header, the domain and an insertion for each item, in their order. `y_down` has no
 /// place in a script.
-[[nodiscard]] std::string to_script(const Scene& scene);
+[[nodiscard]] WAYWRIGHT_API std::string to_script(const Scene& scene);
 
 }  // namespace waywright

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "waywright/error.hpp"
+#include "waywright/export.hpp"
 #include "waywright/item.hpp"
 #include "waywright/path.hpp"
 #include "waywright/scene.hpp"
@@ -28,7 +29,7 @@ struct Operation {
 };
 
 /// The word the script uses: `point`, `segment`, ..., `remove`, `locate`, ...
-[[nodiscard]] std::string_view to_string(const Operation& operation);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(const Operation& operation);
 
 /// A whole world script, read before any of it runs.
 struct Script {
@@ -39,10 +40,10 @@ struct Script {
 
 /// Reads a world script, as docs/formats.md describes it. `name` is what messages call the text; they start `NAME:LINE:
 /// `. Errors: malformed.
-[[nodiscard]] Result<Script> parse_script(std::string_view text, std::string_view name);
+[[nodiscard]] WAYWRIGHT_API Result<Script> parse_script(std::string_view text, std::string_view name);
 
 /// The scene that a script's insertions and removals leave, in the order of the insertions. An insertion that a world
 /// would refuse is passed over: its id is in use, or a coordinate of it is out of range or outside the domain.
-[[nodiscard]] Scene scene_of(const Script& script);
+[[nodiscard]] WAYWRIGHT_API Scene scene_of(const Script& script);
 
 }  // namespace waywright

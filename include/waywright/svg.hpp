@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "waywright/export.hpp"
 #include "waywright/path.hpp"
 #include "waywright/world.hpp"
 
@@ -18,6 +19,7 @@ struct SvgOptions {
 
 /// A picture of the world as SVG text: solids, walls, free points, mesh, the given paths, and a legend. A path without
 /// points is passed over. Cost: that of World::snapshot, and of the text.
-[[nodiscard]] std::string to_svg(const World& world, const std::vector<Path>& paths, const SvgOptions& options);
+[[nodiscard]] WAYWRIGHT_API std::string to_svg(const World& world, const std::vector<Path>& paths,
+                                               const SvgOptions& options);
 
 }  // namespace waywright

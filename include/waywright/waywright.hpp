@@ -1,6 +1,7 @@
 #pragma once
 
 #include "waywright/error.hpp"
+#include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
 #include "waywright/memory_use.hpp"

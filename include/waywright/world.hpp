@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "waywright/error.hpp"
+#include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
 #include "waywright/memory_use.hpp"
@@ -55,14 +56,14 @@ struct MeshHash {
 };
 
 /// 32 and 64 hexadecimal digits.
-[[nodiscard]] std::string to_string(const ItemsHash& hash);
-[[nodiscard]] std::string to_string(const MeshHash& hash);
+[[nodiscard]] WAYWRIGHT_API std::string to_string(const ItemsHash& hash);
+[[nodiscard]] WAYWRIGHT_API std::string to_string(const MeshHash& hash);
 
 /// Where a point lies in the mesh.
 enum class Place : std::uint8_t { vertex, edge, face };
 
 /// The word the world script prints: `vertex`, `edge`, `face`.
-[[nodiscard]] std::string_view to_string(Place place);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(Place place);
 
 /// The answer to World::locate.
 struct Location {
@@ -105,7 +106,7 @@ struct WorldOptions {
 /// Threads: const members may run at once, each call with its own QueryContext; no other member meanwhile. A world that
 /// has been moved from may only be assigned to or destroyed.
 /// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
-class World {
+class WAYWRIGHT_API World {
  public:
   /// An empty world over the closed box `domain`: four vertices, two triangles, four constrained edges of id 0.
   /// Errors: coordinate_range, bad_domain. Cost: O(1).
