@@ -16,6 +16,8 @@ std::string_view to_string(ErrorCode code) {
       return "id-in-use";
     case ErrorCode::unknown_id:
       return "unknown-id";
+    case ErrorCode::bad_distance:
+      return "bad-distance";
     case ErrorCode::bad_radius:
       return "bad-radius";
     case ErrorCode::bad_id:
@@ -26,8 +28,8 @@ std::string_view to_string(ErrorCode code) {
       return "empty-shape";
     case ErrorCode::too_large:
       return "too-large";
-    case ErrorCode::world_changed:
-      return "world-changed";
+    case ErrorCode::world_gone:
+      return "world-gone";
     case ErrorCode::not_supported:
       return "not-supported";
     case ErrorCode::unreadable:

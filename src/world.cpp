@@ -183,6 +183,14 @@ Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
 
 }  // namespace
 
+void World::Impl::note_removal(std::uint32_t slot) {
+  if (triangulation.items().kind(slot) == ItemKind::point) return;
+  triangulation.items().outline(slot, outline);
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  change_log.add_item();
+  for (const mesh::Vertex v : outline.corners) change_log.add_point(geometry.nearest(number(v)));
+}
+
 Result<World> World::create(const Box& domain, const WorldOptions& options) {
   if (auto error = find_range_error(domain.min, 0, "the domain's min")) return *std::move(error);
   if (auto error = find_range_error(domain.max, 1, "the domain's max")) return *std::move(error);
@@ -420,6 +428,8 @@ MemoryUse World::memory() const {
   MemoryUse use;
   use.spare = sizeof(Impl);
   impl_->triangulation.count_memory(use);
+  impl_->change_log.count_memory(use);
+  memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
   return use;
 }

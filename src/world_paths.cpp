@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -29,10 +30,16 @@ std::optional<Error> find_radius_error(double radius) {
   return std::nullopt;
 }
 
+std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance) {
+  if (!tolerance || *tolerance >= 0.0) return std::nullopt;
+  return Error{ErrorCode::bad_distance, "the end tolerance is negative or not a number", {}, 0};
+}
+
 std::optional<Error> find_query_error(const World& world, bool keeps_abstraction, const PathQuery& query) {
   if (auto error = find_point_error(world.domain(), query.start, 0, "the start")) return error;
   if (auto error = find_point_error(world.domain(), query.goal, 1, "the goal")) return error;
   if (auto error = find_radius_error(query.radius)) return error;
+  if (auto error = find_tolerance_error(query.end_tolerance)) return error;
   if (query.algorithm == PathAlgorithm::tra && !keeps_abstraction) {
     return Error{ErrorCode::not_supported, "the path algorithm tra needs a world that keeps its abstraction", {}, 0};
   }
@@ -93,6 +100,7 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
     if (find_error("a goal")) return *find_error("goal " + std::to_string(i));
   }
   if (auto error = find_radius_error(query.radius)) return *std::move(error);
+  if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);
   context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);
   return {};
 }
@@ -104,13 +112,92 @@ Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) co
   return paths;
 }
 
-std::uint64_t World::version() const { return *impl_->version; }
+double World::default_end_tolerance() const { return path::default_end_tolerance(domain()); }
+
+Result<bool> World::is_clear(std::span<const Point> points, QueryContext& context) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (auto error = find_point_error(domain(), points[i], i)) return *std::move(error);
+  }
+  context.scratch_->cover.use(impl_->kept_abstraction());
+  return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover, points);
+}
+
+Result<bool> World::is_clear(std::span<const Point> points) const {
+  QueryContext context;
+  return is_clear(points, context);
+}
+
+Result<bool> World::is_clear(const Point& from, const Point& to, QueryContext& context) const {
+  const std::array<Point, 2> ends = {from, to};
+  return is_clear(ends, context);
+}
+
+Result<bool> World::is_clear(const Point& from, const Point& to) const {
+  QueryContext context;
+  return is_clear(from, to, context);
+}
+
+bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
+  return !points.empty() && impl_->change_log.meets(points, since);
+}
+
+void World::find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const {
+  affected.clear();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (is_affected(paths[i].points, since)) affected.push_back(i);
+  }
+}
+
+std::uint64_t World::version() const { return impl_->touch_log->version(); }
 
 struct WAYWRIGHT_INTERNAL PathSearch::Impl {
-  std::shared_ptr<const std::uint64_t> world_version;  ///< null while no search is running
-  std::uint64_t version = 0;                           ///< the world's when the search began
+  ~Impl() { stop(); }
+
+  void start(const World::Impl& searched) {
+    world = &searched;
+    touch_log = searched.touch_log;
+    version = touch_log->version();
+    touch_log->add_search();
+  }
+  void stop() {
+    if (touch_log != nullptr) touch_log->remove_search();
+    touch_log = nullptr;
+  }
+  void begin() { finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at); }
+  /// Makes the search one of the world as it is now.
+  void catch_up() {
+    if (version == touch_log->version()) return;
+    finder.cover_mesh();
+    const bool is_concerned = touch_log->has_touched(looked_at, version) || finder.has_covered_end();
+    version = touch_log->version();
+    if (!is_concerned) return;
+    ++restarts;
+    begin();
+  }
+
+  /// Stops the search at its end, unless there is more to search: also where memory runs out.
+  class Step {
+   public:
+    explicit Step(Impl& impl) : impl_(impl) { impl_.is_done = true; }
+    ~Step() {
+      if (impl_.is_done) impl_.stop();
+    }
+    Step(const Step&) = delete;
+    Step& operator=(const Step&) = delete;
+
+   private:
+    Impl& impl_;
+  };
+
+  std::shared_ptr<TouchLog> touch_log;  ///< null while no search is running
+  const World::Impl* world = nullptr;   ///< stays where it is as long as its log does not say that it has gone
+  std::uint64_t version = 0;            ///< of the world that the search belongs to
+  PathQuery query;
   path::Finder finder;
+  path::LookedAt looked_at;
   Path path;
+  std::size_t restarts = 0;
+  bool is_done = false;
 };
 
 PathSearch::PathSearch() : impl_(std::make_unique<Impl>()) {}
@@ -121,28 +208,33 @@ PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   cancel();
   if (auto error = find_query_error(world, world.impl_->abstraction.has_value(), query)) return *std::move(error);
-  impl_->finder.begin(world.impl_->triangulation, world.impl_->kept_abstraction(), query, impl_->path);
-  impl_->world_version = world.impl_->version;
-  impl_->version = world.version();
+  impl_->query = query;
+  impl_->restarts = 0;
+  impl_->world = world.impl_.get();
+  impl_->begin();
+  impl_->start(*world.impl_);
   return {};
 }
 
 // While a step lasts, no search is running: one that memory runs out in is given up.
 Result<bool> PathSearch::step(std::size_t expansions) {
   if (!is_running()) return true;
-  std::shared_ptr<const std::uint64_t> world_version = std::move(impl_->world_version);
-  if (*world_version != impl_->version) {
-    return Error{ErrorCode::world_changed, "the world has changed or gone since the search began", {}, 0};
+  if (impl_->touch_log->version() == TouchLog::kGone) {
+    cancel();
+    return Error{ErrorCode::world_gone, "the world has gone since the search began", {}, 0};
   }
-  const bool is_done = impl_->finder.step(expansions, impl_->path);
-  if (!is_done) impl_->world_version = std::move(world_version);
-  return is_done;
+  const Impl::Step step(*impl_);
+  impl_->catch_up();
+  impl_->is_done = impl_->finder.step(expansions, impl_->path);
+  return impl_->is_done;
 }
 
 const Path& PathSearch::path() const { return impl_->path; }
 
-void PathSearch::cancel() { impl_->world_version = nullptr; }
+std::size_t PathSearch::restarts() const { return impl_->restarts; }
 
-bool PathSearch::is_running() const { return impl_->world_version != nullptr; }
+void PathSearch::cancel() { impl_->stop(); }
+
+bool PathSearch::is_running() const { return impl_->touch_log != nullptr; }
 
 }  // namespace waywright

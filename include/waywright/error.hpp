@@ -20,11 +20,12 @@ enum class ErrorCode : std::uint8_t {
   id_in_use,         ///< an item of that id is alive
   unknown_id,        ///< no item of that id is alive
   bad_radius,        ///< a radius that is negative or not finite
+  bad_distance,      ///< a distance that is negative or not a number
   bad_id,            ///< an id above 2^63 - 1
   bad_domain,        ///< a domain that is not min.x < max.x and min.y < max.y
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
   too_large,         ///< more vertices, triangles or items than 32-bit indices can name
-  world_changed,     ///< the world is no longer the one that a search began with
+  world_gone,        ///< the world of a search no longer exists
   not_supported,     ///< a request this version does not carry out
   unreadable,        ///< a file that cannot be opened or read
   malformed,         ///< text that does not follow its format

@@ -207,9 +207,14 @@ class WAYWRIGHT_API World {
   /// that meet the box.
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
 
-  /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both.
-  /// Errors: coordinate_range, out_of_domain, bad_radius, not_supported. Cost: the location of the ends, and the
-  /// triangles searched (Path::expansions); no memory, once `context` and `path` have been used for a search as large.
+  /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both. An end that
+  /// lies strictly inside a polygon, but no farther from a free place than PathQuery::end_tolerance, is moved there:
+  /// to the nearest free place, among those that are joined with the other end if the world keeps its abstraction and
+  /// there are any. If walls part the ends, an end that lies beside a wall by no more than rounding
+  /// (default_end_tolerance() at most) is moved to its other side, if this joins the ends; this, too, takes a world that
+  /// keeps its abstraction. The answer says so (Path::moved_start, Path::moved_goal).
+  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported. Cost: the location of the ends,
+  /// and the triangles searched (Path::expansions); no memory, once `context` and `path` have been used for a search as large.
   /// Where walls part the ends no triangle is, if the world keeps its abstraction.
   /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
   /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md says where we
@@ -232,7 +237,40 @@ class WAYWRIGHT_API World {
                                              std::vector<Path>& paths) const;
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
-  /// Goes up with every operation that is carried out, and with no other. Cost: none.
+  /// How far a path query may move a blocked end if it does not say: 2^-20, about a millionth, of the largest
+  /// coordinate of the domain. It allows for places computed in steps of `float` arithmetic. Cost: none.
+  [[nodiscard]] double default_end_tolerance() const;
+
+  /// Whether a point agent can walk along a polyline: the question that find_path answers with such a polyline. It may
+  /// touch walls and vertices and may run along walls; it must not pass through a wall, the inside of a polygon, or a
+  /// point where walls meet. Decided exactly. A corner whose coordinates are those of a crossing of walls, rounded,
+  /// stands for that crossing, too, because paths name crossings so. False if there are no points. Errors:
+  /// coordinate_range, out_of_domain; the error's index is the point's position. Cost: the location of the first point,
+  /// and the triangles that the polyline crosses; no memory, once `context` has been used for a polyline as long.
+  ///
+  ///     if (!world.is_clear(unit.path.points).value()) unit.path = world.find_path(unit.query).value();
+  [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, QueryContext& context) const;
+  [[nodiscard]] Result<bool> is_clear(std::span<const Point> points) const;
+  /// The same of the straight way between two places: whether the agent can go it. In contrast to ray(), a touch is no
+  /// hit.
+  [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, QueryContext& context) const;
+  [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
+
+  /// Whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after version
+  /// `since` has inserted, removed or replaced. If not, the polyline is as clear as it was then. Also true if the world
+  /// does not know: it keeps the boxes of at least the last 2,048 such items, and one box for the items of an operation
+  /// beyond 256. Cost: the boxes times the points, a few comparisons each; no memory.
+  ///
+  ///     const std::uint64_t before = world.version();
+  ///     world.insert(building).value();
+  ///     for (Unit& unit : units) {
+  ///       if (world.is_affected(unit.path.points, before) && !world.is_clear(unit.path.points).value()) replan(unit);
+  ///     }
+  [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
+  /// Which of many paths is_affected() is true of: their positions, ascending.
+  void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
+
+  /// Goes up by one with every operation that is carried out, and with no other. Cost: none.
   [[nodiscard]] std::uint64_t version() const;
 
   /// The memory that the world holds, by what it is for. What the allocator adds to each piece isn't counted.

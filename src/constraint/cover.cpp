@@ -107,12 +107,18 @@ const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& tria
   return covering_;
 }
 
-bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place) {
+const std::vector<std::uint32_t>& Cover::strictly_covering(const ExactTriangulation& triangulation,
+                                                           const locate::Located& place) {
   collect_touching(triangulation, place);
   faces_at(triangulation, place, around_);
-  const std::vector<std::uint32_t>& covering = of_face(triangulation, around_.front());
-  return std::any_of(covering.begin(), covering.end(),
-                     [&](std::uint32_t item) { return !std::binary_search(touching_.begin(), touching_.end(), item); });
+  covering_ = of_face(triangulation, around_.front());
+  std::erase_if(covering_,
+                [&](std::uint32_t item) { return std::binary_search(touching_.begin(), touching_.end(), item); });
+  return covering_;
+}
+
+bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place) {
+  return !strictly_covering(triangulation, place).empty();
 }
 
 const std::vector<mesh::HalfEdge>& Cover::open_faces(const ExactTriangulation& triangulation,

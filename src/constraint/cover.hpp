@@ -31,6 +31,10 @@ class Cover {
   /// Whether the place lies strictly inside some polygon: covered, and on none of that polygon's sides.
   bool is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place);
 
+  /// The polygons, by slot, that have the place strictly inside; each once, in no order.
+  const std::vector<std::uint32_t>& strictly_covering(const ExactTriangulation& triangulation,
+                                                      const locate::Located& place);
+
   /// The faces around the place that no polygon covers, each by its half-edge: from the vertex, along the edge or, of
   /// the face itself, the one whose origin comes first in (x, y) order. The order of the faces depends on the mesh's
   /// geometry alone: counter-clockwise around a vertex from its first neighbour, an edge's left side first.

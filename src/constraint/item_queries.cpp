@@ -4,6 +4,7 @@
 #include <array>
 #include <unordered_set>
 
+#include "constraint/box_test.hpp"
 #include "constraint/segment_walk.hpp"
 #include "constraint/slot_sets.hpp"
 #include "exact/predicates.hpp"
@@ -132,39 +133,6 @@ class FirstWall : public SegmentVisitor {
   Point from_;
   Point to_;
   RayHit& hit_;
-};
-
-/// A closed box against points and segments; a segment misses it when their extents do, or when all four corners lie
-/// strictly on one side of its line.
-class BoxTest {
- public:
-  explicit BoxTest(const Box& box)
-      : box_(box),
-        corners_{exact::explicit_point(box.min), exact::ExactPoint{box.max.x, box.min.y},
-                 exact::explicit_point(box.max), exact::ExactPoint{box.min.x, box.max.y}} {}
-
-  [[nodiscard]] bool holds(const Point& p) const {
-    return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
-  }
-
-  /// Rounding to nearest is monotone, so where rounded extents miss the box, so do the true ones. Of constructed ends
-  /// that are rounded onto the box's border it may say yes though they miss it.
-  [[nodiscard]] bool meets(const exact::ExactPoint& p, const exact::ExactPoint& q) const {
-    if (std::max(p.x, q.x) < box_.min.x || std::min(p.x, q.x) > box_.max.x) return false;
-    if (std::max(p.y, q.y) < box_.min.y || std::min(p.y, q.y) > box_.max.y) return false;
-    int left = 0;
-    int right = 0;
-    for (const exact::ExactPoint& corner : corners_) {
-      const exact::Sign side = exact::orientation(p, q, corner);
-      left += side == exact::Sign::positive ? 1 : 0;
-      right += side == exact::Sign::negative ? 1 : 0;
-    }
-    return left < 4 && right < 4;
-  }
-
- private:
-  Box box_;
-  std::array<exact::ExactPoint, 4> corners_;
 };
 
 /// Floods the faces that meet a box, and collects the items whose sides and corners do.

@@ -202,6 +202,10 @@ RoundedCrossing round_to_nearest(const Crossing& crossing) {
 
 }  // namespace integers
 
+Point round_to_nearest(const Homogeneous& point, int lattice_exponent) {
+  return round_both(point.x, point.y, point.w, lattice_exponent).nearest;
+}
+
 RoundedCrossing detail::round_other_to_nearest(const Crossing& crossing) {
   if (const auto rounded = doubles::round_to_nearest(crossing)) {
     ++counts.crossing.doubles;

@@ -74,6 +74,8 @@ class Geometry {
   /// The vertex's coordinates, each as the nearest double.
   [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex]; }
   [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return crossing_of(vertex) == kExplicit; }
+  /// Whether there may be a constructed vertex. If not, there is none.
+  [[nodiscard]] bool has_constructed() const { return !crossing_of_.empty(); }
   /// The place itself. It stays valid until a vertex is added.
   [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 

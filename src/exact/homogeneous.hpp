@@ -72,4 +72,7 @@ struct Homogeneous {
 [[nodiscard]] Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent);
 [[nodiscard]] Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent);
 
+/// Each coordinate rounded to the nearest double. Requires: no coordinate is as near to 0 as a subnormal double.
+[[nodiscard]] Point round_to_nearest(const Homogeneous& point, int lattice_exponent);
+
 }  // namespace waywright::exact

@@ -51,6 +51,7 @@ void Abstraction::update(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
   collect_touched(mesh);
+  was_rebuilt_ = false;
   if (gone_.size() > kFewFaces && 2 * gone_.size() > mesh.face_slots()) {
     rebuild(triangulation);
     return guard.done();
@@ -73,6 +74,7 @@ void Abstraction::rebuild(const Triangulation& triangulation) {
   Components components(triangulation);
   core_ = TwoCore(triangulation);
   components_ = std::move(components);
+  was_rebuilt_ = true;
 }
 
 /// The faces that the operation touched, each once.

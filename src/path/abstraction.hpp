@@ -37,6 +37,16 @@ class Abstraction {
   /// runs out, nothing. Cost: what changed, however large the world.
   void update(const Triangulation& triangulation);
 
+  /// Calls visit(face) for each face of which the last update() has changed what is known. Returns false, and calls
+  /// nothing, if that update was a rebuild.
+  template <class Visit>
+  [[nodiscard]] bool for_each_changed_face(Visit&& visit) const {
+    if (was_rebuilt_) return false;
+    components_.for_each_relabelled_face(visit);
+    core_.for_each_written_face(visit);
+    return true;
+  }
+
   /// The first difference from a rebuild, or nothing. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
 
@@ -53,6 +63,8 @@ class Abstraction {
 
   Components components_;
   TwoCore core_;
+
+  bool was_rebuilt_ = false;  ///< by the last update
 
   std::vector<std::uint32_t> inserted_;  ///< polygons, by slot
   std::vector<std::uint32_t> removed_;

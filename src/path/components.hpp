@@ -65,6 +65,12 @@ class Components {
   [[nodiscard]] std::optional<std::string> find_difference(const Components& other,
                                                            std::span<const mesh::Face> faces) const;
 
+  /// Calls visit(face) for each face that got another label since begin().
+  template <class Visit>
+  void for_each_relabelled_face(Visit&& visit) const {
+    for (const auto& [f, label] : label_log_) visit(f);
+  }
+
   /// Starts the log anew.
   void begin();
   /// Takes back everything since begin(). Allocates nothing.

@@ -1,6 +1,7 @@
 #include "path/ends.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "constraint/segment_walk.hpp"
@@ -58,26 +59,54 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
   bool is_stopped_ = false;
 };
 
-void Ends::set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start) {
+// Rounding to float displaces a coordinate by up to 2^-24 of it, and a program computes a place in a few steps.
+double default_end_tolerance(const Box& domain) {
+  const double x = std::max(std::abs(domain.min.x), std::abs(domain.max.x));
+  const double y = std::max(std::abs(domain.min.y), std::abs(domain.max.y));
+  return std::max(x, y) * 0x1p-20;
+}
+
+void Ends::set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
+                     double tolerance) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
   cover_.use(abstraction);
   start_ = start;
+  tolerance_ = tolerance;
   start_place_ = triangulation.triangulation().locate(start);
   is_start_known_ = false;
+  may_start_move_ = true;
+  moved_start_.reset();
 }
 
-// Faces that free edges join are covered alike. So where the first on the straight way is open, all are, and no polygon
-// can have an end strictly inside.
+void Ends::free_start() {
+  find_start_faces();
+  if (start_faces_.empty()) move_start({});
+  may_start_move_ = false;
+}
+
+// Faces that free edges join are covered alike. So if the first face on the straight way is open, all are, and no
+// polygon can have an end strictly inside.
 std::optional<PathStatus> Ends::set_goal(const Point& goal) {
   goal_ = goal;
+  moved_goal_.reset();
   if (sees_goal()) return PathStatus::found;
-  crossed_.clear();
   if (!is_start_known_) find_start_faces();
-  if (is_start_blocked_) return PathStatus::start_blocked;
-  const locate::Located goal_place = triangulation_->triangulation().locate(goal);
-  goal_faces_ = cover_.open_faces(*triangulation_, goal_place);
-  if (goal_faces_.empty() && cover_.is_strictly_inside(*triangulation_, goal_place)) return PathStatus::goal_blocked;
+  goal_place_ = triangulation_->triangulation().locate(goal_);
+  find_goal_faces();
+  const bool is_blocked = start_faces_.empty() || goal_faces_.empty();
+  const bool has_moved = is_blocked ? move_blocked_ends() : move_end_across_wall();
+  if (has_moved && sees_goal()) return PathStatus::found;
+  return known_status();
+}
+
+/// How the search ends where the straight way is not free and there is nothing to search.
+std::optional<PathStatus> Ends::known_status() {
+  crossed_.clear();
+  const bool is_start_blocked = start_faces_.empty() && cover_.is_strictly_inside(*triangulation_, start_place_);
+  if (is_start_blocked) return PathStatus::start_blocked;
+  const bool is_goal_blocked = goal_faces_.empty() && cover_.is_strictly_inside(*triangulation_, goal_place_);
+  if (is_goal_blocked) return PathStatus::goal_blocked;
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
   if (abstraction_ != nullptr && !are_joined(abstraction_->components())) return PathStatus::no_path;
@@ -97,8 +126,85 @@ bool Ends::sees_goal() {
 // What lies strictly inside a polygon has no open face around it.
 void Ends::find_start_faces() {
   start_faces_ = cover_.open_faces(*triangulation_, start_place_);
-  is_start_blocked_ = start_faces_.empty() && cover_.is_strictly_inside(*triangulation_, start_place_);
   is_start_known_ = true;
+}
+
+void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, goal_place_); }
+
+/// Moves the ends that have no open face around them. Returns whether both ends have some now.
+bool Ends::move_blocked_ends() {
+  if (start_faces_.empty() && may_start_move_) move_start(goal_faces_);
+  if (goal_faces_.empty() && !start_faces_.empty()) {
+    if (const auto found = find_free_place(goal_, goal_place_, start_faces_)) move_goal_to(*found);
+  }
+  return !start_faces_.empty() && !goal_faces_.empty();
+}
+
+/// If walls part the ends: an end may lie on the wrong side of a wall by no more than rounding. Moves it to the other
+/// side then. Returns whether it did.
+bool Ends::move_end_across_wall() {
+  if (abstraction_ == nullptr || !(tolerance_ > 0.0) || are_joined(abstraction_->components())) return false;
+  const double rounding = std::min(tolerance_, default_end_tolerance(triangulation_->domain()));
+  if (may_start_move_) {
+    if (const auto found = find_joined_place(start_, start_place_, goal_faces_, rounding)) {
+      move_start_to(*found);
+      return true;
+    }
+  }
+  const auto found = find_joined_place(goal_, goal_place_, start_faces_, rounding);
+  if (found) move_goal_to(*found);
+  return found.has_value();
+}
+
+void Ends::move_start(const std::vector<HalfEdge>& goal_faces) {
+  if (const auto found = find_free_place(start_, start_place_, goal_faces)) move_start_to(*found);
+}
+
+void Ends::move_start_to(const Point& place) {
+  moved_start_ = MovedEnd{start_, place};
+  start_ = place;
+  start_place_ = triangulation_->triangulation().locate(start_);
+  find_start_faces();
+}
+
+void Ends::move_goal_to(const Point& place) {
+  moved_goal_ = MovedEnd{goal_, place};
+  goal_ = place;
+  goal_place_ = triangulation_->triangulation().locate(goal_);
+  find_goal_faces();
+}
+
+/// The free place nearest to an end, among those that are joined with the other end if there are any.
+std::optional<Point> Ends::find_free_place(const Point& end, const locate::Located& place,
+                                           const std::vector<HalfEdge>& other_faces) {
+  if (!(tolerance_ > 0.0)) return std::nullopt;
+  if (abstraction_ != nullptr && !other_faces.empty()) {
+    if (const auto found = find_joined_place(end, place, other_faces, tolerance_)) return found;
+  }
+  return free_places_.nearest(*triangulation_, cover_, end, place, tolerance_, {});
+}
+
+std::optional<Point> Ends::find_joined_place(const Point& end, const locate::Located& place,
+                                             const std::vector<HalfEdge>& other_faces, double limit) {
+  return free_places_.nearest(*triangulation_, cover_, end, place, limit, {&abstraction_->components(), &other_faces});
+}
+
+void Ends::write_ends(PathStatus status, Path& path) {
+  path.moved_start = moved_start_;
+  path.moved_goal = moved_goal_;
+  path.blockers.clear();
+  const bool is_start = status == PathStatus::start_blocked;
+  if (!is_start && status != PathStatus::goal_blocked) return;
+  for (const std::uint32_t slot : cover_.strictly_covering(*triangulation_, is_start ? start_place_ : goal_place_)) {
+    path.blockers.push_back(triangulation_->items().id(slot));
+  }
+  std::sort(path.blockers.begin(), path.blockers.end());
+}
+
+bool Ends::are_covered() {
+  const auto is_covered = [&](HalfEdge h) { return cover_.is_covered(*triangulation_, h); };
+  return std::any_of(start_faces_.begin(), start_faces_.end(), is_covered) ||
+         std::any_of(goal_faces_.begin(), goal_faces_.end(), is_covered);
 }
 
 bool Ends::are_joined(const Components& components) const {

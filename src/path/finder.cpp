@@ -26,33 +26,57 @@ void clear(Path& path) {
   path.channel.clear();
   path.expansions = 0;
   path.time = {};
+  path.moved_start.reset();
+  path.moved_goal.reset();
+  path.blockers.clear();
+}
+
+double tolerance_of(const std::optional<double>& asked, const Finder::Triangulation& triangulation) {
+  return asked ? *asked : default_end_tolerance(triangulation.domain());
 }
 
 }  // namespace
 
 void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
-                   Path& path) {
+                   Path& path, LookedAt* looked_at) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
+  looked_at_ = looked_at;
   query_ = query;
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
   clear(path);
-  ends_.set_start(triangulation, abstraction, query.start);
+  ends_.set_start(triangulation, abstraction, query.start, tolerance_of(query.end_tolerance, triangulation));
   const std::optional<PathStatus> known = ends_.set_goal(query.goal);
+  ends_.write_ends(known.value_or(PathStatus::no_path), path);
   is_searched_ = !known.has_value();
   is_done_ = !is_searched_;
   is_proving_ = false;
+  if (looked_at != nullptr) look_at_ends();
   if (is_done_) {
     path.status = *known;
     if (path.status == PathStatus::found) write_straight(query.wants_channel, path);
     finish(path);
   } else if (query.algorithm == PathAlgorithm::ta) {
-    ta_.begin(triangulation, ends_);
+    ta_.begin(triangulation, ends_, looked_at);
   } else if (query.algorithm == PathAlgorithm::tra) {
     tra_.begin(triangulation, *abstraction, ends_);
   } else {
     begin_optimal(std::numeric_limits<double>::infinity());
   }
+}
+
+void Finder::look_at_ends() {
+  looked_at_->clear(triangulation_->topology().face_slots());
+  if (is_done_) return looked_at_->look_at_all();  // what was looked at on the straight way is not known
+  for (const mesh::HalfEdge h : ends_.start_faces()) looked_at_->look(mesh::face(h));
+  for (const mesh::HalfEdge h : ends_.goal_faces()) looked_at_->look(mesh::face(h));
+}
+
+void Finder::cover_mesh() {
+  looked_at_->cover(triangulation_->topology().face_slots());
+  if (is_done_) return;
+  if (query_.algorithm == PathAlgorithm::optimal || is_proving_) return optimal_.cover_mesh();
+  if (query_.algorithm == PathAlgorithm::ta) ta_.cover_mesh();
 }
 
 void Finder::write_straight(bool wants_channel, Path& path) const {
@@ -71,7 +95,7 @@ void Finder::write_straight(bool wants_channel, Path& path) const {
 }
 
 void Finder::begin_optimal(double known_length) {
-  optimal_.begin(*triangulation_, abstraction_, ends_, query_.wants_channel);
+  optimal_.begin(*triangulation_, abstraction_, ends_, query_.wants_channel, looked_at_);
   optimal_.add_goal(ends_.goal(), ends_.goal_faces());
   optimal_.start(known_length);
 }
@@ -130,10 +154,12 @@ void Finder::find_all(const Triangulation& triangulation, const Abstraction* abs
   paths.resize(query.goals.size());
   searched_.clear();
   std::size_t expansions = 0;
-  ends_.set_start(triangulation, abstraction, query.start);
+  ends_.set_start(triangulation, abstraction, query.start, tolerance_of(query.end_tolerance, triangulation));
+  ends_.free_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     clear(paths[i]);
     const std::optional<PathStatus> known = ends_.set_goal(query.goals[i]);
+    ends_.write_ends(known.value_or(PathStatus::no_path), paths[i]);
     if (known) {
       paths[i].status = *known;
       if (*known == PathStatus::found) write_straight(false, paths[i]);

@@ -53,8 +53,9 @@ class Optimal::Cone {
 };
 
 void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends,
-                    bool wants_channel) {
+                    bool wants_channel, LookedAt* looked_at) {
   ends_ = &ends;
+  looked_at_ = looked_at;
   core_ = abstraction == nullptr ? nullptr : &abstraction->core();
   components_ = abstraction == nullptr ? nullptr : &abstraction->components();
   mesh_ = &triangulation.topology();
@@ -122,12 +123,16 @@ void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
 
 void Optimal::forget_last_query() {
   if (++query_ == 0) {  // the count went once around
-    std::fill(reached_.begin(), reached_.end(), Reached{});
-    std::fill(goals_below_.begin(), goals_below_.end(), GoalsBelow{});
+    reached_.clear();
+    goals_below_.clear();
     query_ = 1;
   }
-  if (reached_.size() < mesh_->vertex_slots()) reached_.resize(mesh_->vertex_slots());
-  if (goals_below_.size() < mesh_->face_slots()) goals_below_.resize(mesh_->face_slots());
+  cover_mesh();
+}
+
+void Optimal::cover_mesh() {
+  reached_.cover(mesh_->vertex_slots());
+  goals_below_.cover(mesh_->face_slots());
 }
 
 /// Counts a goal's face in its component, and at each face on the way from there to the core.
@@ -135,7 +140,9 @@ void Optimal::count_goal_face(mesh::Face f) {
   const Components::Label component = components_->of(f);
   const auto at = std::ranges::lower_bound(goals_in_components_, component, {}, &GoalsInComponent::component);
   if (at != goals_in_components_.end() && at->component == component) ++at->count;
-  while (!core_->is_core(f)) {
+  for (;;) {
+    look(f);
+    if (core_->is_core(f)) return;
     GoalsBelow& below = goals_below_[number(f)];
     if (below.query != query_) below = {query_, 0};
     ++below.count;
@@ -212,6 +219,7 @@ void Optimal::follow_window(Node window) {
   for (int faces = 1;; ++faces) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
+    look(f);
     if (may_have_goals(f)) meet_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View place = geometry_->view(number(apex));
@@ -339,6 +347,7 @@ void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;
   ++expansions_;
+  look(mesh::face(turn.entry));
   Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kStraightOn, turn.trace};
   const Cone cone(*this, window);
   const bool sees_apex = cone.side_of_right(geometry_->view(number(window.left))) == Sign::positive;
@@ -357,6 +366,7 @@ void Optimal::make_left_turn(const Node& turn) {
     h = mesh_->next_around(h);
     trace = traced(h, trace);
     ++expansions_;
+    look(mesh::face(h));
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::next(h);
     if (is_barred(exit)) continue;
@@ -370,6 +380,7 @@ void Optimal::make_right_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.right, turn.root);
   if (roots_[root].length > reached(turn.right).length) return;
   ++expansions_;
+  look(mesh::face(turn.entry));
   Node window{Kind::window, turn.entry, root, kStraightOn, mesh_->apex(turn.entry), turn.trace};
   const Cone cone(*this, window);
   const bool sees_apex = cone.side_of_left(geometry_->view(number(window.right))) == Sign::negative;
@@ -388,6 +399,7 @@ void Optimal::make_right_turn(const Node& turn) {
     h = mesh_->twin(mesh::next(h));
     trace = traced(h, trace);
     ++expansions_;
+    look(mesh::face(h));
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::previous(h);
     if (is_barred(exit)) continue;

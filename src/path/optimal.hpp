@@ -7,8 +7,10 @@
 
 #include "waywright/path.hpp"
 
+#include "memory/zeroed_array.hpp"
 #include "path/abstraction.hpp"
 #include "path/ends.hpp"
+#include "path/looked_at.hpp"
 #include "path/open_list.hpp"
 
 namespace waywright::path {
@@ -34,11 +36,16 @@ class Optimal {
   using Geometry = exact::Geometry;
 
   /// Starts anew. The ends' start, the triangulation and its abstraction, if it has one, must stay as they are.
-  void begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends, bool wants_channel);
+  /// `looked_at`, if it is not null, notes the faces that the search looks at.
+  void begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends, bool wants_channel,
+             LookedAt* looked_at = nullptr);
   /// A goal that isn't at a face of the start, and the open faces around it. Without any, there is nothing to find.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
   /// To be called once all goals are known. Paths that are not shorter than `known_length` are left out.
   void start(double known_length = std::numeric_limits<double>::infinity());
+
+  /// The mesh has grown since begin().
+  void cover_mesh();
 
   /// Searches on until `expansions` comes to `limit` or the shortest path to each goal is found; returns whether they
   /// are, or there are none.
@@ -100,7 +107,7 @@ class Optimal {
   struct Reached {
     double length = 0.0;
     std::uint32_t query = 0;
-    mesh::HalfEdge spoke = mesh::kNoHalfEdge;  ///< an edge from there in the wedge between walls that the way came to
+    mesh::HalfEdge spoke{};  ///< an edge from there in the wedge between walls that the way came to
   };
 
   /// How many of the goals' faces lie at a face outside the core or beyond it, as seen from the core, in the query that
@@ -123,6 +130,9 @@ class Optimal {
   void count_goal_face(mesh::Face f);
   [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();
+  void look(mesh::Face f) {
+    if (looked_at_ != nullptr) looked_at_->look(f);
+  }
   void follow(Node node);
   void follow_window(Node window);
   void part(const Node& window, const Cone& cone, mesh::Vertex apex);
@@ -174,14 +184,15 @@ class Optimal {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
+  LookedAt* looked_at_ = nullptr;  ///< or null
 
   std::vector<Root> roots_;
   std::vector<Node> nodes_;
   OpenList open_;              ///< positions in `nodes_`
   std::vector<Node> at_once_;  ///< windows to follow before the next of the open list
   std::vector<Trace> traces_;
-  std::vector<Reached> reached_;                       ///< by vertex
-  std::vector<GoalsBelow> goals_below_;                ///< by face outside the core
+  memory::ZeroedArray<Reached> reached_;               ///< by vertex
+  memory::ZeroedArray<GoalsBelow> goals_below_;        ///< by face outside the core
   std::vector<GoalsInComponent> goals_in_components_;  ///< of the start's components, in order
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;

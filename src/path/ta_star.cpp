@@ -5,8 +5,9 @@
 
 namespace waywright::path {
 
-void TaStar::begin(const Triangulation& triangulation, const Ends& ends) {
+void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at) {
   ends_ = &ends;
+  looked_at_ = looked_at;
   mesh_ = &triangulation.topology();
   tree_.reset(triangulation.triangulation().geometry(), ends.start());
   nodes_.clear();
@@ -19,11 +20,10 @@ void TaStar::begin(const Triangulation& triangulation, const Ends& ends) {
 
 void TaStar::forget_entries() {
   if (++query_ == 0) {  // the count went once around
-    std::fill(entered_.begin(), entered_.end(), 0);
+    entered_.clear();
     query_ = 1;
   }
-  const std::size_t half_edges = std::size_t{3} * mesh_->face_slots();
-  if (entered_.size() < half_edges) entered_.resize(half_edges, 0);
+  cover_mesh();
 }
 
 bool TaStar::step(std::size_t limit, Path& path) {
@@ -38,6 +38,7 @@ bool TaStar::step(std::size_t limit, Path& path) {
     }
     entered = query_;
     ++path.expansions;
+    if (looked_at_ != nullptr) looked_at_->look(mesh::face(node.entry));
     if (!ends_->is_goal(mesh::face(node.entry))) {
       leave(position);
     } else if (arrive(position)) {

@@ -6,8 +6,10 @@
 
 #include "waywright/path.hpp"
 
+#include "memory/zeroed_array.hpp"
 #include "path/ends.hpp"
 #include "path/funnel.hpp"
+#include "path/looked_at.hpp"
 
 namespace waywright::path {
 
@@ -24,7 +26,10 @@ class TaStar {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Starts a search between ends that are not at one face. They and the triangulation must stay as they are.
-  void begin(const Triangulation& triangulation, const Ends& ends);
+  /// `looked_at`, if it is not null, notes the faces that the search looks at.
+  void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
+  /// The mesh has grown since begin().
+  void cover_mesh() { entered_.cover(std::size_t{3} * mesh_->face_slots()); }
   /// Searches on until `path.expansions` comes to `limit`, a path better than the one in `path` is found, or neither
   /// is to come; returns whether the latter.
   bool step(std::size_t limit, Path& path);
@@ -57,10 +62,11 @@ class TaStar {
 
   const Ends* ends_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
+  LookedAt* looked_at_ = nullptr;  ///< or null
   TautTree tree_;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> open_;     ///< a heap of positions in `nodes_`
-  std::vector<std::uint32_t> entered_;  ///< by half-edge: the query that entered a face by it last
+  std::vector<std::uint32_t> open_;             ///< a heap of positions in `nodes_`
+  memory::ZeroedArray<std::uint32_t> entered_;  ///< by half-edge: the query that entered a face by it last
   std::uint32_t query_ = 0;
   bool is_found_ = false;
   double best_length_ = 0.0;

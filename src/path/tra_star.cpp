@@ -46,10 +46,10 @@ void TraStar::find(Path& path) {
 void TraStar::forget_marks() {
   query_ += kMarks;
   if (query_ == 0) {  // the count went once around
-    std::fill(marks_.begin(), marks_.end(), 0);
+    marks_.clear();
     query_ = kMarks;
   }
-  if (marks_.size() < mesh_->face_slots()) marks_.resize(mesh_->face_slots(), 0);
+  marks_.cover(mesh_->face_slots());
 }
 
 void TraStar::mark(Face f, std::uint32_t mark) {

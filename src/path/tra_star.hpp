@@ -5,6 +5,7 @@
 
 #include "waywright/path.hpp"
 
+#include "memory/zeroed_array.hpp"
 #include "path/abstraction.hpp"
 #include "path/ends.hpp"
 #include "path/open_list.hpp"
@@ -88,12 +89,12 @@ class TraStar {
   const Components* components_ = nullptr;
 
   std::vector<Node> nodes_;
-  OpenList open_;                      ///< positions in `nodes_`
-  std::vector<std::uint32_t> marks_;   ///< by face: `query_` and marks, if it is this query's
-  std::uint32_t query_ = 0;            ///< a multiple of kMarks
-  std::vector<mesh::Face> tops_;       ///< faces of the core, and roots, above the goal; then faces below them
-  std::vector<std::uint32_t> chosen_;  ///< the nodes of the path, from the goal back
-  std::vector<mesh::HalfEdge> exits_;  ///< the edges that the channel crosses, in the faces before them
+  OpenList open_;                             ///< positions in `nodes_`
+  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: `query_` and marks, if it is this query's
+  std::uint32_t query_ = 0;                   ///< a multiple of kMarks
+  std::vector<mesh::Face> tops_;              ///< faces of the core, and roots, above the goal; then faces below them
+  std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the goal back
+  std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces before them
   TautString string_;
 };
 

@@ -73,6 +73,12 @@ class TwoCore {
   [[nodiscard]] std::optional<std::string> find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,
                                                            std::span<const mesh::Face> faces) const;
 
+  /// Calls visit(face) for each face that update() or refill() has written since begin().
+  template <class Visit>
+  void for_each_written_face(Visit&& visit) const {
+    for (const auto& [f, state] : log_) visit(f);
+  }
+
   /// Starts the log anew.
   void begin() { log_.clear(); }
   /// Takes back everything since begin(). Allocates nothing.

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +14,7 @@
 #include "waywright/world.hpp"
 
 #include "support/random.hpp"
+#include "support/random_path_cases.hpp"
 #include "support/random_scenes.hpp"
 
 namespace waywright::test {
@@ -95,42 +99,153 @@ TEST(PathSearch, FindsTheSameInAWorldThatKeepsNoAbstraction) {
   EXPECT_GT(counts[PathStatus::no_path], 20U);
 }
 
-TEST(PathSearch, EndsWhenTheWorldChanges) {
-  World world = World::create({{0, 0}, {10, 10}}).value();
+/// Walls with doors at their lower and upper ends in turn.
+World world_of_doors() {
+  World world = World::create({{0, 0}, {100, 10}}).value();
   for (int i = 1; i < 9; ++i) {
     const double y = i % 2 == 0 ? 0 : 1;
     world.insert_segment({static_cast<double>(i), y}, {static_cast<double>(i), y + 9}).value();
   }
-  const PathQuery query{{0.5, 5}, {9.5, 5}};
-  PathSearch search;
-  ASSERT_TRUE(search.begin(world, query).ok());
-  ASSERT_FALSE(search.step(1).value());
-  EXPECT_FALSE(world.remove({77}).ok());
-  ASSERT_FALSE(search.step(1).value()) << "a refused operation changes nothing";
-  const World moved = std::move(world);
-  ASSERT_FALSE(search.step(1).value()) << "a world may move";
+  return world;
+}
 
-  World changed = World::create({{0, 0}, {10, 10}}).value();
-  changed.insert_segment({5, 0}, {5, 9}).value();
-  ASSERT_TRUE(search.begin(changed, query).ok());
-  const std::uint64_t version = changed.version();
-  changed.insert_point({1, 1}).value();
-  EXPECT_GT(changed.version(), version);
-  const Result<bool> stepped = search.step(1);
-  ASSERT_FALSE(stepped.ok());
-  EXPECT_EQ(stepped.error().code, ErrorCode::world_changed);
-  EXPECT_FALSE(search.is_running());
-  ASSERT_TRUE(search.begin(changed, query).ok()) << "and may begin anew";
+const PathQuery kThroughTheDoors{{0.5, 5}, {9.5, 5}};
+
+TEST(PathSearch, GoesOnWhenAChangeDoesNotConcernIt) {
+  World world = world_of_doors();
+  for (double x = 20; x < 90; x += 5) world.insert_segment({x, 2}, {x, 8}).value();
+  PathSearch search;
+  ASSERT_TRUE(search.begin(world, kThroughTheDoors).ok());
+  bool is_done = search.step(1).value();
+  EXPECT_FALSE(is_done);
+  for (double x = 80; !is_done; x += 0.125) {
+    ASSERT_LT(x, 90.0);
+    world.insert_polygon(std::vector<Point>{{x, 4}, {x + 2, 4}, {x + 1, 6}}).value();
+    is_done = search.step(1).value();
+  }
+  EXPECT_EQ(search.restarts(), 0U);
+  expect_equal(search.path(), world.find_path(kThroughTheDoors).value());
+}
+
+TEST(PathSearch, BeginsAgainWhenAChangeConcernsIt) {
+  World world = world_of_doors();
+  PathSearch search;
+  ASSERT_TRUE(search.begin(world, kThroughTheDoors).ok());
+  ASSERT_FALSE(search.step(2).value());
+  world.insert_segment({0.25, 8}, {0.75, 8}).value();  // beside the start
+  ASSERT_FALSE(search.step(1).value());
+  EXPECT_EQ(search.restarts(), 1U);
+  EXPECT_FALSE(world.remove({77}).ok());
+  ASSERT_FALSE(search.step(1).value());
+  EXPECT_EQ(search.restarts(), 1U) << "a refused operation changes nothing";
+  World moved = std::move(world);
+  ASSERT_FALSE(search.step(1).value()) << "a world may move";
+  moved.insert_polygon(std::vector<Point>{{9.25, 4.75}, {9.75, 4.75}, {9.75, 5.25}, {9.25, 5.25}}).value();
   while (!search.step(1).value()) {
   }
-  EXPECT_EQ(search.path().status, PathStatus::found);
+  EXPECT_EQ(search.restarts(), 2U);
+  EXPECT_EQ(search.path().status, PathStatus::goal_blocked);
+  EXPECT_EQ(search.path().blockers, (std::vector<ItemId>{{10}}));
+  ASSERT_TRUE(search.begin(moved, kThroughTheDoors).ok());
+  EXPECT_EQ(search.restarts(), 0U);
+}
 
+// No wall comes near what the search has looked at, and yet the ends are covered now.
+TEST(PathSearch, SeesThatAPolygonHasComeToCoverItsEnds) {
+  World world = World::create({{-1000, -1000}, {1000, 1000}}).value();
+  for (int i = 1; i < 9; ++i) {
+    const double y = i % 2 == 0 ? 0 : 1;
+    world.insert_segment({static_cast<double>(i), y}, {static_cast<double>(i), y + 9}).value();
+  }
+  world.insert_polyline(std::vector<Point>{{-5, -5}, {20, -5}, {20, 20}, {-5, 20}, {-5, -5}}).value();
+  PathSearch search;
+  ASSERT_TRUE(search.begin(world, kThroughTheDoors).ok());
+  ASSERT_FALSE(search.step(2).value());
+  world.insert_polygon(std::vector<Point>{{-900, -900}, {900, -900}, {900, 900}, {-900, 900}}).value();
+  ASSERT_TRUE(search.step(1).value());
+  EXPECT_EQ(search.path().status, PathStatus::start_blocked);
+}
+
+TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
+  World world = World::create({{0, 0}, {10, 10}}).value();
+  PathSearch search;
+  ASSERT_TRUE(search.begin(world, {{1, 5}, {9, 5}}).ok());
+  world.insert_segment({5, 0}, {5, 9}).value();
+  while (!search.step(1).value()) {
+  }
+  expect_equal(search.path(), world.find_path({{1, 5}, {9, 5}}).value());
+  ASSERT_TRUE(search.begin(world, {{1, 5}, {4, 5}}).ok());
+  world.insert_all(std::vector<Item>{{{9}, {ItemKind::segment, {{{2, 0}, {2, 9}}}}}}).value();
+  while (!search.step(1).value()) {
+  }
+  EXPECT_EQ(search.path().points.size(), 3U);
+}
+
+TEST(PathSearch, NoticesThatAnEmptyWorldHasBeenFilled) {
   World filled = World::create({{0, 0}, {10, 10}}).value();
-  ASSERT_TRUE(search.begin(filled, query).ok());
+  PathSearch search;
+  ASSERT_TRUE(search.begin(filled, {{1, 1}, {9, 1}}).ok());
   filled.insert_all(std::vector<Item>{{{1}, {ItemKind::segment, {{{5, 0}, {5, 9}}}}}}).value();
-  const Result<bool> stepped_in_filled = search.step(1);
-  ASSERT_FALSE(stepped_in_filled.ok()) << "a world without items is made anew when it is filled";
-  EXPECT_EQ(stepped_in_filled.error().code, ErrorCode::world_changed);
+  while (!search.step(1).value()) {
+  }
+  EXPECT_EQ(search.restarts(), 1U);
+  expect_equal(search.path(), filled.find_path({{1, 1}, {9, 1}}).value());
+}
+
+class SlicedSearch : public testing::TestWithParam<std::tuple<bool, PathAlgorithm>> {};
+
+INSTANTIATE_TEST_SUITE_P(Worlds, SlicedSearch,
+                         testing::Combine(testing::Bool(), testing::Values(PathAlgorithm::optimal, PathAlgorithm::ta)),
+                         [](const auto& setting) {
+                           return std::string(std::get<0>(setting.param) ? "WithAbstraction" : "WithoutAbstraction") +
+                                  "By" + std::string(to_string(std::get<1>(setting.param)));
+                         });
+
+// Whatever changes between the slices, the answer is that of the world at the last one, to the bit.
+TEST_P(SlicedSearch, AnswersAsFindPathDoesInTheWorldOfItsLastSlice) {
+  const auto [keeps_abstraction, algorithm] = GetParam();
+  std::size_t restarts = 0;
+  std::size_t undisturbed = 0;
+  for (std::uint64_t seed = 100; seed < 140; ++seed) {
+    const Obstacles obstacles = kObstacles[seed % kObstacles.size()];
+    const PathCase path_case = random_path_case(obstacles, seed, 12);
+    const PathCase more = random_path_case(obstacles, seed + 1000, 1);
+    World world = World::create(path_case.scene.domain, {.keep_abstraction = keeps_abstraction}).value();
+    for (const Item& item : path_case.scene.items) world.insert(item.shape, item.id).value();
+    Random random(seed);
+    PathSearch search;
+    for (const Ends& ends : path_case.queries) {
+      PathQuery query{ends.start, ends.goal, 0.0, algorithm};
+      query.budget.expansions = random.chance(50) ? PathBudget::kNoLimit : 0;
+      query.wants_channel = true;
+      ASSERT_TRUE(search.begin(world, query).ok());
+      std::size_t changes = 0;
+      for (bool is_done = false; !is_done;) {
+        is_done = search.step(1 + random.below(6)).value();
+        if (is_done || changes == 25) continue;
+        ++changes;
+        const Item& item = path_case.scene.items[random.below(path_case.scene.items.size())];
+        if (world.contains(item.id) && random.chance(60)) {
+          world.remove(item.id).value();
+        } else if (world.contains(item.id)) {
+          const Box& domain = path_case.scene.domain;
+          const double x = domain.min.x + static_cast<double>(random.below(15)) / 16 * (domain.max.x - domain.min.x);
+          const double y = domain.min.y + static_cast<double>(random.below(15)) / 16 * (domain.max.y - domain.min.y);
+          const double side = (domain.max.x - domain.min.x) / 32;
+          world.replace(item.id, {ItemKind::polygon, {{{x, y}, {x + side, y}, {x, y + side}}}}).value();
+        } else {
+          world.insert(item.shape, item.id).value();
+        }
+      }
+      expect_equal(search.path(), world.find_path(query).value());
+      EXPECT_EQ(search.path().moved_start, world.find_path(query).value().moved_start);
+      restarts += search.restarts();
+      undisturbed += changes > 0 && search.restarts() < changes ? 1 : 0;
+      if (HasFailure()) FAIL() << "seed " << seed;
+    }
+  }
+  EXPECT_GT(restarts, 50U);
+  EXPECT_GT(undisturbed, 50U);
 }
 
 TEST(PathSearch, EndsWhenTheWorldGoes) {
@@ -142,14 +257,14 @@ TEST(PathSearch, EndsWhenTheWorldGoes) {
   world = World::create({{0, 0}, {10, 10}}).value();
   const Result<bool> stepped = search.step(1);
   ASSERT_FALSE(stepped.ok()) << "another world has taken its place";
-  EXPECT_EQ(stepped.error().code, ErrorCode::world_changed);
+  EXPECT_EQ(stepped.error().code, ErrorCode::world_gone);
   EXPECT_FALSE(search.is_running());
   {
     World short_lived = World::create({{0, 0}, {10, 10}}).value();
     short_lived.insert_segment({5, 0}, {5, 9}).value();
     ASSERT_TRUE(search.begin(short_lived, query).ok());
   }
-  EXPECT_EQ(search.step(1).error().code, ErrorCode::world_changed);
+  EXPECT_EQ(search.step(1).error().code, ErrorCode::world_gone);
   EXPECT_TRUE(search.step(1).value()) << "nothing is left to do";
 }
 

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "waywright/memory_use.hpp"
+#include "waywright/point.hpp"
+
+#include "constraint/box_test.hpp"
+#include "memory/count.hpp"
+
+namespace waywright {
+
+/// Where the last operations on a world changed walls: the box of each item that came or went.
+class ChangeLog {
+ public:
+  /// So many boxes are kept at least, if there have been so many.
+  static constexpr std::size_t kKept = 2048;
+
+  /// An operation begins.
+  void begin() { boxes_.clear(); }
+  /// Takes note of an item that the operation inserts or removes: first of the item, then of each of its points.
+  void add_item() {
+    if (boxes_.size() < kBoxesOfOperation) boxes_.push_back({{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
+  }
+  void add_point(const Point& p) {
+    Box& box = boxes_.back();
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+  }
+
+  /// The operation is about to succeed and makes the world that of `version`. Allocates, and changes nothing if that
+  /// fails.
+  void commit(std::uint64_t version) {
+    if (entries_.size() + boxes_.size() > 2 * kKept) drop_oldest();
+    entries_.reserve(entries_.size() + boxes_.size());
+    for (const Box& box : boxes_) entries_.push_back({version, box});
+  }
+
+  /// Whether the polyline meets the box of an item that came or went after the world had the version `since`. Also true
+  /// if the log does not reach back so far.
+  [[nodiscard]] bool meets(std::span<const Point> points, std::uint64_t since) const {
+    if (since < complete_since_) return true;
+    const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
+    const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
+    return std::any_of(first, entries_.end(), [&](const Entry& entry) { return meets(points, entry.box); });
+  }
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
+
+ private:
+  /// The items of one operation beyond these share the last box.
+  static constexpr std::size_t kBoxesOfOperation = 256;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  struct Entry {
+    std::uint64_t version;
+    Box box;
+  };
+
+  [[nodiscard]] static bool meets(std::span<const Point> points, const Box& box) {
+    const constraint::BoxTest test(box);
+    if (points.size() == 1) return test.holds(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (test.meets(exact::explicit_point(points[i - 1]), exact::explicit_point(points[i]))) return true;
+    }
+    return false;
+  }
+
+  void drop_oldest() {
+    const auto kept = entries_.end() - static_cast<std::ptrdiff_t>(std::min(kKept, entries_.size()));
+    if (kept != entries_.begin()) complete_since_ = (kept - 1)->version;
+    entries_.erase(entries_.begin(), kept);
+  }
+
+  std::vector<Entry> entries_;        ///< ascending
+  std::uint64_t complete_since_ = 0;  ///< there are entries for all operations after this version
+  std::vector<Box> boxes_;            ///< of the operation under way
+};
+
+}  // namespace waywright

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "waywright/point.hpp"
+
+#include "exact/exact_point.hpp"
+#include "exact/predicates.hpp"
+
+namespace waywright::constraint {
+
+/// Tests a closed box against points and segments. A segment misses the box if their extents do not overlap, or if all
+/// four corners of the box lie strictly on one side of the segment's line.
+class BoxTest {
+ public:
+  explicit BoxTest(const Box& box)
+      : box_(box),
+        corners_{exact::explicit_point(box.min), exact::ExactPoint{box.max.x, box.min.y},
+                 exact::explicit_point(box.max), exact::ExactPoint{box.min.x, box.max.y}} {}
+
+  [[nodiscard]] bool holds(const Point& p) const {
+    return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
+  }
+
+  /// Whether the segment from `p` to `q` meets the box. The answer is exact for explicit ends. Rounding to nearest is
+  /// monotone, so if rounded extents miss the box, the true ones do, too. For constructed ends that are rounded onto
+  /// the border of the box, the answer can be yes although the segment misses the box.
+  [[nodiscard]] bool meets(const exact::ExactPoint& p, const exact::ExactPoint& q) const {
+    if (std::max(p.x, q.x) < box_.min.x || std::min(p.x, q.x) > box_.max.x) return false;
+    if (std::max(p.y, q.y) < box_.min.y || std::min(p.y, q.y) > box_.max.y) return false;
+    int left = 0;
+    int right = 0;
+    for (const exact::ExactPoint& corner : corners_) {
+      const exact::Sign side = exact::orientation(p, q, corner);
+      left += side == exact::Sign::positive ? 1 : 0;
+      right += side == exact::Sign::negative ? 1 : 0;
+    }
+    return left < 4 && right < 4;
+  }
+
+ private:
+  Box box_;
+  std::array<exact::ExactPoint, 4> corners_;
+};
+
+}  // namespace waywright::constraint

@@ -1,0 +1,100 @@
+#include "exact/nearest_on_segment.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace waywright::exact {
+
+namespace {
+
+std::strong_ordering compare_integers(const Integer& p, const Integer& q) {
+  const int sign = p.compare(q);
+  return sign <=> 0;
+}
+
+/// Compares p 2^p_exponent with q 2^q_exponent.
+std::strong_ordering compare_scaled(Integer p, int p_exponent, Integer q, int q_exponent) {
+  if (p_exponent >= q_exponent) {
+    p <<= static_cast<unsigned>(p_exponent - q_exponent);
+  } else {
+    q <<= static_cast<unsigned>(q_exponent - p_exponent);
+  }
+  return compare_integers(p, q);
+}
+
+}  // namespace
+
+// With C + t D, D = d - c, on the line: the foot of the perpendicular from P has t = (P - C) . D / D . D. It lies on
+// the segment if (P - a) . D and (P - b) . D do not have one sign.
+NearestOnSegment::NearestOnSegment(const Point& from, const ExactPoint& a, const ExactPoint& b, const Point& c,
+                                   const Point& d) {
+  LatticeExponent lattice;
+  for (const Point& point : {from, c, d}) lattice.include(point);
+  lattice.include(a);
+  lattice.include(b);
+  exponent_ = lattice.value();
+  const Homogeneous p = to_homogeneous(explicit_point(from), exponent_);
+  const Homogeneous line = to_homogeneous(explicit_point(c), exponent_);
+  const Homogeneous line_end = to_homogeneous(explicit_point(d), exponent_);
+  const Integer dx = line_end.x - line.x;
+  const Integer dy = line_end.y - line.y;
+  const auto beyond = [&](const ExactPoint& end) {
+    const Homogeneous q = to_homogeneous(end, exponent_);
+    return Integer((p.x * q.w - q.x) * dx + (p.y * q.w - q.y) * dy);
+  };
+  const Integer beyond_a = beyond(a);
+  const Integer beyond_b = beyond(b);
+  // If the segment runs in the direction of D, `beyond` falls from a to b.
+  const bool is_beyond_both = beyond_a.sign() * beyond_b.sign() > 0;
+  if (is_beyond_both) {
+    const Homogeneous qa = to_homogeneous(a, exponent_);
+    const Homogeneous qb = to_homogeneous(b, exponent_);
+    // Of two ends on one side, the nearer one has the smaller |beyond|, each counted in units of its own w.
+    const bool a_is_nearer = abs(beyond_a) * qb.w < abs(beyond_b) * qa.w;
+    set_to_end(a_is_nearer ? a : b, p);
+  } else if (beyond_a == 0) {
+    set_to_end(a, p);
+  } else if (beyond_b == 0) {
+    set_to_end(b, p);
+  } else {
+    set_to_foot(p, line, dx, dy);
+  }
+}
+
+/// Of the line through `line` in the direction (dx, dy).
+void NearestOnSegment::set_to_foot(const Homogeneous& p, const Homogeneous& line, const Integer& dx,
+                                   const Integer& dy) {
+  const Integer squared_length = dx * dx + dy * dy;
+  const Integer t = (p.x - line.x) * dx + (p.y - line.y) * dy;
+  const Integer across = (p.x - line.x) * dy - (p.y - line.y) * dx;
+  place_ = {line.x * squared_length + dx * t, line.y * squared_length + dy * t, squared_length};
+  numerator_ = across * across;
+  denominator_ = squared_length;
+}
+
+void NearestOnSegment::set_to_end(const ExactPoint& end, const Homogeneous& from) {
+  place_ = to_homogeneous(end, exponent_);
+  const Integer dx = from.x * place_.w - place_.x;
+  const Integer dy = from.y * place_.w - place_.y;
+  numerator_ = dx * dx + dy * dy;
+  denominator_ = place_.w * place_.w;
+}
+
+Point NearestOnSegment::rounded() const { return round_to_nearest(place_, exponent_); }
+
+std::strong_ordering NearestOnSegment::compare(const NearestOnSegment& p, const NearestOnSegment& q) {
+  const auto by_distance =
+      compare_scaled(p.numerator_ * q.denominator_, 2 * p.exponent_, q.numerator_ * p.denominator_, 2 * q.exponent_);
+  if (by_distance != 0) return by_distance;
+  const auto by_x = compare_scaled(p.place_.x * q.place_.w, p.exponent_, q.place_.x * p.place_.w, q.exponent_);
+  if (by_x != 0) return by_x;
+  return compare_scaled(p.place_.y * q.place_.w, p.exponent_, q.place_.y * p.place_.w, q.exponent_);
+}
+
+bool NearestOnSegment::is_within(double distance) const {
+  const Dyadic limit = to_dyadic(distance);
+  const Integer squared = Integer{limit.mantissa} * Integer{limit.mantissa};
+  return compare_scaled(numerator_, 2 * exponent_, squared * denominator_, 2 * limit.exponent) <= 0;
+}
+
+}  // namespace waywright::exact

@@ -1,0 +1,154 @@
+#include "waywright/path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "exact/exact_point.hpp"
+#include "exact/predicates.hpp"
+#include "path/distance.hpp"
+
+namespace waywright {
+
+namespace {
+
+using exact::Sign;
+
+/// A coordinate that a query takes and that fits into the precision.
+double fitted(double value, Precision precision) {
+  if (precision == Precision::float32) value = static_cast<double>(static_cast<float>(value));
+  return exact::in_range(value) ? value : 0.0;
+}
+
+/// The next such coordinate in the direction of `way`, or `value` itself where that is 0.
+double next_coordinate(double value, double way, Precision precision) {
+  if (way == 0.0) return value;
+  if (std::abs(value) <= exact::kSmallestCoordinate) {
+    return value * way < 0.0 ? 0.0 : std::copysign(2.0 * exact::kSmallestCoordinate, way);
+  }
+  if (precision == Precision::float32) {
+    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(way));
+    return fitted(static_cast<double>(std::nextafter(static_cast<float>(value), towards)), precision);
+  }
+  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), way)), precision);
+}
+
+Sign side_of(const Point& a, const Point& b, const Point& c) {
+  return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
+}
+
+/// The direction in which the path turns first when it is followed from a segment's end, or last before its start:
+/// positive to the left. Zero if it does not turn.
+Sign turn_after(const std::vector<Point>& points, std::size_t segment) {
+  for (std::size_t i = segment + 2; i < points.size(); ++i) {
+    const Sign turn = side_of(points[segment], points[segment + 1], points[i]);
+    if (turn != Sign::zero) return turn;
+  }
+  return Sign::zero;
+}
+Sign turn_before(const std::vector<Point>& points, std::size_t segment) {
+  for (std::size_t i = segment; i-- > 0;) {
+    const Sign turn = side_of(points[i], points[segment], points[segment + 1]);
+    if (turn != Sign::zero) return turn;
+  }
+  return Sign::zero;
+}
+
+/// A path turns around walls, so those that it touches lie on the side that it turns to. This is the other side:
+/// positive on the left of the segment, zero if nothing is known.
+Sign free_side(const std::vector<Point>& points, std::size_t segment, bool is_near_start) {
+  const Sign before = turn_before(points, segment);
+  const Sign after = turn_after(points, segment);
+  const Sign turn = before == Sign::zero || (!is_near_start && after != Sign::zero) ? after : before;
+  if (turn == Sign::zero) return Sign::zero;
+  return turn == Sign::positive ? Sign::negative : Sign::positive;
+}
+
+/// The place next to `place` that does not lie on the wrong side of the line from `a` to `b`.
+Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
+  const auto is_right = [&](const Point& p) {
+    const Sign own = side_of(a, b, p);
+    return own == Sign::zero || own == side;
+  };
+  if (side == Sign::zero || is_right(place)) return place;
+  const double sign = side == Sign::positive ? 1.0 : -1.0;
+  const Point way{-sign * (b.y - a.y), sign * (b.x - a.x)};
+  Point reached = place;
+  for (;;) {
+    const Point next{next_coordinate(reached.x, way.x, precision), next_coordinate(reached.y, way.y, precision)};
+    for (const Point& candidate : {Point{next.x, reached.y}, Point{reached.x, next.y}, next}) {
+      if (is_right(candidate)) return candidate;
+    }
+    reached = next;
+  }
+}
+
+/// The position at `along` from the start of a segment of that length.
+PathPosition position_on(const std::vector<Point>& points, std::size_t segment, double before, double along,
+                         double length, Precision precision) {
+  const Point& a = points[segment];
+  const Point& b = points[segment + 1];
+  PathPosition position{{}, {}, segment, before, before + along};
+  if (length > 0.0) position.heading = {(b.x - a.x) / length, (b.y - a.y) / length};
+  const double share = length > 0.0 ? along / length : 0.0;
+  const bool is_corner = along <= 0.0 || along >= length;
+  const Point corner = along <= 0.0 ? a : b;
+  const Point exact_place = is_corner ? corner : Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+  if (is_corner && precision == Precision::float64) {
+    position.at = corner;
+    return position;
+  }
+  const Point place{fitted(exact_place.x, precision), fitted(exact_place.y, precision)};
+  position.at = on_free_side(a, b, place, free_side(points, segment, 2.0 * along < length), precision);
+  return position;
+}
+
+}  // namespace
+
+PathPosition Path::at(double distance, Precision precision) const { return advance({}, distance, precision); }
+
+PathPosition Path::advance(const PathPosition& from, double step, Precision precision) const {
+  const double total = std::max(from.distance + step, 0.0);
+  const bool goes_on = total >= from.before && from.segment + 1 < points.size();
+  std::size_t segment = goes_on ? from.segment : 0;
+  double before = goes_on ? from.before : 0.0;
+  if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
+  for (;;) {
+    const double segment_length = path::distance(points[segment], points[segment + 1]);
+    if (total - before < segment_length || segment + 2 == points.size()) {
+      return position_on(points, segment, before, std::min(total - before, segment_length), segment_length, precision);
+    }
+    before += segment_length;
+    ++segment;
+  }
+}
+
+PathPosition Path::nearest(const Point& place, Precision precision) const {
+  if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
+  double best_distance = std::numeric_limits<double>::infinity();
+  double best_along = 0.0;
+  double best_before = 0.0;
+  std::size_t best_segment = 0;
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point way{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
+    const double segment_length = path::distance(points[i], points[i + 1]);
+    const Point foot = path::foot(place, points[i], way);
+    const double ahead = (foot.x - points[i].x) * way.x + (foot.y - points[i].y) * way.y;
+    const double along = ahead <= 0.0 ? 0.0 : std::min(path::distance(points[i], foot), segment_length);
+    const double share = segment_length > 0.0 ? along / segment_length : 0.0;
+    const double distance = path::distance(place, {points[i].x + share * way.x, points[i].y + share * way.y});
+    if (distance < best_distance) {
+      best_distance = distance;
+      best_along = along;
+      best_before = before;
+      best_segment = i;
+    }
+    before += segment_length;
+  }
+  const double segment_length = path::distance(points[best_segment], points[best_segment + 1]);
+  return position_on(points, best_segment, best_before, best_along, segment_length, precision);
+}
+
+}  // namespace waywright

@@ -1,0 +1,162 @@
+#include "path/free_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "exact/nearest_on_segment.hpp"
+#include "path/distance.hpp"
+
+namespace waywright::path {
+
+using mesh::HalfEdge;
+
+namespace {
+
+/// A limit beyond this is none: no two places of a domain are so far apart.
+constexpr double kNoLimit = 0x1p110;
+/// A limit below this is smaller than every distance between a place and a wall that it is not on.
+constexpr double kLeastLimit = 0x1p-1000;
+
+/// So many edges are tried for a free double next to their nearest place.
+constexpr std::size_t kTries = 8;
+
+/// A double, and the doubles next to it that coordinates may have.
+std::array<double, 3> neighbours(double value) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (std::abs(value) <= exact::kSmallestCoordinate) {
+    return {-exact::kSmallestCoordinate, 0.0, exact::kSmallestCoordinate};
+  }
+  return {std::nextafter(value, -kInfinity), value, std::nextafter(value, kInfinity)};
+}
+
+}  // namespace
+
+std::optional<Point> FreePlaces::nearest(const Triangulation& triangulation, constraint::Cover& cover,
+                                         const Point& point, const locate::Located& place, double limit,
+                                         const Joined& joined) {
+  if (limit < kLeastLimit) return std::nullopt;
+  triangulation_ = &triangulation;
+  cover_ = &cover;
+  point_ = point;
+  const Box& domain = triangulation.domain();
+  const double largest =
+      std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
+  slack_ = largest * 0x1p-46;
+  flood(place, limit, joined);
+  return choose(limit, joined);
+}
+
+/// Collects the edges between covered and open faces that may hold the nearest free place. The straight way there
+/// passes through covered faces only, so it crosses edges that are no farther than the place itself.
+void FreePlaces::flood(const locate::Located& place, double limit, const Joined& joined) {
+  if (++query_ == 0) {  // the count has gone once around
+    marks_.clear();
+    query_ = 1;
+  }
+  marks_.cover(triangulation_->topology().face_slots());
+  candidates_.clear();
+  nearest_ = limit + slack_;
+  constraint::faces_at(*triangulation_, place, waiting_);
+  for (const HalfEdge h : waiting_) {
+    marks_.make_room(number(mesh::face(h)));
+    marks_[number(mesh::face(h))] = query_;
+  }
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const HalfEdge face = waiting_[i];
+    for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) visit(h, joined);
+  }
+}
+
+/// Looks at the face beyond `h`, a half-edge of a covered face.
+void FreePlaces::visit(HalfEdge h, const Joined& joined) {
+  const HalfEdge beyond = triangulation_->topology().twin(h);
+  if (triangulation_->triangulation().is_ghost_face(beyond)) return;
+  const double distance = distance_to(h);
+  if (distance > nearest_ + slack_) return;
+  if (triangulation_->topology().is_fixed(h) && is_open(beyond, joined)) {
+    nearest_ = std::min(nearest_, distance + slack_);
+    return candidates_.push_back({h, distance});
+  }
+  const auto face = number(mesh::face(beyond));
+  marks_.make_room(face);
+  if (std::exchange(marks_[face], query_) != query_) waiting_.push_back(beyond);
+}
+
+/// In doubles; the error is less than `slack_`.
+double FreePlaces::distance_to(HalfEdge h) const {
+  const exact::Geometry& geometry = triangulation_->triangulation().geometry();
+  const Point& a = geometry.nearest(number(triangulation_->topology().origin(h)));
+  const Point& b = geometry.nearest(number(triangulation_->topology().target(h)));
+  const Point edge{b.x - a.x, b.y - a.y};
+  const double squared_length = edge.x * edge.x + edge.y * edge.y;
+  if (squared_length <= kNoLength) return distance(point_, a);
+  const double share = ((point_.x - a.x) * edge.x + (point_.y - a.y) * edge.y) / squared_length;
+  const double clamped = std::clamp(share, 0.0, 1.0);
+  return distance(point_, {a.x + clamped * edge.x, a.y + clamped * edge.y});
+}
+
+bool FreePlaces::is_open(HalfEdge h, const Joined& joined) {
+  if (cover_->is_covered(*triangulation_, h)) return false;
+  if (joined.components == nullptr) return true;
+  const Components::Label own = joined.components->of(mesh::face(h));
+  return std::any_of(joined.faces->begin(), joined.faces->end(),
+                     [&](HalfEdge other) { return joined.components->of(mesh::face(other)) == own; });
+}
+
+/// Chooses among the candidates, the exactly nearest first.
+std::optional<Point> FreePlaces::choose(double limit, const Joined& joined) {
+  std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.distance > nearest_ + slack_; });
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
+  const exact::Geometry& geometry = triangulation_->triangulation().geometry();
+  std::vector<exact::NearestOnSegment> places;
+  for (const auto& [h, distance] : candidates_) {
+    const constraint::Side& side = triangulation_->items().side(triangulation_->uses().any(mesh.label(h)));
+    const exact::NearestOnSegment place(point_, geometry.exact(number(mesh.origin(h))),
+                                        geometry.exact(number(mesh.target(h))), geometry.nearest(number(side.from)),
+                                        geometry.nearest(number(side.to)));
+    if (limit >= kNoLimit || place.is_within(limit)) places.push_back(place);
+  }
+  std::sort(places.begin(), places.end(),
+            [](const auto& p, const auto& q) { return exact::NearestOnSegment::compare(p, q) < 0; });
+  for (std::size_t i = 0; i < std::min(places.size(), kTries); ++i) {
+    if (const auto found = round_to_free(places[i].rounded(), joined)) return found;
+  }
+  return std::nullopt;
+}
+
+/// Of the doubles around a rounded place, the free one that is nearest to it.
+std::optional<Point> FreePlaces::round_to_free(const Point& rounded, const Joined& joined) {
+  std::array<Point, 9> around;
+  std::size_t count = 0;
+  for (const double x : neighbours(rounded.x)) {
+    for (const double y : neighbours(rounded.y)) around[count++] = {x, y};
+  }
+  const auto squared_distance = [&](const Point& p) {
+    const double dx = p.x - rounded.x;
+    const double dy = p.y - rounded.y;
+    return dx * dx + dy * dy;
+  };
+  std::sort(around.begin(), around.end(), [&](const Point& p, const Point& q) {
+    const double p_distance = squared_distance(p);
+    const double q_distance = squared_distance(q);
+    if (p_distance != q_distance) return p_distance < q_distance;
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+  });
+  const auto found = std::find_if(around.begin(), around.end(), [&](const Point& p) { return is_free(p, joined); });
+  if (found == around.end()) return std::nullopt;
+  return *found;
+}
+
+bool FreePlaces::is_free(const Point& point, const Joined& joined) {
+  const Box& domain = triangulation_->domain();
+  const bool is_in_domain = point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y &&
+                            point.y <= domain.max.y && exact::in_range(point);
+  if (!is_in_domain) return false;
+  constraint::faces_at(*triangulation_, triangulation_->triangulation().locate(point), waiting_);
+  return std::any_of(waiting_.begin(), waiting_.end(), [&](HalfEdge h) { return is_open(h, joined); });
+}
+
+}  // namespace waywright::path

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "memory/pages.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace waywright::path {
+
+/// The faces that a search has looked at. A change of the mesh concerns the search only if it touches one of them.
+class LookedAt {
+ public:
+  /// Forgets all faces. The mesh has so many slots for faces.
+  void clear(std::uint32_t face_slots) {
+    if (++search_ == 0) {  // the count has gone once around
+      marks_.clear();
+      search_ = 1;
+    }
+    marks_.cover(face_slots);
+    is_all_ = false;
+  }
+  /// Counts every face as looked at.
+  void look_at_all() { is_all_ = true; }
+  void look(mesh::Face f) {
+    marks_.make_room(number(f));
+    marks_[number(f)] = search_;
+  }
+  /// Makes room for faces that the mesh has got since clear().
+  void cover(std::uint32_t face_slots) { marks_.cover(face_slots); }
+  [[nodiscard]] bool has(mesh::Face f) const {
+    return is_all_ || (marks_.has_room(number(f)) && marks_[number(f)] == search_);
+  }
+
+ private:
+  memory::Pages<std::uint32_t> marks_;  ///< by face: the search that looked at it last
+  std::uint32_t search_ = 0;
+  bool is_all_ = false;
+};
+
+}  // namespace waywright::path

@@ -1,0 +1,257 @@
+#include "path/polyline_walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "constraint/box_test.hpp"
+
+namespace waywright::path {
+
+using exact::Sign;
+using locate::Spot;
+using mesh::HalfEdge;
+
+bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cover& cover,
+                            std::span<const Point> points) {
+  if (points.empty()) return false;
+  triangulation_ = &triangulation;
+  mesh_ = &triangulation.topology();
+  const locate::Located start = triangulation.triangulation().locate(points.front());
+  arrived_.clear();
+  for (const HalfEdge h : cover.open_faces(triangulation, start)) {
+    const HalfEdge canonical = start.spot == Spot::vertex ? first_of_wedge(h) : h;
+    add_arrived({start.spot, canonical, exact::Geometry::view(points.front())});
+  }
+  std::swap(states_, arrived_);
+  if (states_.empty()) {
+    const bool stays = std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points.front(); });
+    return stays && !cover.is_strictly_inside(triangulation, start);
+  }
+  for (std::size_t i = 1; i < points.size() && !states_.empty(); ++i) {
+    meanings_.assign(1, exact::Geometry::view(points[i]));
+    if (i + 1 < points.size()) collect_crossings_at(points[i]);
+    arrived_.clear();
+    for (const View& meaning : meanings_) walk_piece(meaning);
+    std::swap(states_, arrived_);
+  }
+  return !states_.empty();
+}
+
+namespace {
+
+/// The box of all places whose rounded coordinates are those of `point`, and little more. Its coordinates are in range.
+Box box_of_rounded(const Point& point) {
+  constexpr double kTiny = 2.0 * exact::kSmallestCoordinate;
+  const auto margin = [&](double coordinate) {
+    return std::abs(coordinate) <= kTiny ? 2.0 * kTiny : std::abs(coordinate) * 0x1p-51;
+  };
+  const double dx = margin(point.x);
+  const double dy = margin(point.y);
+  const auto shift = [&](double coordinate, double by) { return std::abs(coordinate) <= kTiny ? by : coordinate + by; };
+  return {{shift(point.x, -dx), shift(point.y, -dy)}, {shift(point.x, dx), shift(point.y, dy)}};
+}
+
+}  // namespace
+
+/// Adds to the meanings the constructed vertices whose rounded coordinates are those of `point`. Each of them lies
+/// within box_of_rounded(point), so it is a corner of a face that meets this box.
+void PolylineWalk::collect_crossings_at(const Point& point) {
+  if (!geometry().has_constructed()) return;
+  const constraint::BoxTest box(box_of_rounded(point));
+  const auto reach = [&](HalfEdge h) {
+    if (triangulation_->triangulation().is_ghost_face(h)) return;
+    const mesh::Face f = mesh::face(h);
+    if (std::find(flooded_.begin(), flooded_.end(), f) == flooded_.end()) flooded_.push_back(f);
+  };
+  flooded_.clear();
+  const HalfEdge near = triangulation_->triangulation().locate(point).h;
+  reach(near);
+  reach(mesh_->twin(near));
+  for (std::size_t i = 0; i < flooded_.size(); ++i) {
+    HalfEdge h = mesh::first(flooded_[i]);
+    for (int corner = 0; corner < 3; ++corner, h = mesh::next(h)) {
+      const auto v = number(mesh_->origin(h));
+      const bool is_meant = !geometry().is_explicit(v) && geometry().nearest(v) == point;
+      const auto is_known = [&](const View& meaning) { return meaning.vertex == v; };
+      if (is_meant && std::none_of(meanings_.begin(), meanings_.end(), is_known))
+        meanings_.push_back(geometry().view(v));
+      if (box.meets(geometry().exact(v), geometry().exact(number(mesh_->target(h))))) reach(mesh_->twin(h));
+    }
+  }
+}
+
+/// Walks from all states straight to `target`, and adds the states there to `arrived_`.
+void PolylineWalk::walk_piece(const View& target) {
+  for (const State& start : states_) {
+    line_ = {start.place, target};
+    const auto order = geometry().order(start.place, target);
+    if (order == 0) {
+      add_arrived(start);
+      continue;
+    }
+    ascends_ = order < 0;
+    wedges_.clear();
+    waiting_.assign(1, start);
+    while (!waiting_.empty()) {
+      const State state = waiting_.back();
+      waiting_.pop_back();
+      leave(state);
+    }
+  }
+}
+
+Sign PolylineWalk::side(mesh::Vertex v) const { return geometry().side(line_, view(v)); }
+
+/// Of two places on the line: whether `q` comes after `p` on the way.
+bool PolylineWalk::is_ahead(const View& p, const View& q) const {
+  const auto order = geometry().order(p, q);
+  return ascends_ ? order < 0 : order > 0;
+}
+
+/// Whether the piece ends before `v`, a vertex on its line ahead.
+bool PolylineWalk::ends_before(mesh::Vertex v) const { return is_ahead(line_.to, view(v)); }
+
+void PolylineWalk::leave(const State& state) {
+  switch (state.spot) {
+    case Spot::vertex:
+      return leave_vertex(state.h);
+    case Spot::edge:
+      return leave_edge(state.h);
+    case Spot::face:
+      return leave_face(state.h);
+  }
+}
+
+/// Leaves the origin of `h` from the wedge that holds the face of `h`: looks through its faces, counter-clockwise from
+/// its first.
+void PolylineWalk::leave_vertex(HalfEdge h) {
+  const HalfEdge first = first_of_wedge(h);
+  h = first;
+  do {
+    if (leave_vertex_through(h)) return;
+    h = mesh::previous(h);
+    if (mesh_->is_fixed(h)) return;
+    h = mesh_->twin(h);
+  } while (h != first);
+}
+
+/// Leaves the origin of `h` through the face of `h`, if the piece runs through its inside or along one of its two edges
+/// there. Returns whether no other face of the wedge has to be looked at.
+//
+//    apex
+//     |  \          The face lies on the left of the edge to the target, and on the right of the edge to the apex.
+//     v - target
+bool PolylineWalk::leave_vertex_through(HalfEdge h) {
+  const View at = view(mesh_->origin(h));
+  const mesh::Vertex target = mesh_->target(h);
+  const mesh::Vertex apex = mesh_->apex(h);
+  const Sign target_side = side(target);
+  const Sign apex_side = side(apex);
+  if (target_side == Sign::negative && apex_side == Sign::positive) {
+    cross_faces(mesh::next(h));
+    return true;
+  }
+  if (target_side == Sign::zero && is_ahead(at, view(target))) run_along(h, mesh::next(h));
+  if (apex_side == Sign::zero && is_ahead(at, view(apex))) run_along(mesh::previous(h), mesh::previous(h));
+  return false;
+}
+
+/// Leaves a place inside the edge of `h`, coming from the face of `h`.
+void PolylineWalk::leave_edge(HalfEdge h) {
+  const mesh::Vertex from = mesh_->origin(h);
+  const mesh::Vertex to = mesh_->target(h);
+  const Sign end_side = geometry().orientation(view(from), view(to), line_.to);
+  if (end_side == Sign::positive) return enter(h);
+  if (end_side == Sign::negative) {
+    if (!mesh_->is_fixed(h)) enter(mesh_->twin(h));
+    return;
+  }
+  const bool goes_to_target = is_ahead(view(from), view(to));
+  run_along(h, goes_to_target ? mesh::next(h) : h);
+}
+
+/// Leaves a place inside the face of `h`.
+void PolylineWalk::leave_face(HalfEdge h) {
+  const std::array<HalfEdge, 3> sides = {h, mesh::next(h), mesh::previous(h)};
+  std::array<Sign, 3> corner{};
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = side(mesh_->origin(sides[i]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Sign after = corner[(i + 1) % 3];
+    const Sign before = corner[(i + 2) % 3];
+    // A corner on the line lies ahead if the corner after it is on the left and the one before it is on the right.
+    if (corner[i] == Sign::zero && after == Sign::positive && before == Sign::negative) {
+      if (ends_before(mesh_->origin(sides[i]))) return arrive(Spot::face, h);
+      return come_to_vertex(sides[i]);
+    }
+    if (corner[i] == Sign::negative && after == Sign::positive) return cross_faces(sides[i]);
+  }
+}
+
+/// Runs along `edge`, in its face, to a vertex or to the end of the piece. `at_end` is the half-edge of the same face
+/// that starts at that vertex.
+void PolylineWalk::run_along(HalfEdge edge, HalfEdge at_end) {
+  if (ends_before(mesh_->origin(at_end))) return arrive(Spot::edge, edge);
+  come_to_vertex(at_end);
+}
+
+/// Leaves a face by the inside of its side `exit`, unless the piece ends before or on it.
+void PolylineWalk::cross_faces(HalfEdge exit) {
+  const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
+  if (end_side == Sign::positive) return arrive(Spot::face, exit);
+  if (end_side == Sign::zero) return arrive(Spot::edge, exit);
+  if (!mesh_->is_fixed(exit)) enter(mesh_->twin(exit));
+}
+
+/// Enters faces by the inside of `entry`, and goes on as long as the piece crosses free edges.
+void PolylineWalk::enter(HalfEdge entry) {
+  for (;;) {
+    const Sign apex_side = side(mesh_->apex(entry));
+    if (apex_side == Sign::zero) {
+      if (ends_before(mesh_->apex(entry))) return arrive(Spot::face, entry);
+      return come_to_vertex(mesh::previous(entry));
+    }
+    const HalfEdge exit = apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry);
+    const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
+    if (end_side == Sign::positive) return arrive(Spot::face, exit);
+    if (end_side == Sign::zero) return arrive(Spot::edge, exit);
+    if (mesh_->is_fixed(exit)) return;
+    entry = mesh_->twin(exit);
+  }
+}
+
+void PolylineWalk::arrive(Spot spot, HalfEdge h) { add_arrived({spot, h, line_.to}); }
+
+void PolylineWalk::add_arrived(const State& state) {
+  const auto is_same = [&](const State& other) {
+    return other.h == state.h && other.spot == state.spot && other.place.vertex == state.place.vertex;
+  };
+  if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
+}
+
+/// Comes to the origin of `outgoing` through its face: the end of the piece, or a place to go on from.
+void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
+  const HalfEdge wedge = first_of_wedge(outgoing);
+  if (std::find(wedges_.begin(), wedges_.end(), wedge) != wedges_.end()) return;
+  wedges_.push_back(wedge);
+  const View place = view(mesh_->origin(outgoing));
+  if (geometry().order(place, line_.to) == 0) return arrive(Spot::vertex, wedge);
+  waiting_.push_back({Spot::vertex, wedge, place});
+}
+
+/// Names the wedge between walls that holds the face of `outgoing`: by its first half-edge, counter-clockwise. The
+/// wedge around a vertex without walls has its half-edge of the smallest number.
+HalfEdge PolylineWalk::first_of_wedge(HalfEdge outgoing) const {
+  HalfEdge least = outgoing;
+  HalfEdge h = outgoing;
+  while (!mesh_->is_fixed(h)) {
+    h = mesh_->previous_around(h);
+    if (h == outgoing) return least;
+    least = std::min(least, h);
+  }
+  return h;
+}
+
+}  // namespace waywright::path

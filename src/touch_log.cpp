@@ -1,0 +1,38 @@
+#include "touch_log.hpp"
+
+#include <algorithm>
+
+namespace waywright {
+
+// A search reads of a face it looks at, and of the faces that share a corner with it. So all faces around the corners
+// of those that were made count as touched.
+void TouchLog::note(const constraint::ExactTriangulation& triangulation, const path::Abstraction* abstraction) {
+  if (searches_.load(std::memory_order_relaxed) == 0) {
+    entries_.clear();
+    return note_everything();
+  }
+  if (entries_.size() > kLongest) {
+    entries_.clear();
+    return note_everything();
+  }
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto add = [&](mesh::Face f) { entries_.push_back({version_ + 1, f}); };
+  mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
+    add(f);
+    if (!mesh.is_alive(f)) return;
+    for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
+      if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
+      mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) { add(mesh::face(around)); });
+    }
+  });
+  if (abstraction != nullptr && !abstraction->for_each_changed_face(add)) note_everything();
+}
+
+bool TouchLog::has_touched(const path::LookedAt& looked_at, std::uint64_t since) const {
+  if (since < complete_since_) return true;
+  const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
+  const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
+  return std::any_of(first, entries_.end(), [&](const Entry& entry) { return looked_at.has(entry.face); });
+}
+
+}  // namespace waywright

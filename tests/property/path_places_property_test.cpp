@@ -1,0 +1,35 @@
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/path_places_check.hpp"
+#include "support/random_path_cases.hpp"
+
+namespace waywright::test {
+namespace {
+
+class PlacesOnPaths : public ::testing::TestWithParam<Obstacles> {};
+
+// Taut paths touch walls, so a rounded place on one can lie inside a polygon.
+TEST_P(PlacesOnPaths, CanBeStartedFrom) {
+  const bool has_solids_only = GetParam() == Obstacles::boxes || GetParam() == Obstacles::cells;
+  std::size_t places = 0;
+  std::size_t moved = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const PlacesReport report = check_places(random_path_case(GetParam(), 9000 + seed, 8), 10, has_solids_only);
+    ASSERT_EQ(report.fault.value_or(""), "") << "seed " << seed;
+    places += report.places;
+    moved += report.moved;
+  }
+  EXPECT_GT(places, 1000U);
+  if (GetParam() == Obstacles::boxes) {
+    EXPECT_GT(moved, 20U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Obstacles, PlacesOnPaths, ::testing::ValuesIn(kObstacles),
+                         [](const auto& obstacles) { return std::string(to_string(obstacles.param)); });
+
+}  // namespace
+}  // namespace waywright::test
