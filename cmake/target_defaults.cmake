@@ -1,12 +1,15 @@
 # What every target of this project is compiled with, whoever includes it.
 
+include(${CMAKE_CURRENT_LIST_DIR}/ieee_arithmetic.cmake)
+
 set(WAYWRIGHT_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize takes them: address,undefined")
 
 function(waywright_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  # A fused multiply-add rounds once where the error bounds of the predicates count two roundings.
-  target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wconversion -Wshadow)
+  # Files of one target have local names in common, so that they do not compile as one (CMAKE_UNITY_BUILD).
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD OFF)
+  waywright_use_ieee_arithmetic(${target})
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # Its -O3 sees overlapping copies in every `"text" + string` (GCC bug 105651).
     target_compile_options(${target} PRIVATE -Wno-restrict)
@@ -24,5 +27,22 @@ endfunction()
 # For tests and benchmarks that look inside the library.
 function(waywright_use_internals target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_include_directories(${target} SYSTEM PRIVATE ${Boost_INCLUDE_DIRS})
+  waywright_use_boost(${target})
 endfunction()
+
+# For targets whose own sources use Boost's headers. A target that links them uses no Boost.
+function(waywright_use_boost target)
+  target_include_directories(
+    ${target} SYSTEM PRIVATE $<TARGET_PROPERTY:Boost::headers,INTERFACE_INCLUDE_DIRECTORIES>)
+endfunction()
+
+# waywright_find(PACKAGE VERSION PURPOSE OPTION): finds a package that a part of the project needs, or says what to do.
+macro(waywright_find package version purpose option)
+  find_package(${package} ${version} QUIET)
+  if(NOT ${package}_FOUND)
+    message(
+      FATAL_ERROR
+        "${purpose} the package ${package} ${version}, which CMake does not find. Install it (scripts/packages.txt \
+names Debian's packages), say where it is with CMAKE_PREFIX_PATH, or leave this part out with -D${option}=OFF.")
+  endif()
+endmacro()

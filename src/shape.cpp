@@ -3,6 +3,8 @@
 
 #include "waywright/item.hpp"
 
+#include "base/float_environment.hpp"
+
 namespace waywright {
 
 namespace {
@@ -67,6 +69,7 @@ Point mean_of_points(const Shape& shape, const Point& origin) {
 }  // namespace
 
 Shape translated(const Shape& shape, double dx, double dy) {
+  const base::FloatEnvironment environment;
   Shape moved = shape;
   for (std::vector<Point>& ring : moved.rings) {
     for (Point& point : ring) point = {point.x + dx, point.y + dy};
@@ -75,6 +78,7 @@ Shape translated(const Shape& shape, double dx, double dy) {
 }
 
 Point centroid(const Shape& shape) {
+  const base::FloatEnvironment environment;
   const Point origin = shape.rings.front().front();
   if (shape.kind != ItemKind::polygon) return mean_of_points(shape, origin);
   Moments sum;

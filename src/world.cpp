@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/float_environment.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/exact_triangulation.hpp"
@@ -192,6 +193,7 @@ void World::Impl::note_removal(std::uint32_t slot) {
 }
 
 Result<World> World::create(const Box& domain, const WorldOptions& options) {
+  const base::FloatEnvironment environment;
   if (auto error = find_range_error(domain.min, 0, "the domain's min")) return *std::move(error);
   if (auto error = find_range_error(domain.max, 1, "the domain's max")) return *std::move(error);
   if (!(domain.min.x < domain.max.x && domain.min.y < domain.max.y)) {
@@ -204,6 +206,7 @@ Result<World> World::create(const Box& domain, const WorldOptions& options) {
 const Box& World::domain() const { return impl_->triangulation.domain(); }
 
 Result<ItemId> World::insert(const Shape& shape, ItemId id) {
+  const base::FloatEnvironment environment;
   const constraint::ItemTable& items = impl_->triangulation.items();
   if (id.is_null()) id = {items.largest_id_seen().value + 1};
   if (id.value > ItemId::kLargest) return bad_id(id);
@@ -237,6 +240,7 @@ Result<ItemId> World::insert_polygon(std::span<const std::vector<Point>> rings, 
 }
 
 Result<void> World::remove(ItemId id) {
+  const base::FloatEnvironment environment;
   if (!contains(id)) return unknown_id(id);
   Operation operation(*impl_);
   operation.remove(id);
@@ -245,6 +249,7 @@ Result<void> World::remove(ItemId id) {
 }
 
 Result<void> World::replace(ItemId id, const Shape& shape) {
+  const base::FloatEnvironment environment;
   if (!contains(id)) return unknown_id(id);
   if (auto error = find_shape_error(domain(), shape, vertex_count())) return about(id, *std::move(error));
   Operation operation(*impl_);
@@ -256,6 +261,7 @@ Result<void> World::replace(ItemId id, const Shape& shape) {
 
 // All that can be wrong is found out before the first change.
 Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
+  const base::FloatEnvironment environment;
   BatchCheck check(*this, impl_->triangulation.items());
   bool is_all_insertions = true;
   for (const Change& change : changes) {
@@ -287,6 +293,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
 }
 
 Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const BulkOptions& options) {
+  const base::FloatEnvironment environment;
   BatchCheck check(*this, impl_->triangulation.items());
   for (const Item& item : items) {
     if (auto error = check.add_insertion(item.shape, item.id)) {
@@ -301,6 +308,7 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
 }
 
 Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first, const BulkOptions& options) {
+  const base::FloatEnvironment environment;
   const constraint::ItemTable& items = impl_->triangulation.items();
   const ItemId largest = items.largest_id_seen();
   if (first.is_null()) first = {largest.value + 1};
@@ -351,6 +359,7 @@ std::size_t World::triangle_count() const {
 }
 
 Result<void> World::locate(Point point, QueryContext& context, Location& location) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
   const constraint::ExactTriangulation& triangulation = impl_->triangulation;
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -385,6 +394,7 @@ Result<Location> World::locate(Point point) const {
 }
 
 Result<std::vector<ItemId>> World::items_at(Point point) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
   path::KeptCover cover;
   cover.use(impl_->kept_abstraction());
@@ -392,6 +402,7 @@ Result<std::vector<ItemId>> World::items_at(Point point) const {
 }
 
 Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
   std::vector<CrossedItem> result;
   for (const auto& [id, at] : constraint::items_crossed(impl_->triangulation, from, to)) result.push_back({id, at});
@@ -399,6 +410,7 @@ Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) cons
 }
 
 Result<void> World::ray(Point from, Point to, RayHit& hit) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
   constraint::first_wall(impl_->triangulation, from, to, hit);
   return {};
@@ -411,6 +423,7 @@ Result<RayHit> World::ray(Point from, Point to) const {
 }
 
 Result<std::vector<ItemId>> World::items_in(const Box& box) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_range_error(box.min, 0, "the box's min")) return *std::move(error);
   if (auto error = find_range_error(box.max, 1, "the box's max")) return *std::move(error);
   if (box.min.x > box.max.x || box.min.y > box.max.y) {
@@ -435,6 +448,7 @@ MemoryUse World::memory() const {
 }
 
 Validation World::validate() const {
+  const base::FloatEnvironment environment;
   auto fault = impl_->triangulation.find_fault();
   if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
   if (!fault) return {};
@@ -445,8 +459,14 @@ ItemsHash World::items_hash() const { return {impl_->triangulation.items().hash(
 
 MeshHash World::mesh_hash() const { return {io::sha256(dump())}; }
 
-MeshSnapshot World::snapshot() const { return constraint::canonical_mesh(impl_->triangulation).snapshot; }
+MeshSnapshot World::snapshot() const {
+  const base::FloatEnvironment environment;
+  return constraint::canonical_mesh(impl_->triangulation).snapshot;
+}
 
-std::string World::dump() const { return io::dump(impl_->triangulation); }
+std::string World::dump() const {
+  const base::FloatEnvironment environment;
+  return io::dump(impl_->triangulation);
+}
 
 }  // namespace waywright

@@ -9,6 +9,7 @@
 #include "waywright/path_search.hpp"
 #include "waywright/world.hpp"
 
+#include "base/float_environment.hpp"
 #include "locate/crew.hpp"
 #include "point_error.hpp"
 #include "query_scratch.hpp"
@@ -49,6 +50,7 @@ std::optional<Error> find_query_error(const World& world, bool keeps_abstraction
 }  // namespace
 
 Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_query_error(*this, impl_->abstraction.has_value(), query)) return *std::move(error);
   path::Finder& finder = context.scratch_->finder;
   finder.begin(impl_->triangulation, impl_->kept_abstraction(), query, path);
@@ -66,6 +68,7 @@ Result<Path> World::find_path(const PathQuery& query) const {
 // Every query is checked before the first is searched, so that an error leaves nothing half done.
 Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                std::vector<Path>& paths) const {
+  const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     if (auto error = find_query_error(*this, impl_->abstraction.has_value(), queries[i])) {
       error->index = i;
@@ -92,6 +95,7 @@ Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, 
 
 Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                     std::vector<Path>& paths) const {
+  const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), query.start, 0, "the start")) return *std::move(error);
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
     const auto find_error = [&](std::string_view name) {
@@ -206,6 +210,7 @@ PathSearch::PathSearch(PathSearch&&) noexcept = default;
 PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
+  const base::FloatEnvironment environment;
   cancel();
   if (auto error = find_query_error(world, world.impl_->abstraction.has_value(), query)) return *std::move(error);
   impl_->query = query;
@@ -218,6 +223,7 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
 
 // While a step lasts, no search is running: one that memory runs out in is given up.
 Result<bool> PathSearch::step(std::size_t expansions) {
+  const base::FloatEnvironment environment;
   if (!is_running()) return true;
   if (impl_->touch_log->version() == TouchLog::kGone) {
     cancel();

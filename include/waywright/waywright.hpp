@@ -15,4 +15,5 @@
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 #include "waywright/svg.hpp"
+#include "waywright/version.hpp"
 #include "waywright/world.hpp"

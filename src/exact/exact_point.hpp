@@ -4,6 +4,8 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
+
 namespace waywright::exact {
 
 /// Coordinates in range: finite, and either 0 or of magnitude 2^-100 to 2^100. Every such double is a multiple of

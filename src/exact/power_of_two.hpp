@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/ieee.hpp"
+
 namespace waywright::exact {
 
 /// 2^exponent. Requires: that is a normal number.

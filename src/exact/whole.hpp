@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/ieee.hpp"
+
 namespace waywright::exact {
 
 /// 0 of whole numbers only, and of all those below 2^52.

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/float_environment.hpp"
 #include "exact/exact_point.hpp"
 #include "io/text.hpp"
 
@@ -267,9 +268,13 @@ std::string_view to_string(const Operation& operation) {
   return grammar == kGrammars.end() ? std::string_view{} : grammar->word;
 }
 
-Result<Script> parse_script(std::string_view text, std::string_view name) { return ScriptParser(text, name).run(); }
+Result<Script> parse_script(std::string_view text, std::string_view name) {
+  const base::FloatEnvironment environment;
+  return ScriptParser(text, name).run();
+}
 
 Scene scene_of(const Script& script) {
+  const base::FloatEnvironment environment;
   std::unordered_map<ItemId, const Operation*> alive;
   for (const Operation& operation : script.operations) {
     if (operation.kind == OperationKind::remove) {

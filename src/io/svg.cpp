@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/float_environment.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_legend.hpp"
 
@@ -312,6 +313,7 @@ double usable_width(double width) {
 }  // namespace
 
 std::string to_svg(const World& world, const std::vector<Path>& paths, const SvgOptions& options) {
+  const base::FloatEnvironment environment;
   const double width = usable_width(options.width);
   const Frame frame(world.domain(), width, options.title.empty() ? kTopMargin : kTitleHeight, options.y_down);
   const Things things = things_of(world);

@@ -9,6 +9,8 @@
 #include "waywright/error.hpp"
 #include "waywright/id.hpp"
 
+#include "base/ieee.hpp"
+
 namespace waywright::io {
 
 /// Hands out the lines of a text, one after the other, without their line ends (LF or CRLF). A line end closes a line:

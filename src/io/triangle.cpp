@@ -12,6 +12,7 @@
 
 #include "waywright/scene.hpp"
 
+#include "base/float_environment.hpp"
 #include "exact/exact_point.hpp"
 #include "io/text.hpp"
 
@@ -285,6 +286,7 @@ bool lacks_vertices(std::string_view poly_text) {
 
 Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, std::string_view node_text,
                                   std::string_view node_name) {
+  const base::FloatEnvironment environment;
   SectionReader poly(text, name);
   VertexList list;
   if (!poly.vertices(list)) return poly.take_error();
@@ -301,6 +303,7 @@ Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, 
 }
 
 Result<Scene> parse_triangle_node(std::string_view text, std::string_view name) {
+  const base::FloatEnvironment environment;
   SectionReader node(text, name);
   VertexList list;
   if (!node.vertices(list) || !node.end()) return node.take_error();

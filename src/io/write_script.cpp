@@ -4,6 +4,7 @@
 
 #include "waywright/scene.hpp"
 
+#include "base/float_environment.hpp"
 #include "io/text.hpp"
 
 namespace waywright {
@@ -43,6 +44,7 @@ void append_item(std::string& out, const Item& item) {
 }  // namespace
 
 std::string to_script(const Scene& scene) {
+  const base::FloatEnvironment environment;
   std::string out = "waywright 1\ndomain";
   append_point(out, scene.domain.min);
   append_point(out, scene.domain.max);

@@ -7,6 +7,7 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
 #include "locate/crew.hpp"
 
 namespace waywright::locate {

@@ -6,6 +6,8 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
+
 // Lengths in doubles. They choose between ways and bound searches; what is on which side is decided elsewhere, exactly.
 
 namespace waywright::path {

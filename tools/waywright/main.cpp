@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "waywright/version.hpp"
+
 #include "commands.hpp"
 #include "failure.hpp"
 #include "output.hpp"

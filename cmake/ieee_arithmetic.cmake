@@ -1,0 +1,37 @@
+# The arithmetic that the library's proofs assume, whatever flags the parent project sets: -ffast-math, -Ofast,
+# -ffp-contract=fast, /fp:fast and the like. src/base/ieee.hpp refuses what gets through and can be seen.
+#
+# Of two options that contradict each other the later one counts. The compiler gets CMAKE_CXX_FLAGS first, then the
+# options of the directory, of the target, of what the target links, and of the source file.
+
+if(MSVC)
+  set(WAYWRIGHT_IEEE_OPTIONS /fp:precise)
+else()
+  # The order matters. -fno-fast-math resets what the options after it are about; -ffp-contract=on before it keeps clang
+  # from warning that it overrides a parent's -ffp-contract=fast. -ffp-contract=off: a fused multiply-add rounds once
+  # where the error bounds of the predicates count two roundings. -fno-math-errno changes no value: std::sqrt need not
+  # set errno.
+  set(WAYWRIGHT_IEEE_OPTIONS
+      -ffp-contract=on
+      -fno-fast-math
+      -fno-unsafe-math-optimizations
+      -fno-associative-math
+      -fno-reciprocal-math
+      -fno-finite-math-only
+      -fsigned-zeros
+      -fno-rounding-math
+      -ffp-contract=off
+      -fno-math-errno)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND WAYWRIGHT_IEEE_OPTIONS -ftrapping-math -fno-single-precision-constant)
+  else()
+    # With -Ofast, clang assumes that the program flushes subnormal numbers to zero.
+    list(APPEND WAYWRIGHT_IEEE_OPTIONS -fdenormal-fp-math=ieee)
+  endif()
+endif()
+
+function(waywright_use_ieee_arithmetic target)
+  # As one element: CMake removes elements that repeat one of the parent's, which would change the order.
+  list(JOIN WAYWRIGHT_IEEE_OPTIONS " " options)
+  target_compile_options(${target} PRIVATE "SHELL:${options}")
+endfunction()

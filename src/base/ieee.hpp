@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cfloat>
+#include <limits>
+
+// The arithmetic that every proof in this library assumes: IEEE 754 doubles, each operation rounded once to nearest.
+// Compiler flags can take that away, so every source that computes in doubles includes this header, and the compiler
+// refuses what it can see here. The CMake targets switch such flags off (cmake/ieee_arithmetic.cmake). What a program
+// switches at run time is for base/float_environment.hpp. No macro tells whether a compiler fuses multiplications with
+// additions, so `./dev determinism` compares the results of such builds.
+
+#if (defined(__i386__) || defined(_M_IX86)) && FLT_EVAL_METHOD != 0
+#error "Waywright cannot use the x87 unit, which rounds doubles twice: on 32-bit x86, add -msse2 -mfpmath=sse"
+#endif
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error \
+    "Waywright needs IEEE 754 arithmetic: compile its sources without -ffast-math and -Ofast, or use its CMake target"
+#endif
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0
+#error "Waywright needs infinities and NaNs: compile its sources without -ffinite-math-only, or use its CMake target"
+#endif
+// GCC 12 and later.
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "Waywright needs IEEE 754 arithmetic: compile without -fassociative-math and -freciprocal-math"
+#endif
+#if defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)  // before Visual Studio 2022, /fp:precise fuses
+#endif
+
+namespace waywright::base {
+
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
+              "Waywright needs IEEE 754 doubles");
+// 0: every type as it is; 1: only `float` is computed as `double`.
+static_assert(
+    FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1,
+    "Waywright needs doubles that are computed as doubles, without excess precision; on x86, add -mfpmath=sse");
+static_assert(static_cast<double>(0.1f) != 0.1,
+              "Waywright needs double constants: compile without "
+              "-fsingle-precision-constant");
+
+}  // namespace waywright::base
