@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cfloat>
-#include <limits>
-
 // The arithmetic that every proof in this library assumes: IEEE 754 doubles, each operation rounded once to nearest.
 // Compiler flags can take that away, so every source that computes in doubles includes this header, and the compiler
 // refuses what it can see here. The CMake targets switch such flags off (cmake/ieee_arithmetic.cmake). What a program
 // switches at run time is for base/float_environment.hpp. No macro tells whether a compiler fuses multiplications with
-// additions, so `./dev determinism` compares the results of such builds.
+// additions, so tests/hostile compares what such builds answer.
 
-#if (defined(__i386__) || defined(_M_IX86)) && FLT_EVAL_METHOD != 0
+#if (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86) && _M_IX86_FP < 2)
 #error "Waywright cannot use the x87 unit, which rounds doubles twice: on 32-bit x86, add -msse2 -mfpmath=sse"
 #endif
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST)
@@ -26,6 +23,9 @@
 #if defined(_MSC_VER) && !defined(__clang__)
 #pragma fp_contract(off)  // before Visual Studio 2022, /fp:precise fuses
 #endif
+
+#include <cfloat>
+#include <limits>
 
 namespace waywright::base {
 

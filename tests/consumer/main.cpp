@@ -1,15 +1,42 @@
 #include <cstdio>
+#include <cstring>
 #include <waywright/waywright.hpp>
 
-// Ends with 0 only if headers, library and language standard all came along with the target.
-int main() {
+namespace {
+
+bool fail(const char* what) {
+  std::puts(what);
+  return false;
+}
+
+// Up and around the wall's upper end: (1, 0), (2, 2), (3, 0).
+bool finds_path() {
   waywright::World world = waywright::World::create({{0, 0}, {4, 3}}).value();
   world.insert_segment({2, 0}, {2, 2}).value();
   const waywright::Path path = world.find_path({.start = {1, 0}, .goal = {3, 0}}).value();
-  // Up and around the wall's upper end: (1, 0), (2, 2), (3, 0).
-  if (path.status != waywright::PathStatus::found || path.points.size() != 3) {
-    std::puts("no way around the wall");
-    return 1;
-  }
-  return 0;
+  if (path.status != waywright::PathStatus::found || path.points.size() != 3) return fail("no way around the wall");
+  return true;
 }
+
+// The library throws, the program catches: both must mean the same class.
+bool catches() {
+  try {
+    waywright::World::create({{0, 0}, {0, 0}}).value();
+  } catch (const waywright::BadResult& refusal) {
+    return refusal.error().code == waywright::ErrorCode::bad_domain || fail("another error");
+  }
+  return fail("nothing thrown");
+}
+
+bool has_version() {
+  static_assert(WAYWRIGHT_VERSION_NUMBER >= WAYWRIGHT_MAKE_VERSION(0, 1, 0));
+#if WAYWRIGHT_VERSION_NUMBER < WAYWRIGHT_MAKE_VERSION(0, 1, 0)
+#error "the preprocessor must be able to compare versions, too"
+#endif
+  return std::strlen(WAYWRIGHT_VERSION) >= 5 || fail("no version");
+}
+
+}  // namespace
+
+// Ends with 0 only if headers, library and language standard all came along.
+int main() { return finds_path() && catches() && has_version() ? 0 : 1; }
