@@ -23,11 +23,11 @@ namespace waywright::base {
 /// numbers, and no floating-point exception ends the program. Afterwards the thread computes as before.
 ///
 /// Each public function that computes in doubles makes one first. Threads that it starts compute as it does; work that
-/// it hands to threads of others makes one, too. For a program may round in another direction (for interval arithmetic), flush subnormal numbers to zero (for
-/// audio; GCC and clang set this at the program's start if it is linked with -ffast-math), or trap exceptions (to find
-/// its own faults). The error bounds of the predicates do not hold when a thread rounds in another direction. When it
-/// takes subnormal numbers for zero, a coordinate of 1e-310 would not be refused, and lengths of ways between crossings
-/// next to 0 would differ from those on other machines.
+/// it hands to threads of others makes one, too. For a program may round in another direction (for interval
+/// arithmetic), flush subnormal numbers to zero (for audio; GCC and clang set this at the program's start if it is
+/// linked with -ffast-math), or trap exceptions (to find its own faults). The error bounds of the predicates do not
+/// hold when a thread rounds in another direction. When it takes subnormal numbers for zero, a coordinate of 1e-310
+/// would not be refused, and lengths of ways between crossings next to 0 would differ from those on other machines.
 ///
 /// Cost: a few instructions where the thread computes so already.
 class FloatEnvironment {
