@@ -4,11 +4,12 @@ include(${CMAKE_CURRENT_LIST_DIR}/ieee_arithmetic.cmake)
 
 set(WAYWRIGHT_SANITIZE "" CACHE STRING "Sanitizers for every target, as -fsanitize takes them: address,undefined")
 
-function(waywright_target_defaults target)
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  # Files of one target have local names in common, so that they do not compile as one (CMAKE_UNITY_BUILD).
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD OFF)
-  waywright_use_ieee_arithmetic(${target})
+# CMake sets MSVC for clang-cl too, which takes the same flags.
+function(waywright_warnings target)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W4 /permissive- /utf-8 $<$<BOOL:${WAYWRIGHT_WARNINGS_AS_ERRORS}>:/WX>)
+    return()
+  endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # Its -O3 sees overlapping copies in every `"text" + string` (GCC bug 105651).
@@ -17,6 +18,14 @@ function(waywright_target_defaults target)
   if(WAYWRIGHT_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
+endfunction()
+
+function(waywright_target_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  # Files of one target have local names in common, so that they do not compile as one (CMAKE_UNITY_BUILD).
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD OFF)
+  waywright_use_ieee_arithmetic(${target})
+  waywright_warnings(${target})
   if(WAYWRIGHT_SANITIZE)
     target_compile_options(
       ${target} PRIVATE -fsanitize=${WAYWRIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -28,6 +37,7 @@ endfunction()
 function(waywright_use_internals target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   waywright_use_boost(${target})
+  waywright_use_number_text(${target})
 endfunction()
 
 # For targets whose own sources use Boost's headers. A target that links them uses no Boost.

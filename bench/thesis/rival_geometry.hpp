@@ -8,6 +8,7 @@
 
 #include "waywright/point.hpp"
 
+#include "base/compiler.hpp"
 #include "exact/sign.hpp"
 
 namespace waywright::bench {
@@ -51,7 +52,7 @@ class RivalGeometry {
   }
 
   [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(places_[vertex]); }
-  void prefetch(std::uint32_t vertex) const { __builtin_prefetch(&places_[vertex]); }
+  void prefetch(std::uint32_t vertex) const { base::prefetch(&places_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return Arithmetic::view(point); }
   [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex].rounded; }
 

@@ -17,7 +17,7 @@ void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h
   MeshSnapshot::ConstrainedEdge edge{{i, j}, static_cast<std::uint32_t>(snapshot.ids.size()), 0};
   triangulation.for_each_side(h,
                               [&](const Side& side) { snapshot.ids.push_back(triangulation.items().id(side.item)); });
-  const auto first = snapshot.ids.begin() + edge.first_id;
+  const auto first = snapshot.ids.begin() + static_cast<std::ptrdiff_t>(edge.first_id);
   std::sort(first, snapshot.ids.end());
   snapshot.ids.erase(std::unique(first, snapshot.ids.end()), snapshot.ids.end());
   edge.id_count = static_cast<std::uint32_t>(snapshot.ids.size()) - edge.first_id;

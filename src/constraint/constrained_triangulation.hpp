@@ -10,6 +10,7 @@
 
 #include "waywright/item.hpp"
 
+#include "base/compiler.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/item_table.hpp"
 #include "constraint/use_lists.hpp"
@@ -111,8 +112,8 @@ class ConstrainedTriangulation {
   void roll_back();
   void set_corner_uses(mesh::Vertex v, Uses uses);
   /// Has the memory fetched that tells which items have a corner at `v`.
-  [[gnu::always_inline]] void prefetch_corner_uses(mesh::Vertex v) const {
-    __builtin_prefetch(&corner_uses_[number(v)], 1);
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_corner_uses(mesh::Vertex v) const {
+    base::prefetch_to_write(&corner_uses_[number(v)]);
   }
   void grow_corner_uses();
 

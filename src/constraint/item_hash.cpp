@@ -1,7 +1,6 @@
 #include "constraint/item_hash.hpp"
 
-#include <bit>
-
+#include "base/bit_cast.hpp"
 #include "constraint/mix.hpp"
 
 namespace waywright::constraint {
@@ -13,8 +12,8 @@ ItemHash::ItemHash(ItemId id, ItemKind kind, std::size_t ring_count) : words_{0,
 }
 
 void ItemHash::add(const Point& point) {
-  add(std::bit_cast<std::uint64_t>(point.x));
-  add(std::bit_cast<std::uint64_t>(point.y));
+  add(base::bit_cast<std::uint64_t>(point.x));
+  add(base::bit_cast<std::uint64_t>(point.y));
 }
 
 void ItemHash::add(std::uint64_t word) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/compiler.hpp"
 #include "constraint/mix.hpp"
 
 namespace waywright::constraint {
@@ -14,7 +15,7 @@ constexpr std::size_t kSmallestIndex = 16;
 
 ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({kNone, ItemKind::polygon}); }
 
-void ItemTable::prefetch(ItemId id) const { __builtin_prefetch(&index_[home(id)], 1); }
+void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home(id)]); }
 
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
@@ -164,7 +165,9 @@ std::vector<ItemId> ItemTable::ids() const {
 
 // Linear probing; a removal moves later entries up, so that no search meets a gap.
 // Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithms L and R.
-std::size_t ItemTable::home(ItemId id) const { return (mix(id.value) >> 32) * index_.size() >> 32; }
+std::size_t ItemTable::home(ItemId id) const {
+  return static_cast<std::size_t>((mix(id.value) >> 32) * index_.size() >> 32);
+}
 
 std::size_t ItemTable::position(ItemId id) const {
   std::size_t at = home(id);

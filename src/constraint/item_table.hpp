@@ -149,7 +149,9 @@ class ItemTable {
 
   /// Whether a live item is in the slot that its id names: then the index doesn't have it.
   [[nodiscard]] bool is_in_its_own_slot(ItemId id) const {
-    return id.value < items_.size() && items_[id.value].is_alive && items_[id.value].is_slot_id;
+    if (id.value >= items_.size()) return false;
+    const Record& record = items_[static_cast<std::size_t>(id.value)];
+    return record.is_alive && record.is_slot_id;
   }
   /// Where the index has an id, or the gap where it isn't.
   [[nodiscard]] std::size_t position(ItemId id) const;

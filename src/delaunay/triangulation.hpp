@@ -7,6 +7,7 @@
 
 #include "waywright/point.hpp"
 
+#include "base/compiler.hpp"
 #include "exact/any_geometry.hpp"
 #include "locate/curve.hpp"
 #include "locate/sectors.hpp"
@@ -114,16 +115,16 @@ class Triangulation {
   /// are likely to be in the star still; and then what a removal looks at first there: where star(v) begins, and the
   /// sector.
   // GCC drops the call of a function that does nothing but fetch, unless it has inlined it before it knows.
-  [[gnu::always_inline]] void prefetch(mesh::Vertex v) const {
+  WAYWRIGHT_ALWAYS_INLINE void prefetch(mesh::Vertex v) const {
     mesh_.prefetch(v);
     if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(v));
   }
-  [[gnu::always_inline]] void prefetch_faces_made_with(mesh::Vertex v) const {
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_faces_made_with(mesh::Vertex v) const {
     const std::uint32_t end = 2 * number(v);  // so many vertices have 4 faces less, as long as none goes
     if (end < 4 || end > mesh_.face_slots()) return;
     for (std::uint32_t f = end - 4; f < end; ++f) mesh_.prefetch(mesh::first(mesh::Face{f}));
   }
-  [[gnu::always_inline]] void prefetch_star(mesh::Vertex v) const {
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_star(mesh::Vertex v) const {
     mesh_.prefetch(mesh_.outgoing(v));
     sectors_.prefetch(geometry_.nearest(number(v)));
   }
@@ -170,8 +171,8 @@ class Triangulation {
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Has what lies beyond an edge fetched from memory: its face; once that is there, the place of its apex.
-  [[gnu::always_inline]] void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
-  [[gnu::always_inline]] void prefetch_apex_beyond(mesh::HalfEdge h) const {
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_apex_beyond(mesh::HalfEdge h) const {
     if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
   }
   /// Flips until every edge opposite to a new vertex is legal; `in_doubt_` lists those to be asked, the vertex their

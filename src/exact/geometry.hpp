@@ -6,6 +6,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
 #include "exact/any_geometry.hpp"
 #include "exact/counts.hpp"
 #include "exact/crossing.hpp"
@@ -68,7 +69,7 @@ class Geometry {
     return {place.x, place.y, vertex};
   }
   /// Has the memory fetched that view(vertex) reads.
-  void prefetch(std::uint32_t vertex) const { __builtin_prefetch(&places_[vertex]); }
+  void prefetch(std::uint32_t vertex) const { base::prefetch(&places_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return {point.x, point.y, kNoVertex}; }
 
   /// The vertex's coordinates, each as the nearest double.

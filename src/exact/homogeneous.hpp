@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/bit_cast.hpp"
 #include "exact/exact_point.hpp"
 #include "exact/integer.hpp"
 
@@ -19,7 +20,7 @@ struct Dyadic {
 /// Requires: `value` is finite and not subnormal.
 [[nodiscard]] inline Dyadic to_dyadic(double value) {
   if (value == 0.0) return {};
-  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto bits = base::bit_cast<std::uint64_t>(value);
   const auto fraction = (bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1} << 52);
   const int zeros = std::countr_zero(fraction);
   const auto magnitude = static_cast<std::int64_t>(fraction >> zeros);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/compiler.hpp"
 #include "exact/sign.hpp"
 
 namespace waywright::exact {
@@ -29,8 +30,8 @@ struct Halves {
 }
 
 [[nodiscard]] constexpr Halves multiply(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
-#if defined(__SIZEOF_INT128__)
-  const auto sum = static_cast<unsigned __int128>(a) * b + c + d;
+#if defined(WAYWRIGHT_HAS_UINT128)
+  const base::UInt128 sum = base::UInt128{a} * b + c + d;
   return {static_cast<std::uint64_t>(sum), static_cast<std::uint64_t>(sum >> 64)};
 #else
   return multiply_by_halves(a, b, c, d);

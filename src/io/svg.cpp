@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "base/float_environment.hpp"
+#include "base/number_text.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_legend.hpp"
 
@@ -218,9 +218,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 
 std::string rounded(double value) {
   std::array<char, 40> digits{};
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 5).ptr;
-  return {digits.data(), end};
+  return {digits.data(), base::write_rounded(digits.data(), digits.data() + digits.size(), value, 5)};
 }
 
 std::string line_sample(std::string_view colour, double stroke_width) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <system_error>
 
+#include "base/number_text.hpp"
+
 namespace waywright::io {
 namespace {
 
@@ -71,7 +73,7 @@ std::optional<double> read_number(std::string_view word) {
   }
   double value = 0.0;
   const char* const end = word.data() + word.size();
-  const auto [stop, status] = std::from_chars(word.data(), end, value);
+  const auto [stop, status] = base::read_double(word.data(), end, value);
   if (stop != end || status == std::errc::invalid_argument) return std::nullopt;
   if (status == std::errc::result_out_of_range) {
     const bool is_negative = word.starts_with('-');
@@ -98,7 +100,7 @@ std::optional<ItemId> read_id(std::string_view word) {
 void append_number(std::string& out, double value) {
   std::array<char, 32> buffer{};
   // Adding zero turns -0.0 into 0.0 and changes nothing else.
-  out.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0).ptr);
+  out.append(buffer.data(), base::write_shortest(buffer.data(), buffer.data() + buffer.size(), value + 0.0));
 }
 
 void append_unsigned(std::string& out, std::uint64_t value) {

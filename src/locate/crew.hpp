@@ -2,10 +2,13 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <utility>
 #include <vector>
+
+#include "base/compiler.hpp"
 
 namespace waywright::locate {
 
@@ -19,8 +22,9 @@ class Crew {
 
   /// Of one.
   Crew() = default;
-  /// `report`, if there is one, is called by the calling thread now and then. Requires: `threads` is 1 or more.
-  Crew(std::size_t threads, Report report) : threads_(threads), report_(std::move(report)) {}
+  /// `report`, if there is one, is called by the calling thread now and then. Requires: `threads` is 1 or more. Where
+  /// the system has no threads, the calling one works alone.
+  Crew(std::size_t threads, Report report) : threads_(base::kHasThreads ? threads : 1), report_(std::move(report)) {}
 
   [[nodiscard]] std::size_t threads() const { return threads_; }
 
@@ -40,7 +44,12 @@ class Crew {
   /// Calls work(t, begin, end) for each t below threads(): parts of [0, count), in order, of about one size.
   template <class Work>
   void share(std::size_t count, const Work& work) const {
-    run([&](std::size_t t) { work(t, count * t / threads_, count * (t + 1) / threads_); });
+    run([&](std::size_t t) { work(t, start_of_share(count, t), start_of_share(count, t + 1)); });
+  }
+
+  /// Where the part of thread `t` starts in [0, count); for threads(), `count`.
+  [[nodiscard]] std::size_t start_of_share(std::size_t count, std::size_t t) const {
+    return static_cast<std::size_t>(std::uint64_t{count} * t / threads_);  // the product can exceed 32 bits
   }
 
   /// Calls work(t, i) once for each i below `count`, the lowest first, on whichever thread t has nothing to do.

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/compiler.hpp"
+
 namespace waywright::locate {
 
 namespace {
@@ -22,7 +24,7 @@ constexpr std::size_t kAhead = 16;
 /// A stable sort by the digit that starts at `bit`. Each thread counts and moves a part of its own; its entries of a
 /// digit come after those of the threads before it.
 void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const Crew& crew) {
-  const auto digit = [bit](const Entry& entry) { return entry.key >> bit & (kDigits - 1); };
+  const auto digit = [bit](const Entry& entry) { return static_cast<std::size_t>(entry.key >> bit & (kDigits - 1)); };
   std::vector<std::array<std::uint32_t, kDigits>> places(crew.threads());
   crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) ++places[t][digit(from[i])];
@@ -65,7 +67,7 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
   // Before any thread moves an entry, for no thread may look at another's.
   std::vector<std::size_t> shares;
   for (std::size_t t = 0; t <= crew.threads(); ++t) {
-    shares.push_back(start_of_run(entries, entries.size() * t / crew.threads(), entries.size(), kLowestBit));
+    shares.push_back(start_of_run(entries, crew.start_of_share(entries.size(), t), entries.size(), kLowestBit));
   }
   crew.run([&](std::size_t t) {
     const std::size_t last = shares[t + 1];
@@ -106,8 +108,8 @@ SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, con
     for (std::size_t i = begin; i < end; ++i) {
       if (i + kAhead < end) {
         const std::uint32_t ahead = entries[i + kAhead].given;
-        __builtin_prefetch(&points[ahead]);
-        __builtin_prefetch(&sorted.ranks[ahead], 1);
+        base::prefetch(&points[ahead]);
+        base::prefetch_to_write(&sorted.ranks[ahead]);
       }
       if (is_new(i)) {
         sorted.points[next] = points[entries[i].given];

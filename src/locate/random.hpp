@@ -1,9 +1,10 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "waywright/point.hpp"
+
+#include "base/bit_cast.hpp"
 
 namespace waywright::locate {
 
@@ -12,7 +13,7 @@ namespace waywright::locate {
 class Random {
  public:
   explicit Random(const Point& seed)
-      : state_(std::bit_cast<std::uint64_t>(seed.x) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(seed.y)) {}
+      : state_(base::bit_cast<std::uint64_t>(seed.x) * 0x9e3779b97f4a7c15u ^ base::bit_cast<std::uint64_t>(seed.y)) {}
 
   [[nodiscard]] bool coin() {
     if (left_ == 0) refill();

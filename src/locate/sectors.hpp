@@ -10,6 +10,7 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
+#include "base/compiler.hpp"
 #include "locate/curve.hpp"
 #include "memory/count.hpp"
 #include "mesh/index.hpp"
@@ -60,8 +61,8 @@ class Sectors {
   /// Takes note of a vertex in a world of so many. Cost: O(1), amortised.
   void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
   /// Has the memory fetched that tells what the sector of `point` remembers.
-  [[gnu::always_inline]] void prefetch(const Point& point) const {
-    __builtin_prefetch(&sectors_[curve_.key(point) >> whole_shift_]);
+  WAYWRIGHT_ALWAYS_INLINE void prefetch(const Point& point) const {
+    base::prefetch(&sectors_[static_cast<std::size_t>(curve_.key(point) >> whole_shift_)]);
   }
   /// Where `v`, which goes, is remembered, remembers `other`.
   void forget(const Point& point, mesh::Vertex v, mesh::Vertex other);

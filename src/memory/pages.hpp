@@ -7,6 +7,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::memory {
@@ -47,7 +48,7 @@ class Pages {
   static constexpr std::size_t kPageSize = 1024;
   using Page = std::array<Value, kPageSize>;
 
-  [[gnu::noinline]] void add_page(std::size_t index) {
+  WAYWRIGHT_NO_INLINE void add_page(std::size_t index) {
     pages_[index] = std::make_unique<Page>();
     ++page_count_;
   }

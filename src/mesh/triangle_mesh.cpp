@@ -67,7 +67,7 @@ void TriangleMesh::free_face(Face f) {
 /// Logs all of a face that is about to change.
 void TriangleMesh::save(Face f) {
   const HalfEdge a = first(f);
-  const auto corners = corners_.begin() + number(a);
+  const auto corners = corners_.begin() + static_cast<std::ptrdiff_t>(number(a));
   if (((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0) [[unlikely]] {
     for (const HalfEdge h : {a, next(a), previous(a)}) {
       if (is_fixed(h)) log(ChangeKind::rebuild_label, number(h), labels_[number(h)]);

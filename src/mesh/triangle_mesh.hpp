@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/compiler.hpp"
 #include "memory/count.hpp"
 #include "memory/pages.hpp"
 #include "mesh/index.hpp"
@@ -55,9 +56,9 @@ class TriangleMesh {
   /// Some half-edge that starts at `v`.
   [[nodiscard]] HalfEdge outgoing(Vertex v) const { return HalfEdge{outgoing_[number(v)]}; }
   /// Has the memory fetched that outgoing(v) reads.
-  void prefetch(Vertex v) const { __builtin_prefetch(&outgoing_[number(v)]); }
+  void prefetch(Vertex v) const { base::prefetch(&outgoing_[number(v)]); }
   /// Has the memory of the face of `h` fetched.
-  void prefetch(HalfEdge h) const { __builtin_prefetch(&corners_[number(h)]); }
+  void prefetch(HalfEdge h) const { base::prefetch(&corners_[number(h)]); }
   /// The next half-edge that starts at the same vertex, counter-clockwise.
   [[nodiscard]] HalfEdge next_around(HalfEdge h) const { return twin(previous(h)); }
   /// The next half-edge that starts at the same vertex, clockwise.

@@ -79,7 +79,8 @@ void Optimal::list_components() {
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
   }
-  std::ranges::sort(goals_in_components_, {}, &GoalsInComponent::component);
+  std::sort(goals_in_components_.begin(), goals_in_components_.end(),
+            [](const GoalsInComponent& p, const GoalsInComponent& q) { return p.component < q.component; });
   const auto is_same = [](const GoalsInComponent& p, const GoalsInComponent& q) { return p.component == q.component; };
   const auto repeated = std::unique(goals_in_components_.begin(), goals_in_components_.end(), is_same);
   goals_in_components_.erase(repeated, goals_in_components_.end());
@@ -135,11 +136,20 @@ void Optimal::cover_mesh() {
   goals_below_.cover(mesh_->face_slots());
 }
 
+/// The place of a component's entry in the list of components, or where it would be.
+std::size_t Optimal::place_of(Components::Label component) const {
+  const auto comes_before = [](const GoalsInComponent& p, Components::Label label) { return p.component < label; };
+  const auto at = std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component, comes_before);
+  return static_cast<std::size_t>(at - goals_in_components_.begin());
+}
+
 /// Counts a goal's face in its component, and at each face on the way from there to the core.
 void Optimal::count_goal_face(mesh::Face f) {
   const Components::Label component = components_->of(f);
-  const auto at = std::ranges::lower_bound(goals_in_components_, component, {}, &GoalsInComponent::component);
-  if (at != goals_in_components_.end() && at->component == component) ++at->count;
+  const std::size_t at = place_of(component);
+  if (at < goals_in_components_.size() && goals_in_components_[at].component == component) {
+    ++goals_in_components_[at].count;
+  }
   for (;;) {
     look(f);
     if (core_->is_core(f)) return;
@@ -154,7 +164,7 @@ void Optimal::count_goal_face(mesh::Face f) {
 
 /// How many of the goals' faces lie in the face's component, which is one of the start's.
 std::uint32_t Optimal::goals_around(mesh::Face f) const {
-  return std::ranges::lower_bound(goals_in_components_, components_->of(f), {}, &GoalsInComponent::component)->count;
+  return goals_in_components_[place_of(components_->of(f))].count;
 }
 
 /// Whether no goal's face lies beyond a free edge that is no way in the core, in a component with a goal. Where the

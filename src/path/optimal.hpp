@@ -127,6 +127,7 @@ class Optimal {
 
   void forget_last_query();
   void list_components();
+  [[nodiscard]] std::size_t place_of(Components::Label component) const;
   void count_goal_face(mesh::Face f);
   [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();

@@ -1,21 +1,74 @@
 #include <cstdint>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "waywright/path.hpp"
 #include "waywright/world.hpp"
 
+#include "base/bit_cast.hpp"
 #include "support/live_items.hpp"
+#include "support/random.hpp"
 #include "support/random_changes.hpp"
 
-/// Lets the worlds of a fixed set of scripts live, always the same, and prints their hashes after every step and their
-/// meshes at the end: what must be equal byte for byte on every machine, compiler and optimisation level.
+/// Lets the worlds of a fixed set of scripts live, always the same, and prints their hashes after every step and, at
+/// the end, their meshes and some paths: what must be equal byte for byte on every machine, compiler and optimisation
+/// level.
 namespace waywright::test {
 namespace {
 
 constexpr std::uint64_t kScriptsOfFlavour = 40;
 constexpr std::size_t kSteps = 60;
 constexpr std::size_t kLiveItems = 25;
+
+constexpr std::size_t kPaths = 4;
+
+/// All bits of a double.
+std::string bits_of(double value) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  const auto bits = base::bit_cast<std::uint64_t>(value);
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += kHex[static_cast<std::size_t>(bits >> shift & 0xf)];
+  return text;
+}
+
+void print_path(const World& world, const PathQuery& query) {
+  const Result<Path> path = world.find_path(query);
+  std::cout << to_string(query.algorithm) << ' ';
+  if (!path) {
+    std::cout << to_string(path.error().code) << '\n';
+    return;
+  }
+  std::cout << to_string(path->status) << ' ' << path->expansions << ' ' << bits_of(path->length) << ' '
+            << bits_of(path->lower_bound);
+  for (const Point& point : path->points) std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y);
+  std::cout << '\n';
+}
+
+/// The answers of all algorithms, between places on a grid of 64 parts of the domain.
+void print_paths(const World& world, const Box& domain, std::uint64_t seed) {
+  Random random(seed);
+  const auto between = [&](double low, double high) {
+    const auto parts = static_cast<double>(random.below(65));
+    return low + (high - low) / 64.0 * parts;
+  };
+  const auto place = [&] {
+    const double x = between(domain.min.x, domain.max.x);
+    const double y = between(domain.min.y, domain.max.y);
+    return Point{x, y};
+  };
+  for (std::size_t i = 0; i < kPaths; ++i) {
+    const Point start = place();
+    const Point goal = place();
+    for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
+      print_path(world, {.start = start, .goal = goal, .algorithm = algorithm});
+    }
+    print_path(
+        world,
+        {.start = start, .goal = goal, .algorithm = PathAlgorithm::ta, .budget = {.expansions = PathBudget::kNoLimit}});
+  }
+}
 
 bool print_world(Flavour flavour, std::uint64_t seed) {
   const ChangeScript script = random_changes(flavour, seed, kSteps, kLiveItems);
@@ -28,6 +81,7 @@ bool print_world(Flavour flavour, std::uint64_t seed) {
               << to_string(world->mesh_hash()) << '\n';
   }
   std::cout << world->dump();
+  print_paths(*world, script.domain, seed);
   return true;
 }
 

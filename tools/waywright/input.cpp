@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
@@ -14,6 +13,7 @@
 
 #include "waywright/error.hpp"
 
+#include "base/number_text.hpp"
 #include "failure.hpp"
 #include "progress.hpp"
 
@@ -37,7 +37,7 @@ double parse_number(std::string_view option, const std::string& word) {
   double value = 0.0;
   const char* const end = word.data() + word.size();
   const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
-  const auto [stop, fault] = std::from_chars(word.data() + (plus ? 1 : 0), end, value);
+  const auto [stop, fault] = base::read_double(word.data() + (plus ? 1 : 0), end, value);
   if (stop != end || fault != std::errc{}) {
     throw Failure(fmt::format("waywright: {}: '{}' is not a number that fits a double", option, word));
   }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "output.hpp"
+#include "system.hpp"
 
 namespace waywright::command {
 
@@ -194,8 +194,7 @@ ExitStatus dispatch(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   using namespace waywright::command;
-  // A reader that goes away shall be a write error, told as such, not a silent end.
-  std::signal(SIGPIPE, SIG_IGN);
+  prepare_streams();
   try {
     return dispatch(argc, argv);
   } catch (const std::bad_alloc&) {

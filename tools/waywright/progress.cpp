@@ -1,9 +1,10 @@
 #include "progress.hpp"
 
 #include <cstdio>
-#include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "system.hpp"
 
 namespace waywright::command {
 
@@ -16,7 +17,7 @@ constexpr std::chrono::milliseconds kInterval{200};
 }  // namespace
 
 Progress::Progress(std::string_view what)
-    : what_(what), to_terminal_(isatty(STDERR_FILENO) == 1), next_(steady_clock::now() + kPatience) {}
+    : what_(what), to_terminal_(is_terminal(stderr)), next_(steady_clock::now() + kPatience) {}
 
 void Progress::show(std::size_t done, std::size_t total) {
   if (!to_terminal_ || steady_clock::now() < next_) return;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "failure.hpp"
 #include "input.hpp"
 
@@ -35,7 +35,7 @@ Fields fields_of(std::string_view line) {
 
 std::optional<double> number(std::string_view word) {
   double value = 0.0;
-  const auto [stop, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [stop, fault] = base::read_double(word.data(), word.data() + word.size(), value);
   if (stop != word.data() + word.size() || fault != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return value;
 }

@@ -1,0 +1,2 @@
+set(waywright_triplet aarch64-linux-gnu)
+include(${CMAKE_CURRENT_LIST_DIR}/gnu_cross.cmake)

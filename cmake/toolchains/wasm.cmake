@@ -1,0 +1,6 @@
+# WebAssembly, by the Emscripten that Debian packages: no threads; exceptions are on. Node reads the file of the program
+# and the files that the program names.
+set(EMSCRIPTEN_ROOT_PATH /usr/share/emscripten)
+set(CMAKE_CXX_FLAGS_INIT "-fexceptions")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-sALLOW_MEMORY_GROWTH=1 -sNODERAWFS=1 -sEXIT_RUNTIME=1")
+include(${EMSCRIPTEN_ROOT_PATH}/cmake/Modules/Platform/Emscripten.cmake)

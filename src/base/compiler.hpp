@@ -1,0 +1,49 @@
+#pragma once
+
+/// Everything that depends on the compiler: the other files are standard C++. scripts/check_portable.py refuses such
+/// constructs elsewhere. Each has a form for compilers that know nothing of it.
+
+#if defined(__GNUC__)
+/// The compiler inlines the function even where it would not by itself.
+#define WAYWRIGHT_ALWAYS_INLINE [[gnu::always_inline]] inline
+/// The compiler never inlines the function.
+#define WAYWRIGHT_NO_INLINE [[gnu::noinline]]
+#elif defined(_MSC_VER)
+#define WAYWRIGHT_ALWAYS_INLINE __forceinline
+#define WAYWRIGHT_NO_INLINE __declspec(noinline)
+#else
+#define WAYWRIGHT_ALWAYS_INLINE inline
+#define WAYWRIGHT_NO_INLINE
+#endif
+
+namespace waywright::base {
+
+/// Asks the processor to fetch the memory at `address`, which is soon to be read. A hint: it changes no result, and any
+/// address is allowed.
+WAYWRIGHT_ALWAYS_INLINE void prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address);
+#endif
+}
+
+/// The same for memory that is soon to be written.
+WAYWRIGHT_ALWAYS_INLINE void prefetch_to_write([[maybe_unused]] const void* address) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address, 1);
+#endif
+}
+
+#if defined(__SIZEOF_INT128__)
+#define WAYWRIGHT_HAS_UINT128
+/// An unsigned integer of 128 bits. 64-bit targets of GCC and Clang have one.
+__extension__ using UInt128 = unsigned __int128;
+#endif
+
+/// Whether std::thread can start a thread. WebAssembly that is built without `-pthread` has none.
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
+#endif
+
+}  // namespace waywright::base

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <string_view>
+
+#if !defined(FMT_HEADER_ONLY)
+#define FMT_HEADER_ONLY
+#endif
+#include <fmt/format.h>
+
+namespace waywright::base {
+
+/// The shortest decimal digits that read back as a double: 0.d1 d2 d3 ... times 10^point.
+struct ShortestDigits {
+  std::array<char, 24> digits{};  ///< no zeros at either end
+  std::ptrdiff_t count = 0;
+  std::ptrdiff_t point = 0;
+};
+
+/// Requires: `value` is finite and positive.
+inline ShortestDigits shortest_digits(double value) {
+  std::array<char, 40> buffer{};
+  const char* const end = fmt::format_to(buffer.data(), FMT_STRING("{}"), value);
+  const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  const std::size_t mantissa_size = std::min(text.find('e'), text.size());
+  const std::size_t point = std::min(text.find('.'), mantissa_size);
+  const std::size_t first = text.find_first_of("123456789");
+  const std::size_t last = text.find_last_of("123456789", mantissa_size - 1);
+  ShortestDigits result;
+  for (std::size_t i = first; i <= last; ++i) {
+    if (i != point) result.digits[static_cast<std::size_t>(result.count++)] = text[i];
+  }
+  // A first digit behind the point has one place less than its distance from it.
+  result.point = static_cast<std::ptrdiff_t>(point) - static_cast<std::ptrdiff_t>(first) + (first > point ? 1 : 0);
+  if (mantissa_size < text.size()) result.point += std::strtol(text.data() + mantissa_size + 1, nullptr, 10);
+  return result;
+}
+
+/// std::to_chars(first, last, value), by the library fmt: whichever is shorter of digits with a point and digits with
+/// an exponent, the former where both are as long. Whole numbers without an exponent have all their digits.
+inline char* write_shortest_by_fmt(char* first, char* last, double value) {
+  if (!std::isfinite(value) || value == 0.0) return fmt::format_to(first, FMT_STRING("{}"), value);
+  if (value < 0.0) *first++ = '-';
+  const ShortestDigits shortest = shortest_digits(std::abs(value));
+  const std::ptrdiff_t count = shortest.count;
+  const std::ptrdiff_t point = shortest.point;
+  const std::ptrdiff_t exponent = point - 1;
+  const std::ptrdiff_t with_point = point <= 0 ? 2 - point + count : point < count ? count + 1 : point;
+  const std::ptrdiff_t with_exponent = count + (count > 1 ? 1 : 0) + (std::abs(exponent) < 100 ? 4 : 5);
+  const char* const digits = shortest.digits.data();
+  if (with_exponent < with_point) {
+    *first++ = digits[0];
+    if (count > 1) *first++ = '.';
+    first = std::copy(digits + 1, digits + count, first);
+    *first++ = 'e';
+    *first++ = exponent < 0 ? '-' : '+';
+    if (std::abs(exponent) < 10) *first++ = '0';
+    return std::to_chars(first, last, std::abs(exponent)).ptr;
+  }
+  if (point >= count) return fmt::format_to(first, FMT_STRING("{:.0f}"), std::abs(value));
+  if (point > 0) {
+    first = std::copy(digits, digits + point, first);
+    *first++ = '.';
+    return std::copy(digits + point, digits + count, first);
+  }
+  *first++ = '0';
+  *first++ = '.';
+  first = std::fill_n(first, -point, '0');
+  return std::copy(digits, digits + count, first);
+}
+
+/// std::to_chars(first, last, value, std::chars_format::general, digits), by the library fmt.
+inline char* write_rounded_by_fmt(char* first, char* /*last*/, double value, int digits) {
+  return fmt::format_to(first, FMT_STRING("{:.{}g}"), value, digits);
+}
+
+}  // namespace waywright::base
