@@ -22,7 +22,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "build" / "targets"
-# What the native worlds, and those of another target, take at most; an emulator of a slow machine takes minutes.
+# The most that one program may take. An emulator takes a minute.
 SECONDS = 3600
 
 
@@ -136,17 +136,15 @@ class Build:
         self.environment = dict(os.environ, WINEDEBUG="-all", WINEPREFIX=str(FOLDER / "wine"))
 
     def build(self, prefix):
-        if self.target.toolchain in ("", "clang_libcxx"):
-            packages = []
-        else:
+        packages = []
+        if self.target.toolchain:
             packages = [
+                f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/cmake/toolchains/{self.target.toolchain}.cmake",
                 f"-DCMAKE_FIND_ROOT_PATH={prefix}",
                 f"-DCMAKE_PREFIX_PATH={prefix}",
                 "-DBoost_NO_BOOST_CMAKE=ON",
                 f"-DBoost_INCLUDE_DIR={prefix}/include",
             ]
-        if self.target.toolchain:
-            packages.append(f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/cmake/toolchains/{self.target.toolchain}.cmake")
         switches = {"TESTS": "OFF", "EXAMPLES": "OFF", "TOOLS": "ON" if self.with_command else "OFF"}
         run(
             ["cmake", "-S", ROOT, "-B", self.folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]

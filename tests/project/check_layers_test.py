@@ -15,7 +15,9 @@ GOOD = {
     "include/waywright/point.hpp": "#pragma once\n",
     "include/waywright/id.hpp": "#include <cstdint>\n",
     "include/waywright/world.hpp": '#include <vector>\n#include "waywright/point.hpp"\n',
-    "src/exact/sign.hpp": '#include <boost/multiprecision/cpp_int.hpp>\n#include "waywright/point.hpp"\n',
+    "src/base/compiler.hpp": "#include <immintrin.h>\n",
+    "src/base/text.hpp": '#include <fmt/format.h>\n#include "base/compiler.hpp"\n',
+    "src/exact/sign.hpp": '#include "base/compiler.hpp"\n#include <boost/multiprecision/cpp_int.hpp>\n#include "waywright/point.hpp"\n',
     "src/mesh/mesh.hpp": '#include <array>\n#include "waywright/id.hpp"\n',
     "src/locate/walk.hpp": '#include "exact/sign.hpp"\n#include "mesh/mesh.hpp"\n',
     "src/delaunay/flip.hpp": '#include "locate/walk.hpp"\n',
@@ -25,7 +27,7 @@ GOOD = {
     "src/io/dump.hpp": "#pragma once\n",
     "src/world.cpp": '#include "world_impl.hpp"\n#include "io/dump.hpp"\n#include "path/funnel.hpp"\n',
     "src/world_impl.hpp": '#include "constraint/cut.hpp"\n',
-    "tools/waywright/main.cpp": '#include <fmt/format.h>\n#include "run.hpp"\n#include "waywright/world.hpp"\n',
+    "tools/waywright/main.cpp": '#include <fmt/format.h>\n#include "base/text.hpp"\n#include "run.hpp"\n#include "waywright/world.hpp"\n',
     "tools/waywright/run.hpp": "#pragma once\n",
     "bench/walk.cpp": '#include <benchmark/benchmark.h>\n#include "locate/walk.hpp"\n',
     "bench/workloads.hpp": '#include "waywright/world.hpp"\n',
@@ -40,6 +42,8 @@ GOOD = {
 
 # A file, an include that must be refused there.
 BAD = [
+    ("src/base/compiler.hpp", '"mesh/mesh.hpp"'),
+    ("src/base/compiler.hpp", '"waywright/id.hpp"'),
     ("src/exact/sign.hpp", '"mesh/mesh.hpp"'),
     ("src/exact/sign.hpp", '"locate/walk.hpp"'),
     ("src/exact/sign.hpp", '"waywright/world.hpp"'),
@@ -57,6 +61,7 @@ BAD = [
     ("src/locate/walk.hpp", "<constraint/cut.hpp>"),
     ("src/locate/walk.hpp", '"support/scenes.hpp"'),
     ("include/waywright/world.hpp", '"exact/sign.hpp"'),
+    ("include/waywright/world.hpp", '"base/compiler.hpp"'),
     ("include/waywright/world.hpp", '"world_impl.hpp"'),
     ("include/waywright/world.hpp", "<boost/version.hpp>"),
     ("tools/waywright/main.cpp", '"mesh/mesh.hpp"'),
