@@ -81,7 +81,11 @@ PACKAGES = {
     "nlohmann_json": ("nlohmann_json::nlohmann_json", ""),
 }
 
-SCRIPTS = ["tests/scripts/grid_of_walls.wws", "tests/scripts/crossing_that_no_double_names_and_its_nearest_double.wws"]
+SCRIPTS = [
+    "tests/scripts/grid_of_walls.wws",
+    "tests/scripts/crossing_that_no_double_names_and_its_nearest_double.wws",
+    "tests/fuzz/corpus/parse_script/all_operations.wws",
+]
 MAP = "examples/maps/highground.wws"
 
 
@@ -90,17 +94,23 @@ class Fault(Exception):
 
 
 def run(arguments, log, name, **options):
-    """Runs a program; what it prints goes to `log`. Returns its standard output."""
+    """Runs a program and returns its standard output; what it prints otherwise goes to `log`."""
     with open(log, "ab") as errors:
         try:
-            done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=errors, timeout=SECONDS, **options)
+            done = subprocess.run(
+                arguments, **{"stdout": subprocess.PIPE, "stderr": errors, **options}, timeout=SECONDS, check=False
+            )
         except subprocess.TimeoutExpired as late:
             raise Fault(f"{name} took more than {SECONDS} s") from late
-        if done.returncode != 0:
-            errors.write(done.stdout)
     if done.returncode != 0:
         raise Fault(f"{name} failed: see {log.relative_to(ROOT)}")
     return done.stdout
+
+
+def run_into(log, arguments, name):
+    """Runs a program; all it prints goes to `log`."""
+    with open(log, "ab") as text:
+        run(arguments, log, name, stdout=text, stderr=text)
 
 
 def make_prefix():
@@ -136,6 +146,7 @@ class Build:
         self.environment = dict(os.environ, WINEDEBUG="-all", WINEPREFIX=str(FOLDER / "wine"))
 
     def build(self, prefix):
+        (self.folder / "CMakeCache.txt").unlink(missing_ok=True)  # where packages were found may have changed
         packages = []
         if self.target.toolchain:
             packages = [
@@ -146,18 +157,18 @@ class Build:
                 f"-DBoost_INCLUDE_DIR={prefix}/include",
             ]
         switches = {"TESTS": "OFF", "EXAMPLES": "OFF", "TOOLS": "ON" if self.with_command else "OFF"}
-        run(
+        run_into(
+            self.log,
             ["cmake", "-S", ROOT, "-B", self.folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
             + ["-DWAYWRIGHT_WARNINGS_AS_ERRORS=ON"]
             + [f"-DWAYWRIGHT_BUILD_{part}={value}" for part, value in switches.items()]
             + packages
             + self.target.options,
-            self.log,
             "cmake",
         )
         targets = ["waywright", "waywright_print_meshes"] + (["waywright_command"] if self.with_command else [])
         jobs = os.environ.get("WAYWRIGHT_JOBS") or str(os.cpu_count())
-        run(["cmake", "--build", self.folder, "--parallel", jobs, "--target", *targets], self.log, "the build")
+        run_into(self.log, ["cmake", "--build", self.folder, "--parallel", jobs, "--target", *targets], "the build")
 
     def output(self, program, *arguments):
         """What a program of this build prints. Windows ends lines in its own way, which is not what is compared."""
@@ -240,6 +251,8 @@ def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     if shutil.which("ccache"):
         os.environ["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
+    # Emscripten uses modules of Debian's packages, which only Debian's Node looks for by itself.
+    os.environ.setdefault("NODE_PATH", "/usr/share/nodejs")
     prefix = make_prefix()
     check = Check(not arguments.no_command)
     rows = [[target.name, target.about, *check.row(target, prefix)] for target in wanted]

@@ -2,6 +2,7 @@
 
 #if defined(_WIN32)
 #include <fcntl.h>
+#include <initializer_list>
 #include <io.h>
 #include <windows.h>
 #else
