@@ -22,7 +22,7 @@ COMPILER_FILES = {
     "src/base/float_environment.hpp",  # the processor's rounding mode
     "include/waywright/export.hpp",  # visibility of symbols
 }
-SYSTEM_FILES = COMPILER_FILES | {"tools/waywright/system.cpp"}
+SYSTEM_FILES = COMPILER_FILES | {"tools/waywright/platform.cpp"}
 # What decides how a mesh looks, and what measures paths.
 LIBRARY = ("include/", "src/")
 
@@ -36,7 +36,7 @@ class Rule:
 
 
 TO_COMPILER = "belongs in src/base/compiler.hpp"
-TO_SYSTEM = "belongs in tools/waywright/system.cpp"
+TO_SYSTEM = "belongs in tools/waywright/platform.cpp"
 RULES = [
     Rule(r"__builtin_\w+", TO_COMPILER, COMPILER_FILES),
     Rule(r"__attribute__|__declspec|__forceinline", TO_COMPILER, COMPILER_FILES),

@@ -22,7 +22,7 @@ struct Scene {
 
 /// The formats a scene is read from.
 enum class SceneFormat : unsigned char {
-  script,         ///< `.wws`, the world script: what its insertions and removals leave; queries are passed over
+  script,         ///< `.wws`, the world script: what its changes leave; queries are passed over
   movingai,       ///< `.map`: blocked cells become polygons, cell (x, y) the square [x, x+1] x [y, y+1], y downwards
   triangle_poly,  ///< `.poly` of Triangle: segments, and the vertices on none of them as points
   triangle_node,  ///< `.node` of Triangle: points

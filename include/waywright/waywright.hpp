@@ -12,6 +12,7 @@
 #include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
+#include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 #include "waywright/svg.hpp"

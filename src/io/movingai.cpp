@@ -242,6 +242,7 @@ std::vector<Point> Tracer::trace(std::size_t first) {
 }  // namespace
 
 Result<Scene> parse_movingai_map(std::string_view text, std::string_view name) {
+  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
   Result<std::vector<std::string_view>> rows = MapReader(text, name).run();
   if (!rows.ok()) return rows.error();
   const Point far_corner{static_cast<double>(rows->front().size()), static_cast<double>(rows->size())};

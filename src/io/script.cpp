@@ -28,6 +28,7 @@ constexpr std::array kGrammars{
     Grammar{"polyline", "polyline ID N X1 Y1 ... XN YN", OperationKind::insert, ItemKind::polyline},
     Grammar{"polygon", "polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...", OperationKind::insert, ItemKind::polygon},
     Grammar{"remove", "remove ID", OperationKind::remove},
+    Grammar{"replace", "replace KIND ID ...", OperationKind::replace},
     Grammar{"locate", "locate X Y", OperationKind::locate},
     Grammar{"ray", "ray X1 Y1 X2 Y2", OperationKind::ray},
     Grammar{"disc", "disc X Y RADIUS", OperationKind::disc},
@@ -57,6 +58,7 @@ class ScriptParser {
   bool read_domain();
   bool read_operation(Operation& operation, const Grammar& grammar);
   bool read_insertion(Item& item, ItemKind kind);
+  bool read_replacement(Item& item);
   bool read_rings(Shape& shape);
   bool read_ring(std::vector<Point>& ring);
   bool read_algorithm(Operation& operation);
@@ -64,6 +66,8 @@ class ScriptParser {
   /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
   bool next_line(std::string_view& word);
   bool number(double& value);
+  /// Reads a bound of the domain, which the world must be able to hold; `bound` is its name in the usage.
+  bool domain_bound(double& value, std::string_view bound);
   bool point(Point& value) { return number(value.x) && number(value.y); }
   bool id(ItemId& value);
   bool end_of_line();
@@ -109,6 +113,14 @@ bool ScriptParser::number(double& value) {
   if (!read) return fail("a number", word);
   value = *read;
   return true;
+}
+
+bool ScriptParser::domain_bound(double& value, std::string_view bound) {
+  const std::string_view word = words_.peek();
+  if (!number(value)) return false;
+  std::string expected(bound);
+  expected += " to be 0 or of a size from 2^-100 to 2^100";
+  return exact::in_range(value) || fail(expected, word);
 }
 
 bool ScriptParser::id(ItemId& value) {
@@ -170,7 +182,10 @@ bool ScriptParser::read_line(std::string_view word) {
 bool ScriptParser::read_domain() {
   usage_ = kDomainUsage;
   Box& box = script_.domain;
-  if (!point(box.min) || !point(box.max) || !end_of_line()) return false;
+  if (!domain_bound(box.min.x, "X0") || !domain_bound(box.min.y, "Y0") || !domain_bound(box.max.x, "X1") ||
+      !domain_bound(box.max.y, "Y1") || !end_of_line()) {
+    return false;
+  }
   const auto check = [this](double low, double high) {
     std::string found;
     io::append_number(found, high);
@@ -189,6 +204,8 @@ bool ScriptParser::read_operation(Operation& operation, const Grammar& grammar) 
       return read_insertion(operation.item, grammar.item);
     case OperationKind::remove:
       return id(operation.item.id);
+    case OperationKind::replace:
+      return read_replacement(operation.item);
     case OperationKind::locate:
       return point(operation.from);
     case OperationKind::ray:
@@ -213,6 +230,18 @@ bool ScriptParser::read_insertion(Item& item, ItemKind kind) {
   if (kind == ItemKind::polyline) return read_ring(ring);
   ring.resize(kind == ItemKind::point ? 1 : 2);
   return std::all_of(ring.begin(), ring.end(), [this](Point& p) { return point(p); });
+}
+
+bool ScriptParser::read_replacement(Item& item) {
+  constexpr std::string_view kExpected = "'point', 'segment', 'polyline' or 'polygon'";
+  std::string_view word;
+  if (!words_.next(word)) return fail(kExpected, {});
+  const auto grammar = std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) {
+    return g.kind == OperationKind::insert && g.word == word;
+  });
+  if (grammar == kGrammars.end()) return fail(kExpected, word);
+  usage_ = grammar->usage;
+  return read_insertion(item, grammar->item);
 }
 
 bool ScriptParser::read_rings(Shape& shape) {
@@ -270,17 +299,25 @@ std::string_view to_string(const Operation& operation) {
 
 Result<Script> parse_script(std::string_view text, std::string_view name) {
   const base::FloatEnvironment environment;
+  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
   return ScriptParser(text, name).run();
 }
 
 Scene scene_of(const Script& script) {
   const base::FloatEnvironment environment;
-  std::unordered_map<ItemId, const Operation*> alive;
+  struct Live {
+    const Operation* inserted = nullptr;
+    const Operation* shaped = nullptr;  ///< the insertion, or the last replacement after it
+  };
+  std::unordered_map<ItemId, Live> alive;
   for (const Operation& operation : script.operations) {
     if (operation.kind == OperationKind::remove) {
       alive.erase(operation.item.id);
     } else if (operation.kind == OperationKind::insert && fits(operation.item.shape, script.domain)) {
-      alive.try_emplace(operation.item.id, &operation);
+      alive.try_emplace(operation.item.id, Live{&operation, &operation});
+    } else if (operation.kind == OperationKind::replace && fits(operation.item.shape, script.domain)) {
+      const auto found = alive.find(operation.item.id);
+      if (found != alive.end()) found->second.shaped = &operation;
     }
   }
   Scene scene{.domain = script.domain, .items = {}, .y_down = false};
@@ -288,7 +325,9 @@ Scene scene_of(const Script& script) {
   for (const Operation& operation : script.operations) {
     if (operation.kind != OperationKind::insert) continue;
     const auto found = alive.find(operation.item.id);
-    if (found != alive.end() && found->second == &operation) scene.items.push_back(operation.item);
+    if (found != alive.end() && found->second.inserted == &operation) {
+      scene.items.push_back(found->second.shaped->item);
+    }
   }
   return scene;
 }

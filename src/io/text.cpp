@@ -37,7 +37,36 @@ bool is_huge(std::string_view number) {
   return place + (is_negative ? -exponent : exponent) > 0;
 }
 
+/// The encoding of a text that is not UTF-8, as iconv calls it; empty for UTF-8 and for bytes that are no text.
+std::string_view foreign_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xff\xfe\0\0"sv)) return "UTF-32LE";
+  if (text.starts_with("\0\0\xfe\xff"sv)) return "UTF-32BE";
+  if (text.starts_with("\xff\xfe"sv)) return "UTF-16LE";
+  if (text.starts_with("\xfe\xff"sv)) return "UTF-16BE";
+  // Without a byte order mark, the NUL bytes around the first character tell: these formats begin with ASCII.
+  const auto is_ascii = [&](std::size_t i) { return text[i] != '\0' && static_cast<unsigned char>(text[i]) < 0x80; };
+  if (text.size() >= 4 && is_ascii(0) && text.substr(1, 3) == "\0\0\0"sv) return "UTF-32LE";
+  if (text.size() >= 4 && is_ascii(3) && text.substr(0, 3) == "\0\0\0"sv) return "UTF-32BE";
+  if (text.size() >= 2 && is_ascii(0) && text[1] == '\0') return "UTF-16LE";
+  if (text.size() >= 2 && is_ascii(1) && text[0] == '\0') return "UTF-16BE";
+  return {};
+}
+
 }  // namespace
+
+std::optional<Error> skip_byte_order_mark(std::string_view& text, std::string_view name) {
+  constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
+  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
+  const std::string_view encoding = foreign_encoding(text);
+  if (encoding.empty()) return std::nullopt;
+  std::string what = "expected UTF-8, found ";
+  what += encoding;
+  what += "; save the text as UTF-8, or convert it with 'iconv -f ";
+  what += encoding;
+  what += " -t UTF-8'";
+  return error_at(ErrorCode::malformed, name, 1, what);
+}
 
 bool LineReader::next(std::string_view& line) {
   if (rest_.empty()) return false;
@@ -49,12 +78,15 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
+std::string_view WordReader::peek() const {
+  const auto end = std::find_if(rest_.begin(), rest_.end(), is_blank);
+  return rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
+}
+
 bool WordReader::next(std::string_view& word) {
   if (rest_.empty()) return false;
-  const auto end = std::find_if(rest_.begin(), rest_.end(), is_blank);
-  const auto length = static_cast<std::size_t>(end - rest_.begin());
-  word = rest_.substr(0, length);
-  rest_.remove_prefix(length);
+  word = peek();
+  rest_.remove_prefix(word.size());
   skip_blanks();
   return true;
 }

@@ -13,6 +13,10 @@
 
 namespace waywright::io {
 
+/// Takes the byte order mark of UTF-8 off the front of `text`. Returns an error on line 1 of `name` where the text is
+/// encoded as UTF-16 or UTF-32, with a byte order mark or without. Errors: malformed.
+[[nodiscard]] std::optional<Error> skip_byte_order_mark(std::string_view& text, std::string_view name);
+
 /// Hands out the lines of a text, one after the other, without their line ends (LF or CRLF). A line end closes a line:
 /// it starts none, so a text that ends in one has no empty last line.
 class LineReader {
@@ -39,6 +43,9 @@ class WordReader {
 
   /// Puts the next word into `word`; false at the end of the line.
   [[nodiscard]] bool next(std::string_view& word);
+
+  /// The word that next() hands out next; empty at the end of the line.
+  [[nodiscard]] std::string_view peek() const;
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
 

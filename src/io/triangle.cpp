@@ -272,6 +272,7 @@ Scene to_scene(const VertexList& list, const std::vector<Ends>& segments) {
 namespace io {
 
 bool lacks_vertices(std::string_view poly_text) {
+  if (skip_byte_order_mark(poly_text, {})) return false;
   LineReader lines(poly_text);
   std::string_view line;
   while (lines.next(line)) {
@@ -287,6 +288,8 @@ bool lacks_vertices(std::string_view poly_text) {
 Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, std::string_view node_text,
                                   std::string_view node_name) {
   const base::FloatEnvironment environment;
+  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
+  if (auto error = io::skip_byte_order_mark(node_text, node_name)) return *std::move(error);
   SectionReader poly(text, name);
   VertexList list;
   if (!poly.vertices(list)) return poly.take_error();
@@ -304,6 +307,7 @@ Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, 
 
 Result<Scene> parse_triangle_node(std::string_view text, std::string_view name) {
   const base::FloatEnvironment environment;
+  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
   SectionReader node(text, name);
   VertexList list;
   if (!node.vertices(list) || !node.end()) return node.take_error();

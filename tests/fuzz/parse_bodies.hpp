@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 
@@ -83,6 +85,24 @@ inline std::string fault_of_poly(std::string_view text) {
     if (!fault.empty()) return fault;
   }
   return {};
+}
+
+/// The queries of a scenario stand on ascending lines that the text has, and all their numbers are finite.
+inline std::string fault_of_scenario(std::string_view text) {
+  const Result<std::vector<ScenarioQuery>> queries = parse_movingai_scenario(text, kFuzzName);
+  if (!queries.ok()) return fault_of_error(queries.error(), text);
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+  std::size_t last = 1;
+  for (const ScenarioQuery& query : *queries) {
+    if (query.line <= last || query.line > lines) return "a query on a line that is not its own";
+    last = query.line;
+    for (const double number : {query.start.x, query.start.y, query.goal.x, query.goal.y, query.length}) {
+      if (!std::isfinite(number)) return "a number that is not finite";
+    }
+    if (!(query.precision >= 0.0)) return "a precision below 0";
+    if (text.find(query.map) == std::string_view::npos) return "a map that the text does not name";
+  }
+  return queries->empty() ? "no query" : "";
 }
 
 /// Ends the process with a message where there is a fault: what a fuzzer notices.

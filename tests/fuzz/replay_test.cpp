@@ -64,7 +64,10 @@ class Mutator {
                                                   ".@\n",
                                                   "map",
                                                   "\0x",
-                                                  "polygon"};
+                                                  "polygon",
+                                                  "replace",
+                                                  "\xef\xbb\xbf",
+                                                  "\xff\xfe"};
     const std::size_t at = below(text.size() + 1);
     const std::size_t length = std::min(below(8), text.size() - at);
     switch (below(4)) {
@@ -102,6 +105,7 @@ void replay(const std::string& target, Body body) {
 TEST(FuzzReplay, Scripts) { replay("parse_script", fault_of_script); }
 TEST(FuzzReplay, Maps) { replay("parse_map", fault_of_map); }
 TEST(FuzzReplay, Polys) { replay("parse_poly", fault_of_poly); }
+TEST(FuzzReplay, Scenarios) { replay("parse_scenario", fault_of_scenario); }
 
 TEST(FuzzBodies, SeeAWrongScene) {
   Scene scene{.domain = {{0, 0}, {1, 1}}, .items = {{{1}, {ItemKind::point, {{{2, 2}}}}}}};

@@ -64,6 +64,16 @@ TEST(ParseScript, ReadsInsertions) {
               {{1}, {ItemKind::polygon, {{{0, 0}, {1, 0}}, {{5, 5}}, {{1, 1}, {2, 1}, {1, 2}}}}});
 }
 
+TEST(ParseScript, ReadsReplacementsAsInsertionsAfterAWord) {
+  for (const std::string insertion :
+       {"point 7 1 2", "segment 8 1 2 3 4", "polyline 9 2 1 2 3 4", "polygon 1 2 0 0 1 0 / 1 5 5 / 3 1 1 2 1 1 2"}) {
+    const Operation replacement = parsed_one("replace " + insertion);
+    EXPECT_EQ(replacement.kind, OperationKind::replace) << insertion;
+    EXPECT_EQ(replacement.item, parsed_one(insertion).item) << insertion;
+    EXPECT_EQ(to_string(replacement), "replace");
+  }
+}
+
 TEST(ParseScript, ReadsTheOtherOperations) {
   EXPECT_EQ(parsed_one("remove 5").kind, OperationKind::remove);
   EXPECT_EQ(parsed_one("remove 5").item.id, ItemId{5});
@@ -157,10 +167,24 @@ TEST(SceneOf, PassesOverWhatLiesOutsideTheDomainOrOutOfRange) {
   }
 }
 
+TEST(SceneOf, CarriesOutReplacements) {
+  const Scene scene =
+      scene_of(parsed("point 1 1 1\npoint 2 2 2\nreplace segment 1 3 3 4 4\nreplace point 5 5 5\nreplace point 2 11 0\n"
+                      "point 3 3 3\nremove 3\nreplace point 3 4 4\nreplace point 1 6 6"));
+  const std::vector<Item> expected{{{1}, {ItemKind::point, {{{6, 6}}}}}, {{2}, {ItemKind::point, {{{2, 2}}}}}};
+  EXPECT_EQ(scene.items, expected);
+}
+
+TEST(SceneOf, DropsAReplacementWithItsItem) {
+  EXPECT_EQ(scene_of(parsed("point 1 1 1\nreplace point 1 2 2\nremove 1\npoint 1 3 3")).items,
+            (std::vector<Item>{{{1}, {ItemKind::point, {{{3, 3}}}}}}));
+}
+
 TEST(SceneOf, KnowsTheEndsOfTheRange) {
   // 2^100 = 1267650600228229401496703205376 is in range, the next double is not.
   const Result<Script> script = parse_script(
-      "waywright 1\ndomain 0 0 1e40 1e40\npoint 1 1267650600228229401496703205376 0\npoint 2 "
+      "waywright 1\ndomain 0 0 1267650600228229401496703205376 1267650600228229401496703205376\npoint 1 "
+      "1267650600228229401496703205376 0\npoint 2 "
       "1267650600228229682971679916032 0\n",
       "test.wws");
   ASSERT_TRUE(script.ok());

@@ -181,11 +181,10 @@ std::string insertion_line(ItemId id, const Shape& shape) {
   return script.substr(start);
 }
 
-std::string lines_of(const Change& change, ItemId id) {
-  std::string lines;
-  if (change.kind != Change::Kind::insert) lines += "remove " + std::to_string(id.value) + "\n";
-  if (change.kind != Change::Kind::remove) lines += insertion_line(id, change.shape);
-  return lines;
+std::string line_of(const Change& change, ItemId id) {
+  if (change.kind == Change::Kind::remove) return "remove " + std::to_string(id.value) + "\n";
+  const std::string insertion = insertion_line(id, change.shape);
+  return change.kind == Change::Kind::replace ? "replace " + insertion : insertion;
 }
 
 }  // namespace
@@ -202,6 +201,8 @@ ChangeScript changes_of(const Script& script) {
       result.steps.push_back({{{Change::Kind::insert, id, operation.item.shape}}, false});
     } else if (operation.kind == OperationKind::remove) {
       result.steps.push_back({{{Change::Kind::remove, id, {}}}, false});
+    } else if (operation.kind == OperationKind::replace) {
+      result.steps.push_back({{{Change::Kind::replace, id, operation.item.shape}}, false});
     }
   }
   return result;
@@ -214,7 +215,7 @@ std::string to_script(const ChangeScript& changes) {
     const Result<std::vector<ItemId>> ids = live.apply(step);
     if (step.is_batch) script += "# a batch of " + std::to_string(step.changes.size()) + "\n";
     if (!ids) script += "# refused: " + std::string(to_string(ids.error().code)) + "\n";
-    for (std::size_t i = 0; ids && i < step.changes.size(); ++i) script += lines_of(step.changes[i], (*ids)[i]);
+    for (std::size_t i = 0; ids && i < step.changes.size(); ++i) script += line_of(step.changes[i], (*ids)[i]);
   }
   return script;
 }

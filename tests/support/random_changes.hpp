@@ -25,10 +25,10 @@ struct ChangeScript {
 [[nodiscard]] ChangeScript random_changes(Flavour flavour, std::uint64_t seed, std::size_t step_count,
                                           std::size_t live_count);
 
-/// The insertions and removals of a world script; queries are passed over.
+/// The insertions, replacements and removals of a world script; queries are passed over.
 [[nodiscard]] ChangeScript changes_of(const Script& script);
 
-/// A world script of the same changes: a replacement is a removal and an insertion, a batch its changes one by one.
+/// A world script of the same changes: a batch is its changes one by one.
 /// What a world refuses is a comment.
 [[nodiscard]] std::string to_script(const ChangeScript& changes);
 

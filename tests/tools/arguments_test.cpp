@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,119 @@ INSTANTIATE_TEST_SUITE_P(
         Arguments{"convert", "NEW.wws", "NEW.svg"}, Arguments{"convert", "NEW.txt", "NEW.wws"},
         Arguments{"convert", "WORLD", "NEW.wws", "NEW.svg"}, Arguments{"scenario"}, Arguments{"scenario", "WORLD"},
         Arguments{"scenario", "WORLD", "NEW.scen"}, Arguments{"scenario", "NEW.wws", "WORLD"}));
+
+/// The arguments, of which WORLD is a good script's file, and what the command says then.
+struct Message {
+  Arguments arguments;
+  std::string text;
+};
+
+void PrintTo(const Message& message, std::ostream* out) { *out << message.text; }
+
+class Messages : public testing::TestWithParam<Message> {};
+
+TEST_P(Messages, SayWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string world = folder.file("world.wws", kWorld);
+  Arguments arguments = GetParam().arguments;
+  std::replace(arguments.begin(), arguments.end(), std::string("WORLD"), world);
+  const auto result = run_command(arguments);
+  expect_one_line_and_status_2(result);
+  EXPECT_EQ(result.err, GetParam().text + "\n");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+Message of_path(Arguments values, const std::string& text) {
+  values.insert(values.begin(), {"path", "WORLD"});
+  return {values, "waywright path: " + text + " (see waywright path --help)"};
+}
+
+Message of_run(Arguments values, const std::string& text) {
+  values.insert(values.begin(), "run");
+  return {values, "waywright run: " + text + " (see waywright run --help)"};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Counts, Messages,
+    testing::Values(
+        of_path({"--from", "1", "--to", "1", "1"}, "--from takes 2 values, X Y, and only 1 is given: '1'"),
+        of_path({"--from=1", "--to", "1", "1"}, "--from takes 2 values, X Y, and only 1 is given: '1'"),
+        of_path({"--from", "--to", "1", "1"}, "--from takes 2 values, X Y, and none is given"),
+        of_path({"--from", "-1", "-2", "--to", "-.5"}, "--to takes 2 values, X Y, and only 1 is given: '-.5'"),
+        of_path({"--from", "1", "1", "2", "--to", "1", "1"},
+                "--from takes 2 values, X Y, and 3 follow it: '1' '1' '2'"),
+        of_path({"--from", "1", "1", "--to", "1", "1", "2"}, "--to takes 2 values, X Y, and 3 follow it: '1' '1' '2'"),
+        of_path({"--from", "1", "1", "--to", "2", "2", "--from", "1", "1"}, "--from is given twice"),
+        of_path({"--from", "1", "1"}, "--to X Y is missing: Where it ends"),
+        of_path({"--from", "1", "1", "--to", "1", "1", "--algorithm", "--no-mesh"},
+                "--algorithm takes a value, NAME, and none is given"),
+        of_run({}, "SCRIPT is missing: The script (.wws); - is standard input"),
+        of_run({""}, "SCRIPT: the file's name is empty"),
+        of_run({"WORLD", "--svg", ""}, "--svg: the file's name is empty"),
+        of_run({"WORLD", "more"}, "'more' is one argument too many, after SCRIPT"),
+        of_run({"WORLD", "--dump", "--svg", "x"}, "--dump takes a value, FILE, and none is given"),
+        of_run({"WORLD", "--dump="}, "--dump takes a value, FILE, and none is given"),
+        of_run({"WORLD", "--check=false"}, "--check takes no value"),
+        of_run({"WORLD", "--fast"}, "there is no option '--fast'"),
+        of_run({"-world.wws"}, "there is no option '-world.wws'; a file of that name is given as ./-world.wws")));
+
+const std::string kCommands = "; the commands are run, path, scenario, convert and help";
+
+INSTANTIATE_TEST_SUITE_P(
+    Others, Messages,
+    testing::Values(
+        Message{{}, "waywright: a command is missing" + kCommands + " (see waywright --help)"},
+        Message{{"rum", "WORLD"}, "waywright: 'rum' is not a command" + kCommands + " (see waywright --help)"},
+        Message{{"--fast", "run"},
+                "waywright: there is no option '--fast' before the command" + kCommands + " (see waywright --help)"},
+        Message{{"help", "rum"}, "waywright help: 'rum' is not a command" + kCommands},
+        Message{{"help", "run", "path"},
+                "waywright help: 'path' is one argument too many, after COMMAND (see waywright help --help)"},
+        Message{{"scenario", "-", "-"}, "waywright: MAP and SCENARIO cannot both be standard input"},
+        Message{{"scenario", "WORLD", "WORLD", "--query", "-1"},
+                "waywright scenario: --query: '-1' is not the number of a query, which counts from 1 (see waywright "
+                "scenario --help)"},
+        Message{{"convert", "WORLD", "a.png"},
+                "waywright: convert writes world scripts (.wws) and pictures (.svg), and 'a.png' ends in neither; "
+                "--format says which"},
+        Message{{"convert", "WORLD", "-", "--format", "png"},
+                "waywright convert: --format: 'png' is neither wws nor svg (see waywright convert --help)"},
+        Message{{"path", "WORLD", "--from", "1,5", "2", "--to", "1", "1"},
+                "waywright: --from: '1,5' is not a decimal number such as -1.5 or 2e3"},
+        Message{{"path", "WORLD", "--from", "0x1p3", "2", "--to", "1", "1"},
+                "waywright: --from: '0x1p3' is not a decimal number such as -1.5 or 2e3"},
+        Message{{"path", "WORLD", "--from", "1", "1", "--to", "1e400", "1"},
+                "waywright: --to: '1e400' lies beyond +-2^100"},
+        Message{{"path", "WORLD", "--from", "-inf", "1", "--to", "1", "1"},
+                "waywright: path: x of the start, -inf, is not finite"},
+        Message{{"path", "WORLD", "--from", "-1", "-20", "--to", "1", "1"},
+                "waywright: path: the start, (-1, -20), lies outside the domain, (-10, -10) to (10, 10)"}));
+
+TEST(Arguments, MayStandInAnyOrder) {
+  const TemporaryFolder folder;
+  const std::string world = folder.file("world.wws", kWorld);
+  const std::string expected = run_command({"path", world, "--from", "-1", "-2", "--to", "3", "3"}).out;
+  EXPECT_EQ(json_lines(expected).at(0).at("length").get<double>(), std::hypot(4, 5));
+  EXPECT_EQ(run_command({"path", "--to", "3", "3", "--from", "-1", "-2", world}).out, expected);
+  EXPECT_EQ(run_command({"path", "--from=-1", "-2", "--to", "3", "3", "--", world}).out, expected);
+  EXPECT_EQ(run_command({"path", "--from", "-1", "-2", world, "--to", "3", "3"}).out, expected);
+}
+
+TEST(Arguments, TooSmallForADoubleReadAsInAScript) {
+  const auto result = run_command({"path", "-", "--from", "1e-400", "0", "--to", "1", "0"}, kWorld);
+  EXPECT_EQ(json_lines(result.out).at(0).at("length"), 1) << result.err;
+}
+
+TEST(Help, OfACommandIsTheSameByEitherName) {
+  EXPECT_EQ(run_command({"help"}).out, run_command({"--help"}).out);
+  EXPECT_EQ(run_command({"help"}).status, 0);
+  for (const std::string command : {"run", "path", "scenario", "convert", "help"}) {
+    const auto result = run_command({"help", command});
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_EQ(result.out, run_command({command, "--help"}).out) << command;
+    EXPECT_NE(result.out.find("waywright " + command), std::string::npos) << command;
+  }
+}
 
 TEST(Help, IsPrintedWithExamplesForTheCommandAndEachOfItsSubcommands) {
   for (const std::string command : {"", "run", "path", "scenario", "convert"}) {

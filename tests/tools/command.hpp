@@ -96,6 +96,14 @@ inline CommandResult run_command(const std::vector<std::string>& arguments, cons
   return run_program(WAYWRIGHT_COMMAND, arguments, input, output);
 }
 
+/// Runs a line of the shell in which "$W" is the command and "$1", "$2", ... are arguments. The line's own redirections
+/// close and redirect what run_command cannot.
+inline CommandResult run_shell(const std::string& line, std::vector<std::string> arguments = {},
+                               const std::string& input = {}) {
+  arguments.insert(arguments.begin(), {"-c", "W=$0; " + line, WAYWRIGHT_COMMAND});
+  return run_program("sh", arguments, input);
+}
+
 /// Runs a script from standard input.
 inline CommandResult run_script(const std::string& script, std::vector<std::string> options = {}) {
   options.insert(options.begin(), {"run", "-"});

@@ -200,6 +200,61 @@ TEST(RunCommand, RemovesItemsAndFreesTheirIds) {
   EXPECT_EQ(lines[3].at("ok"), true);
 }
 
+TEST(RunCommand, ReplacesItemsAsThoughTheyHadAlwaysBeenSo) {
+  const auto moved = run_script(kHead +
+                                "polygon 7 4 1 1 2 1 2 2 1 2\npoint 8 5 5\nlocate 1.5 1.5\n"
+                                "replace polygon 7 4 3 3 4 3 4 4 3 4\nlocate 1.5 1.5\nlocate 3.5 3.5\n"
+                                "replace segment 8 6 6 7 7\nray 6 7 7 6\ncheck\nhash\n");
+  EXPECT_EQ(moved.status, 0);
+  const auto lines = json_lines(moved.out);
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_EQ(lines[0].at("inside"), json({7}));
+  EXPECT_EQ(lines[1].at("inside"), json::array());
+  EXPECT_EQ(lines[2].at("inside"), json({7}));
+  EXPECT_EQ(lines[3].at("items"), json({8}));
+  EXPECT_EQ(lines[4].at("ok"), true);
+  const auto fresh = json_lines(run_script(kHead + "segment 8 6 6 7 7\npolygon 7 4 3 3 4 3 4 4 3 4\nhash\n").out);
+  EXPECT_EQ(lines[5].at("items"), fresh.at(0).at("items"));
+  EXPECT_EQ(lines[5].at("mesh"), fresh.at(0).at("mesh"));
+}
+
+TEST(RunCommand, RefusesToReplaceWhatIsNotThere) {
+  const auto result = run_script(kHead + "point 1 5 5\nreplace point 9 1 1\nreplace point 1 1000 1\nlocate 5 5\n");
+  EXPECT_EQ(result.status, 0);
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(result.out.substr(0, result.out.find('\n')),
+            R"({"line":4,"op":"replace","error":"unknown-id","message":"no item has id 9"})");
+  EXPECT_EQ(lines[1].at("op"), "replace");
+  EXPECT_EQ(lines[1].at("error"), "out-of-domain");
+  EXPECT_EQ(lines[2].at("at"), "vertex") << "the item stays as it was";
+  EXPECT_EQ(run_script(kHead + "replace point 9 1 1\n", {"--strict"}).status, 1);
+}
+
+TEST(RunCommand, DrawsNoPathOfAWorldBeforeAReplacement) {
+  const TemporaryFolder folder;
+  const std::string head = kHead + "point 1 5 5\n";
+  const auto svg_of = [&](const std::string& lines) { return run_script(head + lines, {"--svg", "-"}).out; };
+  EXPECT_EQ(svg_of("path 1 1 2 2 0\nreplace point 1 6 6\n"), svg_of("replace point 1 6 6\n"));
+  EXPECT_NE(svg_of("replace point 1 6 6\npath 1 1 2 2 0\n"), svg_of("replace point 1 6 6\n"));
+}
+
+TEST(RunCommand, SaysWhatIsWrongWithADomain) {
+  EXPECT_EQ(run_script("waywright 1\n# here\ndomain nan 0 1 1\n").err,
+            "-:3: expected X0 to be 0 or of a size from 2^-100 to 2^100 in 'domain X0 Y0 X1 Y1', found 'nan'\n");
+}
+
+TEST(RunCommand, TakesAByteOrderMarkAndTellsUtf16) {
+  const std::string script = kHead + "locate 5 5\n";
+  EXPECT_EQ(run_script("\xef\xbb\xbf" + script).out, run_script(script).out);
+  std::string wide = "\xff\xfe";
+  for (const char c : script) wide += {c, '\0'};
+  EXPECT_EQ(run_script(wide).status, 2);
+  EXPECT_EQ(run_script(wide).err,
+            "-:1: expected UTF-8, found UTF-16LE; save the text as UTF-8, or convert it with 'iconv -f UTF-16LE -t "
+            "UTF-8'\n");
+}
+
 TEST(RunCommand, HashesDependOnWhatIsAliveAlone) {
   const auto result = run_script(kHead +
                                  "hash\nsegment 1 1 1 9 9\nsegment 2 1 9 9 1\nhash\nremove 1\nremove 2\nhash\n"

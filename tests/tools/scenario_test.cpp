@@ -61,10 +61,13 @@ TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
 // Two blocked cells touch at (1, 1): who starts there may be on either side, and the sides are far from each other.
 TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
   TemporaryFolder folder;
-  const std::string map = folder.file("d.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n.@..\n....\n....\n");
+  const std::string map = folder.file("u.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n.@..\n....\n....\n");
+  const auto line = [](const std::string& ends, const std::string& length) {
+    return "0\tu.map\t4\t4\t" + ends + "\t" + length + "\n";
+  };
   const std::string scenario = folder.file(
-      "d.map.scen", "version 1\n" + query("1\t1\t3\t0", "2.2360679775") + query("0\t3\t1\t1", "2.2360679775") +
-                        query("2\t2\t3\t3", "1.4142135624") + query("2\t1\t3\t1", "1"));
+      "d.map.scen", "version 1\n" + line("1\t1\t3\t0", "2.2360679775") + line("0\t3\t1\t1", "2.2360679775") +
+                        line("2\t2\t3\t3", "1.4142135624") + line("2\t1\t3\t1", "1"));
   const auto result = run_command({"scenario", map, scenario});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(number_after(result.out, "an end between two cells"), "2");
@@ -126,15 +129,52 @@ TEST_P(BadScenarios, AreToldByTheirLineAndLeaveNothing) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadScenarios,
     testing::Values(
-        BadScenario{"", ": holds no queries"}, BadScenario{"version 1\n\n", ": holds no queries"},
-        BadScenario{"version 2\n", ":1: expected 'version 1', as scenarios of Moving AI begin"},
-        BadScenario{"version 1\n0 u.map 3 3 0 0 0 3\n",
-                    ":2: expected 9 fields (bucket, map, width, height, start, goal, length), not 8"},
-        BadScenario{"version 1\n\n0 u.map 3 3 0 x 0 3 3\n", ":3: field 6: 'x' is not a number"},
-        BadScenario{"version 1\n0 u.map 3 3 0 0 nan 3 3\n", ":2: field 7: 'nan' is not a number"},
-        BadScenario{"version 1\n0 u.map 9 9 0 0 0 9 9\n",
+        BadScenario{"", ":1: expected 'version 1', as scenarios of Moving AI begin, found the end of the text"},
+        BadScenario{"version 1\n\n", ":2: expected a query after 'version 1', found the end of the text"},
+        BadScenario{"version 2\n", ":1: expected 'version 1', as scenarios of Moving AI begin, found 'version 2'"},
+        BadScenario{"version 1\n\n0 u.map 3 3 0 x 0 3 3\n", ":3: expected a finite number as the start's y, found 'x'"},
+        BadScenario{"version 1\n0 u.map 3 3 0 0 0 9 9\n",
                     ":2: the goal, (0, 9), lies outside the domain, (0, 0) to (3, 3); is this the scenario of another "
-                    "map?"}));
+                    "map?"},
+        BadScenario{"version 1\n0 u.map 3 3 0 0 0 1 1\n0 maps/dao/v.map 3 3 0 0 0 1 1\n",
+                    ":3: the query is for the map 'maps/dao/v.map', and the map given is 'u.map'; give that map, or "
+                    "--any-map to ask the queries all the same"},
+        BadScenario{
+            "version 1\n0 u.map 4 3 0 0 0 1 1\n",
+            ":2: the query is for a map of 4 x 3 cells, and u.map has 3 x 3; give that map, or --any-map to ask "
+            "the queries all the same"},
+        BadScenario{"version 1\n0 u.map 3 18446744073709551615 0 0 0 1 1\n",
+                    ":2: the query is for a map of 3 x 18446744073709551615 cells, and u.map has 3 x 3; give that map, "
+                    "or --any-map to ask the queries all the same"}));
+
+TEST(ScenarioCommand, TakesTheNameOfItsMapFromAnyFolderAndSystem) {
+  const Files files;
+  for (const std::string name : {"u.map", "maps/dao/u.map", "maps\\dao\\u.map", "./u.map"}) {
+    const auto result = run_command({"scenario", files.map, "-"}, "version 1\n0 " + name + " 3 3 0 0 0 3 3.0\n");
+    EXPECT_EQ(result.status, 0) << name << result.err;
+  }
+  EXPECT_EQ(run_command({"scenario", files.map, "-"}, "version 1\n0 su.map 3 3 0 0 0 3 3.0\n").status, 2);
+}
+
+TEST(ScenarioCommand, AsksTheQueriesOfAnotherMapWhereTold) {
+  const Files files;
+  const std::string scenario = files.folder.file("v.scen", "version 1\n0 v.map 99 3 0 0 0 3 3.0\n");
+  EXPECT_EQ(run_command({"scenario", files.map, scenario}).status, 2);
+  const auto result = run_command({"scenario", files.map, scenario, "--any-map"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(number_after(result.out, "as given"), "1");
+}
+
+// A world script has no cells, and a map converted to one keeps its name.
+TEST(ScenarioCommand, TakesTheMapAsAWorldScript) {
+  const Files files;
+  const std::string script = files.folder.file("u.wws");
+  ASSERT_EQ(run_command({"convert", files.map, script}).status, 0);
+  const auto result = run_command({"scenario", script, files.scenario});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(run_command({"scenario", "-", files.scenario}, read_file(script)).out.substr(0, 40),
+            "6 queries of u.map.scen through standard");
+}
 
 class BadScenarioArguments : public testing::TestWithParam<std::vector<std::string>> {};
 
@@ -170,7 +210,7 @@ TEST(PathCommand, TakesTheNameOfAnAlgorithm) {
     EXPECT_NEAR(lines[0].at("length").get<double>(), 1 + 2 * std::sqrt(5.0), 1e-12);
   }
   EXPECT_EQ(run_command({"path", files.map, "--from", "0", "0", "--to", "3", "0", "--algorithm", "best"}).err,
-            "waywright: --algorithm: 'best' is none of optimal, ta and tra (see waywright --help)\n");
+            "waywright path: --algorithm: 'best' is none of optimal, ta and tra (see waywright path --help)\n");
 }
 
 }  // namespace

@@ -10,11 +10,13 @@
 
 namespace waywright::command {
 
+/// Names of files are `-` for standard input, and for standard output.
+
 /// `waywright run`
 struct RunOptions {
-  std::string script;  ///< a file's name, or `-`
-  std::string dump;    ///< empty: none
-  std::string svg;     ///< empty: none
+  std::string script;
+  std::string dump;  ///< empty: none
+  std::string svg;   ///< empty: none
   bool check = false;
   bool strict = false;
   bool stats = false;
@@ -38,6 +40,7 @@ struct ScenarioOptions {
   std::string csv;                   ///< empty: none
   std::string svg;                   ///< empty: none
   std::vector<std::size_t> queries;  ///< to draw, from 1
+  bool any_map = false;
   bool no_mesh = false;
 };
 
@@ -45,6 +48,7 @@ struct ScenarioOptions {
 struct ConvertOptions {
   std::string in;
   std::string out;
+  std::string format;  ///< `wws`, `svg`, or empty: what the ending of `out` says
   bool no_mesh = false;
 };
 

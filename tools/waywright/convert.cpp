@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "failure.hpp"
+#include "file_names.hpp"
 #include "input.hpp"
 #include "output.hpp"
 
@@ -23,14 +24,23 @@ std::string draw(const Scene& scene, const ConvertOptions& options) {
   return to_svg(build_world(scene, options.in), {}, picture);
 }
 
+/// Whether OUT becomes a picture, or else a world script. Throws Failure where nothing says so.
+bool is_picture(const ConvertOptions& options) {
+  const std::string_view name = options.out;
+  if (!options.format.empty()) return options.format == "svg";
+  if (name.ends_with(".svg")) return true;
+  if (name.ends_with(".wws") || name == "-") return false;
+  throw Failure(
+      fmt::format("waywright: convert writes world scripts (.wws) and pictures (.svg), and '{}' ends in neither; "
+                  "--format says which",
+                  name));
+}
+
 }  // namespace
 
 ExitStatus convert(const ConvertOptions& options) {
-  const std::string_view name = options.out;
-  const bool picture = name.ends_with(".svg");
-  if (!picture && !name.ends_with(".wws")) {
-    throw Failure(fmt::format("waywright: convert writes .wws and .svg files, and '{}' ends in neither", name));
-  }
+  const bool picture = is_picture(options);
+  refuse_shared_files(files_of_map(options.in), {{"OUT", options.out}});
   const Scene scene = load_scene(options.in);
   OutputFile out(options.out);
   out.write(picture ? draw(scene, options) : to_script(scene));

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -15,6 +17,7 @@
 
 #include "base/number_text.hpp"
 #include "failure.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace waywright::command {
@@ -29,8 +32,8 @@ std::string read_all(std::FILE* file, const std::string& name) {
   std::string text;
   std::array<char, 1 << 16> chunk{};
   while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file)) text.append(chunk.data(), count);
-  if (std::ferror(file) != 0) throw Failure(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
-  return text;
+  if (std::ferror(file) == 0) return text;
+  throw Failure(fmt::format("{}: cannot be read: {}", name == "-" ? "standard input" : name, std::strerror(errno)));
 }
 
 double parse_number(std::string_view option, const std::string& word) {
@@ -38,8 +41,13 @@ double parse_number(std::string_view option, const std::string& word) {
   const char* const end = word.data() + word.size();
   const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
   const auto [stop, fault] = base::read_double(word.data() + (plus ? 1 : 0), end, value);
-  if (stop != end || fault != std::errc{}) {
-    throw Failure(fmt::format("waywright: {}: '{}' is not a number that fits a double", option, word));
+  if (stop != end || fault == std::errc::invalid_argument) {
+    throw Failure(fmt::format("waywright: {}: '{}' is not a decimal number such as -1.5 or 2e3", option, word));
+  }
+  // What is too small is the nearest double, as in a script: 0 or a denormal.
+  if (fault == std::errc::result_out_of_range) value = std::strtod(word.c_str(), nullptr);
+  if (fault == std::errc::result_out_of_range && std::isinf(value)) {
+    throw Failure(fmt::format("waywright: {}: '{}' lies beyond +-2^100", option, word));
   }
   return value;
 }
@@ -53,7 +61,14 @@ std::string read_text(const std::string& name) {
   return read_all(file.get(), name);
 }
 
+Script load_script(const std::string& name) {
+  Result<Script> script = parse_script(read_text(name), name);
+  if (!script.ok()) throw Failure(script.error().message);
+  return std::move(script).value();
+}
+
 Scene load_scene(const std::string& name) {
+  if (name == "-") return scene_of(load_script(name));
   Result<Scene> scene = read_scene(name);
   if (!scene.ok()) throw Failure(scene.error().message);
   return std::move(scene).value();
@@ -77,8 +92,16 @@ World build_world(const Scene& scene, const std::string& name) {
     if (left_out++ == 0) first_reason = fmt::format("item {}: {}", item.id.value, inserted.error().message);
   }
   progress.finish();
-  if (left_out > 0) fmt::print(stderr, "{}: left out {} of the items, the first: {}\n", name, left_out, first_reason);
+  if (left_out > 0) {
+    print_message(fmt::format("{}: left out {} of the items, the first: {}", name, left_out, first_reason));
+  }
   return world;
+}
+
+std::vector<NamedFile> files_of_map(const std::string& name) {
+  std::vector<NamedFile> files{{"MAP", name}};
+  if (name.ends_with(".poly")) files.push_back({"MAP", name.substr(0, name.rfind('.')) + ".node"});
+  return files;
 }
 
 Point parse_point(std::string_view option, const std::vector<std::string>& values) {

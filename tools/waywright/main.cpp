@@ -1,18 +1,24 @@
 #include <algorithm>
+#include <charconv>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "waywright/version.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
 #include "output.hpp"
-#include "system.hpp"
+#include "platform.hpp"
 
 namespace waywright::command {
 
@@ -29,6 +35,7 @@ constexpr const char* kExamples =
     "  waywright convert arena.map arena.svg                  draw a map\n"
     "\nwaywright COMMAND --help says more. Exit status: 0 done, 1 a check failed or (--strict) an operation\n"
     "was refused, 2 bad arguments, a file that cannot be read or written, or malformed input.\n";
+constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a world script on standard input";
 constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                the final world, and the paths found in it\n"
@@ -70,12 +77,20 @@ struct CommandLine {
   CLI::App* path = nullptr;
   CLI::App* scenario = nullptr;
   CLI::App* convert = nullptr;
+  CLI::App* help = nullptr;
+  std::string helped;  ///< the command that `help` is asked about; empty for all of them
 };
 
-/// An option that names a file to write.
+std::string check_file_name(const std::string& name) { return name.empty() ? "the file's name is empty" : ""; }
+
+/// A file that is named without an option.
 void add_file(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
-  const auto named = [](const std::string& text) { return std::string(text.empty() ? "the file has no name" : ""); };
-  command.add_option(name, value, about)->type_name("FILE")->check(named);
+  command.add_option(name, value, about)->check(check_file_name)->required();
+}
+
+/// An option that names a file to write.
+void add_file_option(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
+  command.add_option(name, value, about)->type_name("FILE")->check(check_file_name);
 }
 
 void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
@@ -87,12 +102,24 @@ void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
   command.add_option_function<std::string>("--algorithm", read, "optimal (the default), ta or tra")->type_name("NAME");
 }
 
+std::string check_format(const std::string& name) {
+  return name == "wws" || name == "svg" ? "" : "'" + name + "' is neither wws nor svg";
+}
+
+std::string check_query_number(const std::string& word) {
+  std::size_t number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, fault] = std::from_chars(word.data(), end, number);
+  const bool is_good = stop == end && fault == std::errc{} && number > 0;
+  return is_good ? "" : "'" + word + "' is not the number of a query, which counts from 1";
+}
+
 void add_run(CommandLine& line) {
   RunOptions& options = line.run_options;
   line.run = line.app.add_subcommand("run", "Run a world script, one JSON line per answer");
-  line.run->add_option("SCRIPT", options.script, "The script (.wws); - is standard input")->required();
-  add_file(*line.run, "--dump", options.dump, "Write the final mesh, exactly, as text");
-  add_file(*line.run, "--svg", options.svg, "Draw the final world");
+  add_file(*line.run, "SCRIPT", options.script, "The script (.wws); - is standard input");
+  add_file_option(*line.run, "--dump", options.dump, "Write the final mesh, exactly, as text");
+  add_file_option(*line.run, "--svg", options.svg, "Draw the final world");
   line.run->add_flag("--check", options.check, "Validate after every operation; stop at the first fault");
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
   line.run->add_flag("--stats", options.stats,
@@ -103,10 +130,11 @@ void add_run(CommandLine& line) {
 void add_path(CommandLine& line) {
   PathOptions& options = line.path_options;
   line.path = line.app.add_subcommand("path", "Find one path through a map");
-  line.path->add_option("MAP", options.map, "The map, in any format that convert reads")->required();
+  add_file(*line.path, "MAP", options.map, kAboutMap);
   line.path->add_option("--from", options.from, "Where the path starts")
       ->type_size(2)
       ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("X Y")
       ->required();
   line.path->add_option("--to", options.to, "Where it ends")
@@ -116,7 +144,7 @@ void add_path(CommandLine& line) {
       ->type_name("X Y")
       ->required();
   add_algorithm(*line.path, options.algorithm);
-  add_file(*line.path, "--svg", options.svg, "Draw the map and the path");
+  add_file_option(*line.path, "--svg", options.svg, "Draw the map and the path");
   line.path->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
   line.path->footer(kPathExamples);
 }
@@ -124,12 +152,16 @@ void add_path(CommandLine& line) {
 void add_scenario(CommandLine& line) {
   ScenarioOptions& options = line.scenario_options;
   line.scenario = line.app.add_subcommand("scenario", "Find all paths of a scenario and sum them up");
-  line.scenario->add_option("MAP", options.map, "The map, in any format that convert reads")->required();
-  line.scenario->add_option("SCENARIO", options.scenario, "The queries (.scen); - is standard input")->required();
+  add_file(*line.scenario, "MAP", options.map, kAboutMap);
+  add_file(*line.scenario, "SCENARIO", options.scenario, "The queries (.scen); - is standard input");
   add_algorithm(*line.scenario, options.algorithm);
-  add_file(*line.scenario, "--csv", options.csv, "Write a line for each query");
-  add_file(*line.scenario, "--svg", options.svg, "Draw the map and the paths of the queries named by --query");
-  line.scenario->add_option("--query", options.queries, "A query to draw")->type_name("N")->allow_extra_args(false);
+  add_file_option(*line.scenario, "--csv", options.csv, "Write a line for each query");
+  add_file_option(*line.scenario, "--svg", options.svg, "Draw the map and the paths of the queries named by --query");
+  line.scenario->add_option("--query", options.queries, "A query to draw")
+      ->type_name("N")
+      ->allow_extra_args(false)
+      ->check(check_query_number);
+  line.scenario->add_flag("--any-map", options.any_map, "Ask the queries although they name another map or size");
   line.scenario->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
   line.scenario->footer(kScenarioExamples);
 }
@@ -137,45 +169,71 @@ void add_scenario(CommandLine& line) {
 void add_convert(CommandLine& line) {
   ConvertOptions& options = line.convert_options;
   line.convert = line.app.add_subcommand("convert", "Turn a map into a world script or a picture");
-  line.convert->add_option("IN", options.in, "The map: .wws, .map, .poly or .node")->required();
-  line.convert->add_option("OUT", options.out, "What to write: .wws or .svg")->required();
+  add_file(*line.convert, "MAP", options.in, kAboutMap);
+  add_file(*line.convert, "OUT", options.out, "The file to write (.wws or .svg); - is standard output");
+  line.convert->add_option("--format", options.format, "wws or svg, where the ending of OUT does not say it")
+      ->type_name("NAME")
+      ->check(check_format);
   line.convert->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
   line.convert->footer(kConvertExamples);
+}
+
+void add_help(CommandLine& line) {
+  line.help = line.app.add_subcommand("help", "Say more about a command");
+  line.help->add_option("COMMAND", line.helped, "The command; without one, what they all do");
 }
 
 std::unique_ptr<CommandLine> make_command_line() {
   auto line = std::make_unique<CommandLine>();
   line->app.set_version_flag("--version", "waywright " WAYWRIGHT_VERSION, "Print the version");
   line->app.require_subcommand(0, 1);
+  line->app.allow_windows_style_options(false);
   line->app.footer(kExamples);
   add_run(*line);
   add_path(*line);
   add_scenario(*line);
   add_convert(*line);
+  add_help(*line);
   return line;
 }
 
-void print_one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  fmt::print(stderr, "{}\n", text);
+void print_text(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  StreamWriter output(StandardStream::output);
+  output.write_line(text);
+  output.flush();
 }
 
 /// Help and version go to standard output; anything else is a mistake, told in one line.
 ExitStatus answer(const CommandLine& line, const CLI::ParseError& error) {
   if (error.get_exit_code() != 0) {
-    throw Failure(fmt::format("waywright: {} (see waywright --help)", error.what()));
+    const auto commands = line.app.get_subcommands();
+    const std::string asked = commands.empty() ? "waywright" : "waywright " + commands.front()->get_name();
+    throw Failure(fmt::format("{}: {} (see {} --help)", asked, error.what(), asked));
   }
-  StandardOutput output;
   const bool version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
-  std::string text = version ? std::string(error.what()) : line.app.help();
-  while (text.ends_with('\n')) text.pop_back();
-  output.write_line(text);
-  output.flush();
+  print_text(version ? std::string(error.what()) : line.app.help());
+  return kDone;
+}
+
+/// `help COMMAND` prints what `COMMAND --help` does.
+ExitStatus help(const std::string& command) {
+  const auto line = make_command_line();
+  if (!command.empty() && command_named(line->app, command) == nullptr) {
+    throw Failure(fmt::format("waywright help: '{}' is not a command; the commands are {}", command,
+                              names_of_commands(line->app)));
+  }
+  try {
+    line->app.parse(command + " --help");
+  } catch (const CLI::ParseError& error) {
+    return answer(*line, error);
+  }
   return kDone;
 }
 
 ExitStatus dispatch(int argc, const char* const* argv) {
   const auto line = make_command_line();
+  check_arguments(line->app, {argv + std::min(argc, 1), argv + argc});
   try {
     line->app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -185,7 +243,7 @@ ExitStatus dispatch(int argc, const char* const* argv) {
   if (line->path->parsed()) return path(line->path_options);
   if (line->scenario->parsed()) return scenario(line->scenario_options);
   if (line->convert->parsed()) return convert(line->convert_options);
-  throw Failure("waywright: expected a command: run, path, scenario or convert (see waywright --help)");
+  return help(line->helped);
 }
 
 }  // namespace
@@ -194,13 +252,13 @@ ExitStatus dispatch(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   using namespace waywright::command;
-  prepare_streams();
+  prepare_standard_streams();
   try {
     return dispatch(argc, argv);
   } catch (const std::bad_alloc&) {
-    print_one_line("waywright: not enough memory");
+    print_message("waywright: not enough memory");
   } catch (const std::exception& error) {
-    print_one_line(error.what());
+    print_message(error.what());
   }
   return kUnusable;
 }

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "failure.hpp"
+#include "file_names.hpp"
 #include "input.hpp"
 #include "json_lines.hpp"
 #include "output.hpp"
@@ -19,13 +20,14 @@ ExitStatus path(const PathOptions& options) {
   query.start = parse_point("--from", options.from);
   query.goal = parse_point("--to", options.to);
   query.algorithm = options.algorithm;
+  refuse_shared_files(files_of_map(options.map), {{"--svg", options.svg}});
   const Scene scene = load_scene(options.map);
   OutputFile svg(options.svg);
   const World world = build_world(scene, options.map);
 
   const Result<Path> searched = world.find_path(query);
   if (!searched.ok()) throw Failure(fmt::format("waywright: path: {}", searched.error().message));
-  StandardOutput output;
+  StreamWriter output(stream_beside({options.svg}));
   output.write_line(json_line({"path", {}}, *searched));
   output.flush();
   if (svg.wanted()) {

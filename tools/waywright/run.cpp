@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -11,6 +10,7 @@
 
 #include "commands.hpp"
 #include "failure.hpp"
+#include "file_names.hpp"
 #include "input.hpp"
 #include "json_lines.hpp"
 #include "output.hpp"
@@ -20,12 +20,6 @@
 namespace waywright::command {
 
 namespace {
-
-Script load_script(const std::string& name) {
-  Result<Script> script = parse_script(read_text(name), name);
-  if (!script.ok()) throw Failure(script.error().message);
-  return std::move(script).value();
-}
 
 World create_world(const Script& script, const std::string& name) {
   Result<World> world = World::create(script.domain);
@@ -56,17 +50,21 @@ RunResult carry_out(const Script& script, const RunOptions& options, Runner& run
 }  // namespace
 
 ExitStatus run(const RunOptions& options) {
-  if (same_file(options.dump, options.svg)) throw Failure("waywright: --dump and --svg name the same file");
+  refuse_shared_files({{"SCRIPT", options.script}}, {{"--dump", options.dump}, {"--svg", options.svg}});
   const Script script = load_script(options.script);
   World world = create_world(script, options.script);
   OutputFile dump(options.dump);
   OutputFile svg(options.svg);
-  StandardOutput output;
+  StreamWriter output(stream_beside({options.dump, options.svg}));
   Runner runner(world, output);
 
   const RunResult result = carry_out(script, options, runner);
   output.flush();
-  if (options.stats) fmt::print(stderr, "{}\n", json_line(predicate_counts(), world.memory()));
+  if (options.stats) {
+    StreamWriter error(StandardStream::error);
+    error.write_line(json_line(predicate_counts(), world.memory()));
+    error.flush();
+  }
   if (!result.to_the_end) return result.status;
   if (dump.wanted()) dump.write(world.dump());
   if (svg.wanted()) {

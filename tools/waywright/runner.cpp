@@ -30,6 +30,8 @@ Outcome Runner::carry_out(const Operation& operation) {
       return check(operation);
     case OperationKind::remove:
       return remove(operation);
+    case OperationKind::replace:
+      return replace(operation);
     case OperationKind::hash:
       output_.write_line(json_line(request_of(operation), world_.items_hash(), world_.mesh_hash()));
       return Outcome::done;
@@ -58,6 +60,13 @@ Outcome Runner::insert(const Operation& operation) {
 Outcome Runner::remove(const Operation& operation) {
   const Result<void> removed = world_.remove(operation.item.id);
   if (!removed.ok()) return refuse(operation, removed.error());
+  paths_.clear();
+  return Outcome::done;
+}
+
+Outcome Runner::replace(const Operation& operation) {
+  const Result<void> replaced = world_.replace(operation.item.id, operation.item.shape);
+  if (!replaced.ok()) return refuse(operation, replaced.error());
   paths_.clear();
   return Outcome::done;
 }

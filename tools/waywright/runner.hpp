@@ -19,7 +19,7 @@ enum class Outcome : unsigned char { done, refused, check_failed };
 /// Carries out a script's operations, one by one, and prints their answers.
 class Runner {
  public:
-  Runner(World& world, StandardOutput& output) : world_(world), output_(output) {}
+  Runner(World& world, StreamWriter& output) : world_(world), output_(output) {}
 
   Outcome carry_out(const Operation& operation);
   /// Validates the world; prints only a fault.
@@ -30,6 +30,7 @@ class Runner {
  private:
   Outcome insert(const Operation& operation);
   Outcome remove(const Operation& operation);
+  Outcome replace(const Operation& operation);
   Outcome locate(const Operation& operation);
   Outcome cast_ray(const Operation& operation);
   Outcome find_path(const Operation& operation);
@@ -38,7 +39,7 @@ class Runner {
   Outcome refuse_unsupported(const Operation& operation);
 
   World& world_;
-  StandardOutput& output_;
+  StreamWriter& output_;
   QueryContext context_;
   Location location_;
   RayHit hit_;

@@ -1,3 +1,5 @@
+#include "waywright/scenario.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,10 +18,10 @@
 
 #include "commands.hpp"
 #include "failure.hpp"
+#include "file_names.hpp"
 #include "input.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "scenario_file.hpp"
 
 namespace waywright::command {
 
@@ -61,6 +63,38 @@ bool is_between_cells(const World& world, const Point& point, QueryContext& cont
   const bool low = is_blocked(-0.5, -0.5);
   const bool right = is_blocked(0.5, -0.5);
   return low != right && is_blocked(0.5, 0.5) == low && is_blocked(-0.5, 0.5) == right;
+}
+
+std::vector<ScenarioQuery> load_scenario(const std::string& name) {
+  Result<std::vector<ScenarioQuery>> queries = parse_movingai_scenario(read_text(name), name);
+  if (!queries.ok()) throw Failure(queries.error().message);
+  return std::move(queries).value();
+}
+
+/// The name of a map without folders and ending, in which maps of another format differ too. A scenario may come from a
+/// system with other separators.
+std::string_view stem_of(std::string_view name) {
+  name.remove_prefix(std::min(name.find_last_of("/\\") + 1, name.size()));
+  return name.substr(0, name.rfind('.'));
+}
+
+/// Throws Failure where a query is for another map than the one at hand.
+void check_map(const ScenarioOptions& options, const Scene& scene, const std::vector<ScenarioQuery>& queries) {
+  constexpr std::string_view kAdvice = "; give that map, or --any-map to ask the queries all the same";
+  if (options.any_map) return;
+  for (const ScenarioQuery& query : queries) {
+    if (options.map != "-" && stem_of(query.map) != stem_of(options.map)) {
+      throw Failure(fmt::format("{}:{}: the query is for the map '{}', and the map given is '{}'{}", options.scenario,
+                                query.line, query.map, title_of(options.map), kAdvice));
+    }
+    const Point size = scene.domain.max;
+    const bool counts_cells = scene.y_down;  // only such a map has a size in cells
+    if (counts_cells && (static_cast<double>(query.width) != size.x || static_cast<double>(query.height) != size.y)) {
+      throw Failure(fmt::format("{}:{}: the query is for a map of {} x {} cells, and {} has {} x {}{}",
+                                options.scenario, query.line, query.width, query.height, title_of(options.map), size.x,
+                                size.y, kAdvice));
+    }
+  }
 }
 
 /// The queries to be drawn, as positions. Throws Failure.
@@ -198,17 +232,23 @@ class ScenarioRun {
 }  // namespace
 
 ExitStatus scenario(const ScenarioOptions& options) {
-  if (same_file(options.csv, options.svg)) throw Failure("waywright: --csv and --svg name the same file");
+  if (options.map == "-" && options.scenario == "-") {
+    throw Failure("waywright: MAP and SCENARIO cannot both be standard input");
+  }
+  std::vector<NamedFile> inputs = files_of_map(options.map);
+  inputs.push_back({"SCENARIO", options.scenario});
+  refuse_shared_files(inputs, {{"--csv", options.csv}, {"--svg", options.svg}});
   std::vector<ScenarioQuery> queries = load_scenario(options.scenario);
   const std::vector<std::size_t> chosen = chosen_queries(options, queries.size());
   const Scene scene = load_scene(options.map);
+  check_map(options, scene, queries);
   OutputFile csv(options.csv);
   OutputFile svg(options.svg);
   const World world = build_world(scene, options.map);
 
   ScenarioRun run(options, world, std::move(queries));
   run.ask_all();
-  StandardOutput output;
+  StreamWriter output(stream_beside({options.csv, options.svg}));
   output.write_line(run.summary());
   output.flush();
   if (csv.wanted()) csv.write(run.csv());

@@ -1,0 +1,125 @@
+#include "waywright/scenario.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "io/text.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr std::size_t kFields = 9;
+
+/// Half a unit of a decimal number's last digit.
+double precision_of(std::string_view word) {
+  const std::size_t point = word.find('.');
+  const std::size_t end = std::min(word.find_first_of("eE"), word.size());
+  double unit = point == std::string_view::npos ? 1.0 : std::pow(10.0, -static_cast<double>(end - point - 1));
+  if (end < word.size()) unit *= std::pow(10.0, io::read_number(word.substr(end + 1)).value_or(0.0));
+  return unit / 2.0;
+}
+
+/// Reads one scenario. Every reading member returns false once `error_` says what is wrong.
+class ScenarioParser {
+ public:
+  ScenarioParser(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
+
+  Result<std::vector<ScenarioQuery>> run();
+
+ private:
+  bool read_header();
+  bool read_query(const std::vector<std::string_view>& fields);
+  bool cells(std::string_view field, std::string_view word, std::uint64_t& value);
+  bool number(std::string_view field, std::string_view word, double& value);
+  bool fail(std::string_view what);
+
+  io::LineReader lines_;
+  std::string_view name_;
+  std::vector<ScenarioQuery> queries_;
+  Error error_;
+};
+
+bool ScenarioParser::fail(std::string_view what) {
+  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(), what);
+  return false;
+}
+
+bool ScenarioParser::read_header() {
+  std::string_view line;
+  std::string_view word;
+  std::string_view version;
+  if (!lines_.next(line)) {
+    return fail("expected 'version 1', as scenarios of Moving AI begin, found the end of the text");
+  }
+  io::WordReader words(line);
+  const bool matches = words.next(word) && word == "version" && words.next(version) && words.at_end() &&
+                       (version == "1" || version == "1.0");
+  return matches || fail("expected 'version 1', as scenarios of Moving AI begin, found " + io::in_quotes(line));
+}
+
+bool ScenarioParser::cells(std::string_view field, std::string_view word, std::uint64_t& value) {
+  const std::optional<std::uint64_t> read = io::read_unsigned(word);
+  value = read.value_or(0);
+  std::string what = "expected a whole number of cells as the ";
+  what += field;
+  what += ", found ";
+  return read || fail(what + io::in_quotes(word));
+}
+
+bool ScenarioParser::number(std::string_view field, std::string_view word, double& value) {
+  const std::optional<double> read = io::read_number(word);
+  value = read.value_or(0.0);
+  std::string what = "expected a finite number as the ";
+  what += field;
+  what += ", found ";
+  return (read && std::isfinite(*read)) || fail(what + io::in_quotes(word));
+}
+
+bool ScenarioParser::read_query(const std::vector<std::string_view>& fields) {
+  if (fields.size() != kFields) {
+    return fail(io::with_number(
+        "expected 9 fields (bucket, map, width, height, start x, start y, goal x, goal y, length), found ",
+        fields.size(), ""));
+  }
+  ScenarioQuery query;
+  query.line = static_cast<std::uint32_t>(lines_.number());
+  query.map = fields[1];
+  const bool ok = cells("width", fields[2], query.width) && cells("height", fields[3], query.height) &&
+                  number("start's x", fields[4], query.start.x) && number("start's y", fields[5], query.start.y) &&
+                  number("goal's x", fields[6], query.goal.x) && number("goal's y", fields[7], query.goal.y) &&
+                  number("length", fields[8], query.length);
+  query.precision = precision_of(fields[8]);
+  if (ok) queries_.push_back(std::move(query));
+  return ok;
+}
+
+Result<std::vector<ScenarioQuery>> ScenarioParser::run() {
+  if (!read_header()) return std::move(error_);
+  std::string_view line;
+  std::vector<std::string_view> fields;
+  while (lines_.next(line)) {
+    fields.clear();
+    io::WordReader words(line);
+    std::string_view word;
+    while (words.next(word)) fields.push_back(word);
+    if (!fields.empty() && !read_query(fields)) return std::move(error_);
+  }
+  if (queries_.empty()) {
+    fail("expected a query after 'version 1', found the end of the text");
+    return std::move(error_);
+  }
+  return std::move(queries_);
+}
+
+}  // namespace
+
+Result<std::vector<ScenarioQuery>> parse_movingai_scenario(std::string_view text, std::string_view name) {
+  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
+  return ScenarioParser(text, name).run();
+}
+
+}  // namespace waywright
