@@ -49,7 +49,11 @@ Result<Scene> read_poly(std::string_view text, const std::string& file_name) {
   if (!io::lacks_vertices(text)) return parse_triangle_poly(text, file_name);
   const std::string node_name = file_name.substr(0, file_name.rfind('.')) + ".node";
   const Result<std::string> node_text = read_file(node_name);
-  if (!node_text.ok()) return node_text.error();
+  if (!node_text.ok()) {
+    Error error = node_text.error();
+    error.message += "; it should hold the vertices, of which " + file_name + " counts none";
+    return error;
+  }
   return parse_triangle_poly(text, file_name, *node_text, node_name);
 }
 

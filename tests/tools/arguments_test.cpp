@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -172,6 +173,31 @@ TEST(Arguments, MayStandInAnyOrder) {
 TEST(Arguments, TooSmallForADoubleReadAsInAScript) {
   const auto result = run_command({"path", "-", "--from", "1e-400", "0", "--to", "1", "0"}, kWorld);
   EXPECT_EQ(json_lines(result.out).at(0).at("length"), 1) << result.err;
+}
+
+// CLI11 finds nothing wrong that our own check has not found before: its own messages count differently.
+TEST(Arguments, OfAnyKindEndInAStatusAndOneLine) {
+  const TemporaryFolder folder;
+  const std::string world = folder.file("world.wws", kWorld);
+  const std::vector<std::string> vocabulary{
+      "run",    "path",    "scenario", "convert", "help",    world,      world,    "-",          "--",
+      "--from", "--to",    "--from=1", "--query", "1",       "2",        "-3",     "-.5",        "",
+      "--svg",  "--svg=-", "--dump",   "--csv",   "--check", "--stats",  "--help", "-h",         "--strict",
+      "-x",     "--fast",  "=",        "--=",     "-=",      "--check=", "ta",     "--algorithm"};
+  std::mt19937 random(1);
+  for (int i = 0; i < 400; ++i) {
+    Arguments arguments(random() % 7);
+    for (std::string& argument : arguments) argument = vocabulary[random() % vocabulary.size()];
+    if (!arguments.empty() && i % 4 != 0) arguments.front() = vocabulary[random() % 5];
+    const auto result = run_command(arguments);
+    const std::string shown = testing::PrintToString(arguments);
+    ASSERT_TRUE(result.status == 0 || result.status == 2) << shown;
+    if (result.status == 0) continue;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << shown << result.err;
+    for (const std::string phrase : {"not expected", "is required", "required but received", " required "}) {
+      EXPECT_EQ(result.err.find(phrase), std::string::npos) << shown << result.err;
+    }
+  }
 }
 
 TEST(Help, OfACommandIsTheSameByEitherName) {

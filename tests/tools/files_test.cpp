@@ -264,12 +264,16 @@ TEST(WrittenFiles, NameAFolderThatIsNotThere) {
             files.folder.file("sub") + ": cannot be written: Is a directory\n");
 }
 
+// Nobody reads the answers, so that the run stops in its midst when the pipe is full.
 TEST(WrittenFiles, LeaveNothingBehindWhereTheRunIsKilled) {
   const Files files;
+  std::string script = kWorld;
+  for (int i = 0; i < 50000; ++i) script += "locate 1 2\n";
   const auto result = run_shell(
-      "cd \"$1\"; mkfifo pipe; \"$W\" run - --dump new <pipe & exec 3>pipe; echo 'waywright 1' >&3; sleep 0.2; "
-      "kill -9 $!; wait; ls",
-      {files.folder.file("sub")});
+      "cd \"$1\"; mkfifo pipe; { \"$W\" run - --dump new <\"$2\" & echo $! >&2; wait; } 2>id >pipe & exec 3<pipe; "
+      "sleep 1; "
+      "kill -9 $(cat id); wait; rm id; ls",
+      {files.folder.file("sub"), files.folder.file("long", script)});
   EXPECT_EQ(result.out, "pipe\n");
 }
 

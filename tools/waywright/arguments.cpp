@@ -20,11 +20,13 @@ using Words = std::vector<std::string>;
 
 bool asks_for_help(std::string_view word) { return word == "-h" || word == "--help" || word == "--version"; }
 
-/// Whether a word is an option rather than a value: -1, -.5 and - are values.
-bool is_option(std::string_view word) {
-  if (word.size() < 2 || word[0] != '-') return false;
-  if (word == "-inf" || word == "-nan") return false;
-  return word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+/// Whether a word is an option where no value is due.
+bool is_option(std::string_view word) { return word.size() > 1 && word[0] == '-'; }
+
+/// Whether a word is a value where one is due: -1, -.5 and - are values too.
+bool is_value(std::string_view word) {
+  if (!is_option(word) || word == "-inf" || word == "-nan") return true;
+  return word[1] != '-' && std::isalpha(static_cast<unsigned char>(word[1])) == 0;
 }
 
 std::string quoted(const Words& words) {
@@ -92,10 +94,10 @@ std::size_t WordCheck::read_option(const Words& words, std::size_t at) {
   Words values;
   if (equals != std::string::npos && equals + 1 < word.size()) values.push_back(word.substr(equals + 1));
   const auto take = [&] { values.push_back(words[at++]); };
-  while (values.size() < needed && at < words.size() && !is_option(words[at])) take();
+  while (values.size() < needed && at < words.size() && is_value(words[at])) take();
   check_values(*option, name, values);
   const std::size_t next = at;
-  while (at < words.size() && !is_option(words[at])) take();
+  while (at < words.size() && is_value(words[at])) take();
   if (values.size() > needed && crowded_.empty()) {
     crowded_ = fmt::format("{} takes {}, and {} follow it: {}", name, needs_of(*option), values.size(), quoted(values));
   }
