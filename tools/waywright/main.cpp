@@ -33,14 +33,17 @@ constexpr const char* kExamples =
     "  waywright path map.wws --from 3 4 --to 90 60           one path through a map\n"
     "  waywright scenario arena.map arena.map.scen            every query of a scenario, and how long it took\n"
     "  waywright convert arena.map arena.svg                  draw a map\n"
-    "\nwaywright COMMAND --help says more. Exit status: 0 done, 1 a check failed or (--strict) an operation\n"
-    "was refused, 2 bad arguments, a file that cannot be read or written, or malformed input.\n";
+    "\nwaywright help COMMAND says more. - is standard input where a file is read, and standard output where one is\n"
+    "written; answers go to standard error then. No file is written over one that is read.\n"
+    "Exit status: 0 done, 1 a check failed or (--strict) an operation was refused, 2 bad arguments, a file that\n"
+    "cannot be read or written, or malformed input.\n";
 constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a world script on standard input";
 constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                the final world, and the paths found in it\n"
     "  waywright run world.wws --dump world.dump --check      the final mesh; validated after every operation\n"
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
+    "  waywright run world.wws --dump - | sha256sum           the final mesh alone on standard output\n"
     "\nThe files are written when the script has run to its end, whole or not at all. --stats prints one JSON line\n"
     "on standard error: how many questions about points were decided in doubles (with a proven error bound), on a\n"
     "lattice (integers of a fixed width) and in integers of any size, for each kind of question; and how many bytes\n"
@@ -58,13 +61,16 @@ constexpr const char* kScenarioExamples =
     "  waywright scenario arena.map arena.map.scen --algorithm ta --csv arena.csv\n"
     "  waywright scenario arena.map arena.map.scen --svg arena.svg --query 17 --query 160\n"
     "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
-    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. It also counts the queries\n"
+    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. The map's\n"
+    "name, less folders and ending, and for a .map its size, must be those that the scenario gives. It also counts the "
+    "queries\n"
     "with an end where two blocked cells touch at a corner: there the given length may start on the other side.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"
     "  waywright convert greenland.node greenland.svg\n"
-    "  waywright convert face.poly face.svg --no-mesh\n";
+    "  waywright convert face.poly face.svg --no-mesh\n"
+    "  waywright convert arena.map - --format svg | display\n";
 
 /// The command line: what it may hold, and what it holds once parsed.
 struct CommandLine {
