@@ -66,7 +66,7 @@ class CgalPolylines {
   void insert(const Item& item) {
     const std::size_t id = item.id.value;
     if (live_.size() <= id) live_.resize(std::max(id + 1, 2 * live_.size()));
-    for (const std::vector<Point>& ring : item.shape.rings) insert_ring(ring, item.shape.kind, live_[id]);
+    for (const PointSpan& ring : item.shape.rings) insert_ring(ring, item.shape.kind, live_[id]);
   }
 
   void update(const Update& update) {

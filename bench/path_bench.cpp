@@ -77,7 +77,7 @@ void time_queries(benchmark::State& state, const World& world, const std::vector
     const auto start = Clock::now();
     const Result<void> done = world.find_path(query_between(query, contender), context, path);
     times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
-    if (!done.ok()) return state.SkipWithError(done.error().message.c_str());
+    if (!done.ok()) return state.SkipWithError(done.error().message().c_str());
     if (path.status != PathStatus::found) continue;
     ++totals.found;
     totals.length += path.length;

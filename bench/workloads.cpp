@@ -92,7 +92,7 @@ std::vector<Point> square_ring(Point centre, double reach) {
 Box bounding_box(const Item& item) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box box = {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-  for (const std::vector<Point>& ring : item.shape.rings) {
+  for (const PointSpan& ring : item.shape.rings) {
     for (const Point& p : ring) {
       box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
       box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};

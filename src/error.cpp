@@ -1,8 +1,11 @@
 #include "waywright/error.hpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include <cmath>
+#include <string>
 #include <utility>
+
+#include "exact/exact_point.hpp"
+#include "io/text.hpp"
 
 namespace waywright {
 
@@ -40,7 +43,72 @@ std::string_view to_string(ErrorCode code) {
   return "unknown";
 }
 
-BadResult::BadResult(Error error) : std::runtime_error(error.message), error_(std::move(error)) {}
+namespace {
+
+void append_point_error(std::string& text, const Error& error) {
+  const auto& [name, number, has_number] = error.words.point_name;
+  const Point& point = error.words.point;
+  const auto append_name = [&] {
+    text += name;
+    if (has_number) text += io::with_number(" ", number, "");
+    text += ", ";
+  };
+  if (error.code == ErrorCode::out_of_domain) {
+    append_name();
+    text += to_string(point) + ", lies outside the domain, " + to_string(error.words.domain.min) + " to " +
+            to_string(error.words.domain.max);
+    return;
+  }
+  const bool is_x = !exact::in_range(point.x);
+  const double value = is_x ? point.x : point.y;
+  text += is_x ? "x of " : "y of ";
+  append_name();
+  io::append_number(text, value);
+  if (!std::isfinite(value)) {
+    text += ", is not finite";
+  } else if (std::abs(value) > exact::kLargestCoordinate) {
+    text += ", lies beyond +-2^100";
+  } else {
+    text += ", is nearer to 0 than 2^-100 without being 0";
+  }
+}
+
+/// Of an error that its id says all about.
+void append_id_error(std::string& text, const Error& error) {
+  switch (error.code) {
+    case ErrorCode::id_in_use:
+      text += io::with_number("an item has id ", error.item.value, " already");
+      break;
+    case ErrorCode::unknown_id:
+      text += io::with_number("no item has id ", error.item.value, "");
+      break;
+    case ErrorCode::bad_id:
+      text +=
+          "ids go from 1 to 2^63 - 1, and " + std::to_string(static_cast<std::int64_t>(error.item.value)) + " is none";
+      break;
+    default:
+      text += to_string(error.code);
+  }
+}
+
+}  // namespace
+
+std::string Error::message() const {
+  std::string text;
+  if (words.list != nullptr) text = words.list + io::with_number(" ", index, ": ");
+  if (!words.text.empty()) {
+    text += words.text;
+  } else if (words.literal != nullptr) {
+    text += words.literal;
+  } else if (words.point_name.name != nullptr) {
+    append_point_error(text, *this);
+  } else {
+    append_id_error(text, *this);
+  }
+  return text;
+}
+
+BadResult::BadResult(Error error) : std::runtime_error(error.message()), error_(std::move(error)) {}
 
 // Defined here so that the class's type information is in the library, once.
 BadResult::~BadResult() = default;
@@ -51,9 +119,13 @@ void raise(const Error& error) {
 #if defined(__cpp_exceptions)
   throw BadResult(error);
 #else
-  std::fprintf(stderr, "waywright: value() of a refused call: %s\n", error.message.c_str());
-  std::abort();
+  fail_value_of(error);
 #endif
+}
+
+void fail_value_of(const Error& error) {
+  const std::string message = "the value of a refused call was taken: " + error.message();
+  fail_assertion({message.c_str(), "Result::ok()", __FILE__, __LINE__});
 }
 
 }  // namespace detail

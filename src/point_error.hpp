@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string_view>
 
 #include "waywright/error.hpp"
 #include "waywright/point.hpp"
@@ -12,7 +11,8 @@
 namespace waywright {
 
 /// What is wrong with the coordinates of `point`, which messages call `name`.
-[[nodiscard]] std::optional<Error> find_range_error(const Point& point, std::size_t index, std::string_view name);
+[[nodiscard]] std::optional<Error> find_range_error(const Point& point, std::size_t index,
+                                                    const detail::PointName& name);
 
 /// Whether `point` may be asked about in a world over `domain`.
 [[nodiscard]] inline bool is_point_of(const Box& domain, const Point& point) {
@@ -21,12 +21,13 @@ namespace waywright {
 }
 
 /// What is wrong with `point` as a point of a world over `domain`, where is_point_of() says that something is. It is
-/// the `index`-th of a list; messages call it `name` or, where that is empty, by its index.
-[[nodiscard]] Error point_error(const Box& domain, const Point& point, std::size_t index, std::string_view name);
+/// the `index`-th of a list; messages call it `name`.
+[[nodiscard]] Error point_error(const Box& domain, const Point& point, std::size_t index,
+                                const detail::PointName& name);
 
 /// That, or nothing.
 [[nodiscard]] inline std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index,
-                                                           std::string_view name = {}) {
+                                                           const detail::PointName& name) {
   if (is_point_of(domain, point)) return std::nullopt;
   return point_error(domain, point, index, name);
 }

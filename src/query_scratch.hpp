@@ -2,6 +2,8 @@
 
 #include "waywright/query_context.hpp"
 
+#include "constraint/canonical.hpp"
+#include "constraint/item_queries.hpp"
 #include "path/finder.hpp"
 #include "path/kept_cover.hpp"
 #include "path/polyline_walk.hpp"
@@ -10,6 +12,8 @@ namespace waywright::detail {
 
 struct QueryScratch {
   path::KeptCover cover;
+  constraint::ItemQueryScratch items;
+  constraint::CanonicalOrder order;
   path::Finder finder;
   path::PolylineWalk polyline_walk;
 };

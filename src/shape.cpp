@@ -1,6 +1,9 @@
-#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
 
+#include "waywright/assert.hpp"
 #include "waywright/item.hpp"
 
 #include "base/float_environment.hpp"
@@ -17,7 +20,7 @@ struct Moments {
 
 /// About `origin`, which keeps small things far from (0, 0) accurate. The area is positive whichever way the ring
 /// turns.
-Moments moments(const std::vector<Point>& ring, const Point& origin) {
+Moments moments(PointSpan ring, const Point& origin) {
   Moments sum;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& next = ring[(i + 1) % ring.size()];
@@ -33,7 +36,7 @@ Moments moments(const std::vector<Point>& ring, const Point& origin) {
   return sum.area < 0.0 ? Moments{-sum.area, -sum.x, -sum.y} : sum;
 }
 
-bool is_within(const Point& point, const std::vector<Point>& ring) {
+bool is_within(const Point& point, PointSpan ring) {
   bool is_inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& p = ring[i];
@@ -44,7 +47,7 @@ bool is_within(const Point& point, const std::vector<Point>& ring) {
   return is_inside;
 }
 
-bool is_hole(const std::vector<std::vector<Point>>& rings, std::size_t ring) {
+bool is_hole(const Rings& rings, std::size_t ring) {
   std::size_t around = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (i != ring && is_within(rings[ring].front(), rings[i])) ++around;
@@ -56,30 +59,64 @@ Point mean_of_points(const Shape& shape, const Point& origin) {
   double x = 0.0;
   double y = 0.0;
   double count = 0.0;
-  for (const std::vector<Point>& ring : shape.rings) {
-    for (const Point& point : ring) {
-      x += point.x - origin.x;
-      y += point.y - origin.y;
-      count += 1.0;
-    }
+  for (const Point& point : shape.rings.points()) {
+    x += point.x - origin.x;
+    y += point.y - origin.y;
+    count += 1.0;
   }
   return {origin.x + x / count, origin.y + y / count};
 }
 
+/// Cosine and sine of the angle, which lies within [0, pi / 4], by their series: the first terms left out are below
+/// 2^-54. The standard library's differ from machine to machine; sums, products and quotients do not.
+Point direction(double angle) {
+  const double square = angle * angle;
+  double cosine = 1.0;
+  double sine = 1.0;
+  for (int i = 16; i >= 2; i -= 2) {
+    cosine = 1.0 - cosine * square / (i * (i - 1));
+    sine = 1.0 - sine * square / (i * (i + 1));
+  }
+  return {cosine, angle * sine};
+}
+
+/// The direction of i / n of a full turn, from an angle within an eighth of a turn by reflection and quarter turns.
+Point direction(std::size_t i, std::size_t n) {
+  const std::size_t eighth = 8 * i / n;
+  const std::size_t rest = 8 * i % n;
+  const bool is_reflected = eighth % 2 == 1;
+  const double share = static_cast<double>(is_reflected ? n - rest : rest) / static_cast<double>(n);
+  Point result = direction(std::numbers::pi / 4 * share);
+  if (is_reflected) result = {result.y, result.x};
+  for (std::size_t quarter = 0; quarter < eighth / 2; ++quarter) result = {-result.y, result.x};
+  return result;
+}
+
 }  // namespace
+
+Shape Shape::regular_polygon(const Point& centre, double radius, std::size_t corner_count) {
+  const base::FloatEnvironment environment;
+  WAYWRIGHT_ASSERT(corner_count >= 3, "Shape::regular_polygon: a polygon has 3 corners or more");
+  std::vector<Point> ring;
+  ring.reserve(corner_count);
+  for (std::size_t i = 0; i < corner_count; ++i) {
+    const Point towards = direction(i, corner_count);
+    ring.push_back({centre.x + radius * towards.x, centre.y + radius * towards.y});
+  }
+  return polygon(std::move(ring));
+}
 
 Shape translated(const Shape& shape, double dx, double dy) {
   const base::FloatEnvironment environment;
   Shape moved = shape;
-  for (std::vector<Point>& ring : moved.rings) {
-    for (Point& point : ring) point = {point.x + dx, point.y + dy};
-  }
+  for (Point& point : moved.rings.points()) point = {point.x + dx, point.y + dy};
   return moved;
 }
 
 Point centroid(const Shape& shape) {
   const base::FloatEnvironment environment;
-  const Point origin = shape.rings.front().front();
+  WAYWRIGHT_ASSERT(!shape.rings.points().empty(), "centroid: the shape has no point");
+  const Point origin = shape.rings.points().front();
   if (shape.kind != ItemKind::polygon) return mean_of_points(shape, origin);
   Moments sum;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {

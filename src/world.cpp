@@ -34,10 +34,14 @@ namespace {
 /// nobody can count before they are made.
 constexpr std::size_t kLargestPointCount = std::size_t{1} << 27;
 
+constexpr char kNoThread[] = "BulkOptions: `threads` is 0; the calling thread is one";
+
 std::optional<Error> find_arity_error(const Shape& shape) {
-  const auto refuse = [](std::string message) { return Error{ErrorCode::empty_shape, std::move(message), {}, 0}; };
-  if (shape.rings.empty()) return refuse("a " + std::string(to_string(shape.kind)) + " needs a ring of points");
-  for (const std::vector<Point>& ring : shape.rings) {
+  const auto refuse = [](detail::ErrorWords message) {
+    return Error{ErrorCode::empty_shape, std::move(message), {}, 0};
+  };
+  if (shape.rings.empty()) return refuse("a shape needs a ring of points");
+  for (const PointSpan& ring : shape.rings) {
     if (ring.empty()) return refuse("a ring needs at least one point");
   }
   if (shape.kind == ItemKind::polygon) return std::nullopt;
@@ -48,26 +52,15 @@ std::optional<Error> find_arity_error(const Shape& shape) {
   return std::nullopt;
 }
 
-std::size_t count_points(const Shape& shape) {
-  std::size_t count = 0;
-  for (const std::vector<Point>& ring : shape.rings) count += ring.size();
-  return count;
-}
-
 Error too_large() { return {ErrorCode::too_large, "the world has too many vertices", {}, 0}; }
 
 std::optional<Error> find_shape_error(const Box& domain, const Shape& shape, std::size_t vertex_count) {
   if (auto error = find_arity_error(shape)) return error;
-  std::size_t index = 0;
-  for (const std::vector<Point>& ring : shape.rings) {
-    for (const Point& point : ring) {
-      if (auto error = find_point_error(domain, point, index)) return error;
-      ++index;
-    }
+  const std::span<const Point> points = shape.rings.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (auto error = find_point_error(domain, points[i], i, {"point", i})) return error;
   }
-  if (vertex_count + index > kLargestPointCount) {
-    return too_large();
-  }
+  if (vertex_count + points.size() > kLargestPointCount) return too_large();
   return std::nullopt;
 }
 
@@ -76,13 +69,19 @@ Error about(ItemId id, Error error) {
   return error;
 }
 
-Error bad_id(ItemId id) { return {ErrorCode::bad_id, "ids go up to 2^63 - 1", id, 0}; }
+Error bad_id(ItemId id) { return {ErrorCode::bad_id, {}, id, 0}; }
 
-Error id_in_use(ItemId id) {
-  return {ErrorCode::id_in_use, "an item has id " + std::to_string(id.value) + " already", id, 0};
+Error id_in_use(ItemId id) { return {ErrorCode::id_in_use, {}, id, 0}; }
+
+Error unknown_id(ItemId id) {
+  return {id.value > ItemId::kLargest ? ErrorCode::bad_id : ErrorCode::unknown_id, {}, id, 0};
 }
 
-Error unknown_id(ItemId id) { return {ErrorCode::unknown_id, "no item has id " + std::to_string(id.value), id, 0}; }
+/// Makes the error's index, which has been set to the position of a list's element, a part of the message.
+Error in_list(const char* element, Error error) {
+  error.words.list = element;
+  return error;
+}
 
 /// Checks changes one after the other against the ids and the size that the ones before will have left.
 class BatchCheck {
@@ -131,7 +130,7 @@ class BatchCheck {
   }
   [[nodiscard]] std::optional<Error> count_in(const Shape& shape) {
     if (auto error = find_shape_error(world_.domain(), shape, vertices_)) return error;
-    vertices_ += count_points(shape);
+    vertices_ += shape.rings.points().size();
     return std::nullopt;
   }
   [[nodiscard]] bool is_alive(ItemId id) const {
@@ -163,23 +162,24 @@ locate::Crew crew_of(const BulkOptions& options, std::size_t total) {
           }};
 }
 
-/// The shape of a live item. Uses `outline` for its memory.
-Shape shape_of(const constraint::ExactTriangulation& triangulation, ItemId id, constraint::Outline& outline) {
-  const std::uint32_t slot = triangulation.items().slot(id);
-  triangulation.items().outline(slot, outline);
+/// Fills `shape` with that of a live item, for its memory.
+void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
+  const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  Shape shape{triangulation.items().kind(slot), {}};
-  std::size_t i = 0;
-  for (const std::uint32_t end : outline.ring_ends) {
-    std::vector<Point>& ring = shape.rings.emplace_back();
-    for (; i < end; ++i) ring.push_back(geometry.nearest(number(outline.corners[i])));
-  }
-  if (shape.kind == ItemKind::segment && shape.rings[0].size() == 1) shape.rings[0].push_back(shape.rings[0][0]);
-  return shape;
-}
-
-Shape shape_of_points(ItemKind kind, std::span<const Point> points) {
-  return {kind, {std::vector<Point>(points.begin(), points.end())}};
+  const std::uint32_t slot = items.slot(id);
+  std::size_t count = 0;
+  items.for_each_corner(slot, [&](mesh::Vertex, bool) { ++count; });
+  shape.kind = items.kind(slot);
+  const bool is_a_place = shape.kind == ItemKind::segment && count == 1;
+  shape.rings.clear();
+  shape.rings.reserve(is_a_place ? 2 : count);
+  bool starts_ring = true;
+  items.for_each_corner(slot, [&](mesh::Vertex corner, bool ends_ring) {
+    if (starts_ring) shape.rings.start_ring();
+    shape.rings.add_point(geometry.nearest(number(corner)));
+    starts_ring = ends_ring;
+  });
+  if (is_a_place) shape.rings.add_point(shape.rings[0][0]);
 }
 
 }  // namespace
@@ -218,26 +218,13 @@ Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   return id;
 }
 
-Result<ItemId> World::insert_point(Point point, ItemId id) {
-  return insert(shape_of_points(ItemKind::point, {&point, 1}), id);
-}
+Result<ItemId> World::insert_point(Point point, ItemId id) { return insert(Shape::point(point), id); }
 
-Result<ItemId> World::insert_segment(Point a, Point b, ItemId id) {
-  const std::array<Point, 2> ends = {a, b};
-  return insert(shape_of_points(ItemKind::segment, ends), id);
-}
+Result<ItemId> World::insert_segment(Point a, Point b, ItemId id) { return insert(Shape::segment(a, b), id); }
 
-Result<ItemId> World::insert_polyline(std::span<const Point> points, ItemId id) {
-  return insert(shape_of_points(ItemKind::polyline, points), id);
-}
+Result<ItemId> World::insert_polyline(PointSpan points, ItemId id) { return insert(Shape::polyline(points), id); }
 
-Result<ItemId> World::insert_polygon(std::span<const Point> ring, ItemId id) {
-  return insert(shape_of_points(ItemKind::polygon, ring), id);
-}
-
-Result<ItemId> World::insert_polygon(std::span<const std::vector<Point>> rings, ItemId id) {
-  return insert(Shape{ItemKind::polygon, {rings.begin(), rings.end()}}, id);
-}
+Result<ItemId> World::insert_polygon(Rings rings, ItemId id) { return insert(Shape::polygon(std::move(rings)), id); }
 
 Result<void> World::remove(ItemId id) {
   const base::FloatEnvironment environment;
@@ -265,10 +252,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
   BatchCheck check(*this, impl_->triangulation.items());
   bool is_all_insertions = true;
   for (const Change& change : changes) {
-    if (auto error = check.add(change)) {
-      error->message = "change " + std::to_string(error->index) + ": " + error->message;
-      return *std::move(error);
-    }
+    if (auto error = check.add(change)) return in_list("change", *std::move(error));
     is_all_insertions = is_all_insertions && change.kind == Change::Kind::insert;
   }
   const std::span<const ItemId> ids = check.ids();
@@ -296,18 +280,16 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
   const base::FloatEnvironment environment;
   BatchCheck check(*this, impl_->triangulation.items());
   for (const Item& item : items) {
-    if (auto error = check.add_insertion(item.shape, item.id)) {
-      error->message = "item " + std::to_string(error->index) + ": " + error->message;
-      return *std::move(error);
-    }
+    if (auto error = check.add_insertion(item.shape, item.id)) return in_list("item", *std::move(error));
   }
+  WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
   const std::size_t total = check.point_count() + items.size();
   impl_->insert_all(constraint::ShapeBatch<Item>{items, check.ids()}, crew_of(options, total));
   if (options.progress) options.progress(total, total);
   return check.take_ids();
 }
 
-Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first, const BulkOptions& options) {
+Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOptions& options) {
   const base::FloatEnvironment environment;
   const constraint::ItemTable& items = impl_->triangulation.items();
   const ItemId largest = items.largest_id_seen();
@@ -320,9 +302,10 @@ Result<ItemId> World::insert_points(std::span<const Point> points, ItemId first,
     };
     if (id.value > ItemId::kLargest || id < first) return refuse(bad_id(id));
     if (id <= largest && items.contains(id)) return refuse(id_in_use(id));
-    if (auto error = find_point_error(domain(), points[i], i)) return refuse(*std::move(error));
+    if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return refuse(*std::move(error));
   }
   if (vertex_count() + points.size() > kLargestPointCount) return about(first, too_large());
+  WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
   impl_->insert_all(constraint::PointBatch{points, first}, crew_of(options, points.size()));
   if (options.progress) options.progress(points.size(), points.size());
   return first;
@@ -334,17 +317,34 @@ std::size_t World::item_count() const { return impl_->triangulation.items().size
 
 std::vector<ItemId> World::item_ids() const { return impl_->triangulation.items().ids(); }
 
-Result<Shape> World::shape(ItemId id) const {
+void World::item_ids(std::vector<ItemId>& ids) const { impl_->triangulation.items().ids(ids); }
+
+Result<void> World::shape(ItemId id, Shape& shape) const {
   if (!contains(id)) return unknown_id(id);
-  constraint::Outline outline;
-  return shape_of(impl_->triangulation, id, outline);
+  fill_shape(impl_->triangulation, id, shape);
+  return {};
+}
+
+Result<Shape> World::shape(ItemId id) const {
+  Shape shape;
+  if (auto done = this->shape(id, shape); !done) return done.error();
+  return shape;
+}
+
+void World::items(QueryContext& context, std::vector<Item>& items) const {
+  std::vector<ItemId>& ids = context.scratch_->items.ids;
+  item_ids(ids);
+  items.resize(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    items[i].id = ids[i];
+    fill_shape(impl_->triangulation, ids[i], items[i].shape);
+  }
 }
 
 std::vector<Item> World::items() const {
+  QueryContext context;
   std::vector<Item> items;
-  items.reserve(item_count());
-  constraint::Outline outline;
-  for (const ItemId id : item_ids()) items.push_back({id, shape_of(impl_->triangulation, id, outline)});
+  this->items(context, items);
   return items;
 }
 
@@ -393,20 +393,34 @@ Result<Location> World::locate(Point point) const {
   return location;
 }
 
-Result<std::vector<ItemId>> World::items_at(Point point) const {
+Result<void> World::items_at(Point point, QueryContext& context, std::vector<ItemId>& items) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
-  path::KeptCover cover;
-  cover.use(impl_->kept_abstraction());
-  return constraint::items_at(impl_->triangulation, cover, point);
+  detail::QueryScratch& scratch = *context.scratch_;
+  scratch.cover.use(impl_->kept_abstraction());
+  constraint::items_at(impl_->triangulation, scratch.cover, point, scratch.items, items);
+  return {};
+}
+
+Result<std::vector<ItemId>> World::items_at(Point point) const {
+  QueryContext context;
+  std::vector<ItemId> items;
+  if (auto done = items_at(point, context, items); !done) return done.error();
+  return items;
+}
+
+Result<void> World::items_crossed(Point from, Point to, QueryContext& context, std::vector<CrossedItem>& items) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
+  constraint::items_crossed(impl_->triangulation, from, to, context.scratch_->items, items);
+  return {};
 }
 
 Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) const {
-  const base::FloatEnvironment environment;
-  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
-  std::vector<CrossedItem> result;
-  for (const auto& [id, at] : constraint::items_crossed(impl_->triangulation, from, to)) result.push_back({id, at});
-  return result;
+  QueryContext context;
+  std::vector<CrossedItem> items;
+  if (auto done = items_crossed(from, to, context, items); !done) return done.error();
+  return items;
 }
 
 Result<void> World::ray(Point from, Point to, RayHit& hit) const {
@@ -422,19 +436,26 @@ Result<RayHit> World::ray(Point from, Point to) const {
   return hit;
 }
 
-Result<std::vector<ItemId>> World::items_in(const Box& box) const {
+Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const {
   const base::FloatEnvironment environment;
   if (auto error = find_range_error(box.min, 0, "the box's min")) return *std::move(error);
   if (auto error = find_range_error(box.max, 1, "the box's max")) return *std::move(error);
   if (box.min.x > box.max.x || box.min.y > box.max.y) {
     return Error{ErrorCode::bad_domain, "a box needs min.x <= max.x and min.y <= max.y", {}, 0};
   }
-  const bool is_outside = box.min.x > domain().max.x || box.max.x < domain().min.x || box.min.y > domain().max.y ||
-                          box.max.y < domain().min.y;
-  if (is_outside) return std::vector<ItemId>{};
-  path::KeptCover cover;
-  cover.use(impl_->kept_abstraction());
-  return constraint::items_in(impl_->triangulation, cover, box);
+  items.clear();
+  if (!box.overlaps(domain())) return {};
+  detail::QueryScratch& scratch = *context.scratch_;
+  scratch.cover.use(impl_->kept_abstraction());
+  constraint::items_in(impl_->triangulation, scratch.cover, box, scratch.items, items);
+  return {};
+}
+
+Result<std::vector<ItemId>> World::items_in(const Box& box) const {
+  QueryContext context;
+  std::vector<ItemId> items;
+  if (auto done = items_in(box, context, items); !done) return done.error();
+  return items;
 }
 
 MemoryUse World::memory() const {
@@ -459,9 +480,16 @@ ItemsHash World::items_hash() const { return {impl_->triangulation.items().hash(
 
 MeshHash World::mesh_hash() const { return {io::sha256(dump())}; }
 
-MeshSnapshot World::snapshot() const {
+void World::snapshot(QueryContext& context, MeshSnapshot& snapshot) const {
   const base::FloatEnvironment environment;
-  return constraint::canonical_mesh(impl_->triangulation).snapshot;
+  constraint::take_snapshot(impl_->triangulation, context.scratch_->order, snapshot);
+}
+
+MeshSnapshot World::snapshot() const {
+  QueryContext context;
+  MeshSnapshot snapshot;
+  this->snapshot(context, snapshot);
+  return snapshot;
 }
 
 std::string World::dump() const {

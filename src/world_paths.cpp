@@ -72,10 +72,11 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   for (std::size_t i = 0; i < queries.size(); ++i) {
     if (auto error = find_query_error(*this, impl_->abstraction.has_value(), queries[i])) {
       error->index = i;
-      error->message = "query " + std::to_string(i) + ": " + error->message;
+      error->words.list = "query";
       return *std::move(error);
     }
   }
+  WAYWRIGHT_ASSERT(!contexts.empty(), "World::find_paths: there is no context, or the number of threads is 0");
   paths.resize(queries.size());
   const locate::Crew crew(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {});
   crew.take_turns(queries.size(), [&](std::size_t thread, std::size_t i) {
@@ -98,10 +99,7 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), query.start, 0, "the start")) return *std::move(error);
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
-    const auto find_error = [&](std::string_view name) {
-      return find_point_error(domain(), query.goals[i], i + 1, name);
-    };
-    if (find_error("a goal")) return *find_error("goal " + std::to_string(i));
+    if (auto error = find_point_error(domain(), query.goals[i], i + 1, {"goal", i})) return *std::move(error);
   }
   if (auto error = find_radius_error(query.radius)) return *std::move(error);
   if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);

@@ -48,7 +48,7 @@ TEST(Bulk, RefusedBatchesChangeNothing) {
     const auto expect_refused = [&](std::vector<Item> items, ErrorCode code, std::uint64_t index) {
       const auto result = world.insert_all(items);
       ASSERT_FALSE(result.ok());
-      EXPECT_EQ(result.error().code, code) << result.error().message;
+      EXPECT_EQ(result.error().code, code) << result.error().message();
       EXPECT_EQ(result.error().index, index);
       EXPECT_EQ(world.dump(), before);
       EXPECT_EQ(world.item_count(), is_empty ? 0U : 1U);

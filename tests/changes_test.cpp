@@ -36,7 +36,7 @@ TEST_P(HardScript, IsRightAfterEveryStep) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const Result<Script> script = parse_script(text, path.filename().string());
-  ASSERT_TRUE(script.ok()) << script.error().message;
+  ASSERT_TRUE(script.ok()) << script.error().message();
   ChangeScript changes = changes_of(*script);
   ASSERT_FALSE(changes.steps.empty());
   const ChangesReport report = check_changes(changes, 1, {.with_rebuild = 1000, .with_oracle = 1000});

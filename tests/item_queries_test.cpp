@@ -119,7 +119,7 @@ bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
 }
 
 bool meets_side(const Shape& shape, const Point& from, const Point& to) {
-  for (const std::vector<Point>& ring : shape.rings) {
+  for (const PointSpan& ring : shape.rings) {
     const std::size_t sides = shape.kind == ItemKind::polygon ? ring.size() : ring.size() - 1;
     for (std::size_t i = 0; i < sides; ++i) {
       const Point& next = ring[(i + 1) % ring.size()];

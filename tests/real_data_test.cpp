@@ -31,16 +31,16 @@ bool is_in_range(const Shape& shape) {
 void build_and_validate(const Scene& scene) {
   constexpr std::size_t kSmall = 40;
   Result<World> world = World::create(scene.domain);
-  ASSERT_TRUE(world.ok()) << world.error().message;
+  ASSERT_TRUE(world.ok()) << world.error().message();
   std::size_t accepted = 0;
   for (const Item& item : scene.items) {
     const Result<ItemId> inserted = world->insert(item.shape, item.id);
     if (!is_in_range(item.shape)) {
       ASSERT_FALSE(inserted.ok()) << "item " << item.id.value;
-      EXPECT_EQ(inserted.error().code, ErrorCode::coordinate_range) << inserted.error().message;
+      EXPECT_EQ(inserted.error().code, ErrorCode::coordinate_range) << inserted.error().message();
       continue;
     }
-    ASSERT_TRUE(inserted.ok()) << "item " << item.id.value << ": " << inserted.error().message;
+    ASSERT_TRUE(inserted.ok()) << "item " << item.id.value << ": " << inserted.error().message();
     EXPECT_EQ(*inserted, item.id);
     ++accepted;
     if (scene.items.size() > kSmall) continue;

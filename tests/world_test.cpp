@@ -141,7 +141,7 @@ TEST(World, RefusedInsertionsChangeNothing) {
   const std::string before = world.dump();
   const auto expect_refused = [&](const Result<ItemId>& result, ErrorCode code, std::uint64_t index) {
     ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().code, code) << result.error().message;
+    EXPECT_EQ(result.error().code, code) << result.error().message();
     EXPECT_EQ(result.error().index, index);
     EXPECT_EQ(world.dump(), before);
   };
@@ -161,7 +161,7 @@ TEST(World, RefusedInsertionsChangeNothing) {
 
 TEST(World, RefusalsSayWhichPointIsWrongAndWhereItLies) {
   World world = World::create({{0, 0}, {10, 10}}).value();
-  const auto message = [](const auto& result) { return result.error().message; };
+  const auto message = [](const auto& result) { return result.error().message(); };
   EXPECT_EQ(message(World::create({{0, 0}, {1e40, 1}})), "x of the domain's max, 1e+40, lies beyond +-2^100");
   EXPECT_EQ(message(world.insert_segment({1, 2}, {11, 2.5})),
             "point 1, (11, 2.5), lies outside the domain, (0, 0) to (10, 10)");

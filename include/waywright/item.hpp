@@ -1,12 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/point.hpp"
+#include "waywright/rings.hpp"
 
 namespace waywright {
 
@@ -25,9 +27,23 @@ enum class ItemKind : std::uint8_t {
 /// polyline; a polygon has one ring or more, their closing sides implied.
 struct Shape {
   ItemKind kind = ItemKind::point;
-  std::vector<std::vector<Point>> rings;
+  Rings rings;
 
   friend bool operator==(const Shape&, const Shape&) = default;
+
+  [[nodiscard]] static Shape point(const Point& point) { return {ItemKind::point, {{point}}}; }
+  [[nodiscard]] static Shape segment(const Point& a, const Point& b) { return {ItemKind::segment, {{a, b}}}; }
+  [[nodiscard]] static Shape polyline(PointSpan points) { return {ItemKind::polyline, points}; }
+  /// Of one ring or several: `Shape::polygon({{0, 0}, {4, 0}, {4, 4}})`, `Shape::polygon({outside, hole})`.
+  [[nodiscard]] static Shape polygon(Rings rings) { return {ItemKind::polygon, std::move(rings)}; }
+  /// The polygon of a box, counter-clockwise from its lower left corner.
+  [[nodiscard]] static Shape rectangle(const Box& box) {
+    return {ItemKind::polygon, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
+  }
+  /// The polygon of `corner_count` corners on a circle, counter-clockwise from the one to the right of the centre, each
+  /// rounded to doubles and the same on every machine. Requires: `corner_count` is 3 or more.
+  [[nodiscard]] WAYWRIGHT_API static Shape regular_polygon(const Point& centre, double radius,
+                                                           std::size_t corner_count);
 };
 
 /// A copy of the shape, moved. Coordinates are sums of doubles, rounded to nearest.
@@ -38,6 +54,14 @@ struct Shape {
 /// ring that crosses itself, it is an approximation. Requires: there is a point. Source: Bourke, *Calculating the area
 /// and centroid of a polygon*, 1988.
 [[nodiscard]] WAYWRIGHT_API Point centroid(const Shape& shape);
+
+/// Where a segment meets an item's side: an answer of World::items_crossed.
+struct CrossedItem {
+  ItemId id;
+  Point at;  ///< nearest doubles
+
+  friend bool operator==(const CrossedItem&, const CrossedItem&) = default;
+};
 
 /// A shape under its id.
 struct Item {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
+#include "waywright/owned.hpp"
 #include "waywright/path.hpp"
 
 namespace waywright {
@@ -58,7 +58,7 @@ class WAYWRIGHT_API PathSearch {
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  detail::Owned<Impl, detail::kMovedSearch> impl_;
 };
 
 }  // namespace waywright

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <memory>
-
 #include "waywright/export.hpp"
+#include "waywright/owned.hpp"
 
 namespace waywright {
 
@@ -22,7 +21,7 @@ class WAYWRIGHT_API QueryContext {
 
  private:
   friend class World;
-  std::unique_ptr<detail::QueryScratch> scratch_;
+  detail::Owned<detail::QueryScratch, detail::kMovedContext> scratch_;
 };
 
 }  // namespace waywright

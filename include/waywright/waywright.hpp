@@ -1,5 +1,6 @@
 #pragma once
 
+#include "waywright/assert.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
@@ -12,6 +13,7 @@
 #include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
+#include "waywright/rings.hpp"
 #include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"

@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "waywright/error.hpp"
@@ -16,6 +19,7 @@
 #include "waywright/item.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/mesh_snapshot.hpp"
+#include "waywright/owned.hpp"
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
@@ -30,6 +34,10 @@ struct Change {
   Kind kind = Kind::insert;
   ItemId id;    ///< of an insertion: null for one that the world hands out
   Shape shape;  ///< of an insertion or replacement
+
+  [[nodiscard]] static Change insert(Shape shape, ItemId id = {}) { return {Kind::insert, id, std::move(shape)}; }
+  [[nodiscard]] static Change remove(ItemId id) { return {Kind::remove, id, {}}; }
+  [[nodiscard]] static Change replace(ItemId id, Shape shape) { return {Kind::replace, id, std::move(shape)}; }
 };
 
 /// How to insert many items at once.
@@ -76,14 +84,6 @@ struct Location {
   std::vector<ItemId> inside;
 };
 
-/// Where a segment meets an item's side.
-struct CrossedItem {
-  ItemId id;
-  Point at;  ///< nearest doubles
-
-  friend bool operator==(const CrossedItem&, const CrossedItem&) = default;
-};
-
 /// What World::validate found.
 struct Validation {
   bool ok = true;
@@ -102,6 +102,9 @@ struct WorldOptions {
 /// triangulation of a closed box, exact in every decision. The live items alone fix the mesh, in whatever order they
 /// came. Geometry is never an error: crossing, overlapping, duplicate, collinear, zero-length and self-crossing items
 /// are all accepted and handled exactly.
+///
+/// Each query has two forms. One returns its answer in a new object. The other fills an object that you keep, works in
+/// a QueryContext that you keep, and allocates nothing once both have served for an answer as large.
 ///
 /// Threads: const members may run at once, each call with its own QueryContext; no other member meanwhile. A world that
 /// has been moved from may only be assigned to or destroyed.
@@ -133,11 +136,10 @@ class WAYWRIGHT_API World {
   /// A wall from `a` to `b`; of length zero it acts as a point.
   Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
   /// An open chain of walls through one point or more.
-  Result<ItemId> insert_polyline(std::span<const Point> points, ItemId id = {});
-  /// A solid obstacle of one closed ring; the side from its last point to its first is implied.
-  Result<ItemId> insert_polygon(std::span<const Point> ring, ItemId id = {});
-  /// A solid obstacle of several rings: inside is what an odd number of the rings' turns enclose.
-  Result<ItemId> insert_polygon(std::span<const std::vector<Point>> rings, ItemId id = {});
+  Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
+  /// A solid obstacle of one closed ring or several: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from a
+  /// ring's last point to its first is implied. Inside is what an odd number of the rings' turns enclose.
+  Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Takes an item out. What remains is, bit for bit, the mesh that a fresh build of the remaining items gives.
   /// Errors: unknown_id. Cost: what the item touches, however large the world.
@@ -156,12 +158,16 @@ class WAYWRIGHT_API World {
 
   /// The same for points alone, under `first` and one more each, or, when `first` is null, under ids handed out.
   /// Returns the first's id. Errors: those of insert; the error's index is the point's position.
-  Result<ItemId> insert_points(std::span<const Point> points, ItemId first = {}, const BulkOptions& options = {});
+  Result<ItemId> insert_points(PointSpan points, ItemId first = {}, const BulkOptions& options = {});
 
   /// Makes several changes, one after the other, as one operation: all of them or, on an error, none. Returns the id of
   /// each change's item. Errors: those of the single changes; the error's index is the change's position. Cost: a run
   /// of insertions is as fast as insert_all.
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
+  /// The same for changes in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
+  Result<std::vector<ItemId>> apply(std::initializer_list<Change> changes) {
+    return apply(std::span<const Change>(std::data(changes), changes.size()));
+  }
 
   /// Whether an item of that id is alive. Cost: O(1).
   [[nodiscard]] bool contains(ItemId id) const;
@@ -169,14 +175,17 @@ class WAYWRIGHT_API World {
   [[nodiscard]] std::size_t item_count() const;
   /// The ids of all live items, ascending. Cost: O(n log n).
   [[nodiscard]] std::vector<ItemId> item_ids() const;
+  void item_ids(std::vector<ItemId>& ids) const;
   /// The item's shape as it was inserted, points that repeat their predecessor merged; a copy. Errors: unknown_id.
   /// Cost: linear in its points.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
+  [[nodiscard]] Result<void> shape(ItemId id, Shape& shape) const;
 
   /// All live items, ascending by id, as shape() gives them. Another world over the same domain that is given them (by
   /// insert_all) is the same in all but the ids that it hands out, which count on from the largest each has seen.
   /// Cost: O(n log n), and their points.
   [[nodiscard]] std::vector<Item> items() const;
+  void items(QueryContext& context, std::vector<Item>& items) const;
 
   /// The vertices of the mesh: the domain's corners, the items', and the crossings. Cost: O(1).
   [[nodiscard]] std::size_t vertex_count() const;
@@ -191,10 +200,13 @@ class WAYWRIGHT_API World {
 
   /// The items that cover the point, or have a side or corner there; ascending. Errors: coordinate_range,
   /// out_of_domain. Cost: that of locate.
+  [[nodiscard]] Result<void> items_at(Point point, QueryContext& context, std::vector<ItemId>& items) const;
   [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
   /// The items whose sides the segment meets, in order, and where. One that it runs along is told of where that begins;
   /// items met in one place come by ascending id. Errors: coordinate_range, out_of_domain. Cost: the location of
   /// `from`, and the triangles that the segment crosses.
+  [[nodiscard]] Result<void> items_crossed(Point from, Point to, QueryContext& context,
+                                           std::vector<CrossedItem>& items) const;
   [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
   /// The first wall that the segment touches on its way from `from`, the domain's border included; a start on a wall
   /// touches it. Decided exactly, also where walls meet or the segment runs through a wall's end.
@@ -205,6 +217,7 @@ class WAYWRIGHT_API World {
   /// The items that have a point in common with the closed box, which may reach beyond the domain; ascending.
   /// Errors: coordinate_range, bad_domain (where min is beyond max). Cost: the location of a corner, and the triangles
   /// that meet the box.
+  [[nodiscard]] Result<void> items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const;
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
 
   /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both. An end that
@@ -284,6 +297,7 @@ class WAYWRIGHT_API World {
 
   /// The mesh in canonical order. Cost: O(n log n).
   [[nodiscard]] MeshSnapshot snapshot() const;
+  void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
   /// The hash of the domain and the live items, kept up by every operation. Cost: none.
   [[nodiscard]] ItemsHash items_hash() const;
   /// The SHA-256 of the dump's bytes. Cost: the dump's.
@@ -297,7 +311,7 @@ class WAYWRIGHT_API World {
   struct Impl;
   class Operation;
   explicit World(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
+  detail::Owned<Impl, detail::kMovedWorld> impl_;
 };
 
 }  // namespace waywright

@@ -22,7 +22,7 @@ struct ShapeBatch {
   [[nodiscard]] std::size_t size() const { return elements.size(); }
   [[nodiscard]] ItemId id(std::size_t i) const { return ids[i]; }
   [[nodiscard]] ItemKind kind(std::size_t i) const { return elements[i].shape.kind; }
-  [[nodiscard]] const std::vector<std::vector<Point>>& rings(std::size_t i) const { return elements[i].shape.rings; }
+  [[nodiscard]] const Rings& rings(std::size_t i) const { return elements[i].shape.rings; }
 };
 
 /// Points, as items each under one more than the last.

@@ -26,29 +26,29 @@ void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h
 
 }  // namespace
 
-CanonicalMesh canonical_mesh(const ExactTriangulation& triangulation) {
+void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
-  CanonicalMesh result;
+  auto& [vertices, rank, fixed] = order;
+  vertices.clear();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const mesh::Vertex v{i};
-    if (mesh.is_alive(v) && v != delaunay.ghost()) result.order.push_back(v);
+    if (mesh.is_alive(v) && v != delaunay.ghost()) vertices.push_back(v);
   }
-  std::sort(result.order.begin(), result.order.end(),
+  std::sort(vertices.begin(), vertices.end(),
             [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); });
 
-  std::vector<std::uint32_t> rank(mesh.vertex_slots(), 0);
-  MeshSnapshot& snapshot = result.snapshot;
-  for (std::uint32_t i = 0; i < result.order.size(); ++i) {
-    rank[number(result.order[i])] = i;
-    snapshot.vertices.push_back(delaunay.geometry().nearest(number(result.order[i])));
+  snapshot.vertices.clear();
+  snapshot.triangles.clear();
+  snapshot.constraints.clear();
+  snapshot.ids.clear();
+  rank.assign(mesh.vertex_slots(), 0);
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    rank[number(vertices[i])] = i;
+    snapshot.vertices.push_back(delaunay.geometry().nearest(number(vertices[i])));
   }
 
-  struct Edge {
-    std::uint32_t i, j;
-    mesh::HalfEdge h;
-  };
-  std::vector<Edge> fixed;
+  fixed.clear();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
     if (!delaunay.is_in_box(f)) continue;
@@ -64,10 +64,10 @@ CanonicalMesh canonical_mesh(const ExactTriangulation& triangulation) {
     snapshot.triangles.push_back(from_smallest(corners[0], corners[1], corners[2]));
   }
   std::sort(snapshot.triangles.begin(), snapshot.triangles.end());
-  std::sort(fixed.begin(), fixed.end(),
-            [](const Edge& p, const Edge& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
-  for (const Edge& edge : fixed) append_constraint(triangulation, edge.h, edge.i, edge.j, snapshot);
-  return result;
+  std::sort(fixed.begin(), fixed.end(), [](const CanonicalOrder::FixedEdge& p, const CanonicalOrder::FixedEdge& q) {
+    return p.i != q.i ? p.i < q.i : p.j < q.j;
+  });
+  for (const auto& [i, j, h] : fixed) append_constraint(triangulation, h, i, j, snapshot);
 }
 
 }  // namespace waywright::constraint

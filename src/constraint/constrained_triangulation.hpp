@@ -129,7 +129,7 @@ class ConstrainedTriangulation {
   void insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item);
 
   [[nodiscard]] ItemHash::Words hash_of(std::uint32_t slot, const Outline& outline) const;
-  void insert_ring(const std::vector<Point>& ring, std::uint32_t slot);
+  void insert_ring(std::span<const Point> ring, std::uint32_t slot);
   void add_corner(mesh::Vertex v, std::uint32_t item);
   void end_ring();
   /// Gives an item its corners, those in `outline_`, and its sides, and counts its hash in.

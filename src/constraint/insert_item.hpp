@@ -11,7 +11,7 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   const std::uint32_t slot = items_.add_item(id, shape.kind);
   outline_.clear();
-  for (const std::vector<Point>& ring : shape.rings) insert_ring(ring, slot);
+  for (const PointSpan& ring : shape.rings) insert_ring(ring, slot);
   end_item(slot);
   items_.for_each_side(slot, [&](std::uint32_t side) { insert_side(side); });
 }
@@ -29,7 +29,7 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
 
 /// The corners of a ring; its sides come later.
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::insert_ring(const std::vector<Point>& ring, std::uint32_t slot) {
+void ConstrainedTriangulation<Geometry>::insert_ring(std::span<const Point> ring, std::uint32_t slot) {
   for_each_corner(ring, items_.kind(slot) == ItemKind::polygon,
                   [&](const Point& point) { add_corner(insert_vertex(triangulation_.insert(point)), slot); });
   end_ring();

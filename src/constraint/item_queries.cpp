@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_set>
 
 #include "constraint/box_test.hpp"
 #include "constraint/segment_walk.hpp"
@@ -15,14 +14,14 @@ namespace {
 
 using Slots = std::vector<std::uint32_t>;
 
-std::vector<ItemId> ids_of(const ExactTriangulation& triangulation, Slots slots) {
+/// The ids of the items in `slots`, which are sorted for that.
+void fill_ids(const ExactTriangulation& triangulation, Slots& slots, std::vector<ItemId>& ids) {
   keep_one_of_each(slots);
-  std::vector<ItemId> ids;
+  ids.clear();
   for (const std::uint32_t slot : slots) {
     if (slot != ItemTable::kDomain) ids.push_back(triangulation.items().id(slot));
   }
   std::sort(ids.begin(), ids.end());
-  return ids;
 }
 
 void append_items_of_edge(const ExactTriangulation& triangulation, mesh::HalfEdge h, Slots& slots) {
@@ -51,19 +50,22 @@ Point meeting_place(const ExactTriangulation& triangulation, mesh::HalfEdge h, c
 /// Turns what a segment walk meets into items and places.
 class CrossedItems : public SegmentVisitor {
  public:
-  CrossedItems(const ExactTriangulation& triangulation, const Point& from, const Point& to)
-      : triangulation_(triangulation), from_(from), to_(to) {}
+  CrossedItems(const ExactTriangulation& triangulation, const Point& from, const Point& to, ItemQueryScratch& scratch,
+               std::vector<CrossedItem>& found)
+      : triangulation_(triangulation), from_(from), to_(to), scratch_(scratch), found_(found) {}
 
   bool at_vertex(mesh::Vertex v) {
-    Slots along;
+    Slots& along = scratch_.along;
+    along.clear();
     if (const mesh::HalfEdge run = edge_run_along(v); run != mesh::kNoHalfEdge) {
       append_items_of_edge(triangulation_, run, along);
     }
     std::sort(along.begin(), along.end());
-    Slots met;
+    Slots& met = scratch_.slots;
+    met.clear();
     append_items_around(triangulation_, v, met);
     std::erase_if(met, [&](std::uint32_t slot) { return std::binary_search(along.begin(), along.end(), slot); });
-    tell(met, triangulation_.triangulation().geometry().nearest(number(v)));
+    tell_of_met(triangulation_.triangulation().geometry().nearest(number(v)));
     last_vertex_ = v;
     last_edge_ = mesh::kNoHalfEdge;
     return true;
@@ -73,17 +75,16 @@ class CrossedItems : public SegmentVisitor {
     last_vertex_ = mesh::kNoVertex;
     last_edge_ = h;
     if (!triangulation_.topology().is_fixed(h)) return true;
-    Slots met;
-    append_items_of_edge(triangulation_, h, met);
-    tell(met, meeting_place(triangulation_, h, from_, to_));
+    scratch_.slots.clear();
+    append_items_of_edge(triangulation_, h, scratch_.slots);
+    tell_of_met(meeting_place(triangulation_, h, from_, to_));
     return true;
   }
 
-  [[nodiscard]] std::vector<std::pair<ItemId, Point>>& found() { return found_; }
-
  private:
-  void tell(const Slots& met, const Point& at) {
-    for (const ItemId id : ids_of(triangulation_, met)) found_.emplace_back(id, at);
+  void tell_of_met(const Point& at) {
+    fill_ids(triangulation_, scratch_.slots, scratch_.ids);
+    for (const ItemId id : scratch_.ids) found_.push_back({id, at});
   }
 
   /// The edge by which the segment has come to `v`, if it came along one.
@@ -100,7 +101,8 @@ class CrossedItems : public SegmentVisitor {
   Point to_;
   mesh::Vertex last_vertex_ = mesh::kNoVertex;    ///< where the segment was last, if that was at a vertex
   mesh::HalfEdge last_edge_ = mesh::kNoHalfEdge;  ///< where it was last, if that was on an edge
-  std::vector<std::pair<ItemId, Point>> found_;
+  ItemQueryScratch& scratch_;
+  std::vector<CrossedItem>& found_;
 };
 
 /// Stops a segment walk at the first wall.
@@ -135,25 +137,28 @@ class FirstWall : public SegmentVisitor {
   RayHit& hit_;
 };
 
-/// Floods the faces that meet a box, and collects the items whose sides and corners do.
+/// Floods the faces that meet a box, and adds the items whose sides and corners do to the scratch's slots.
 class BoxFlood {
  public:
-  BoxFlood(const ExactTriangulation& triangulation, const Box& box) : triangulation_(triangulation), test_(box) {}
+  BoxFlood(const ExactTriangulation& triangulation, const Box& box, ItemQueryScratch& scratch)
+      : triangulation_(triangulation), test_(box), scratch_(scratch) {}
 
-  Slots run(mesh::HalfEdge start) {
+  void run(mesh::HalfEdge start) {
+    std::vector<mesh::HalfEdge>& faces = scratch_.faces;
+    faces.clear();
+    scratch_.reached.clear();
     reach(start);
-    while (!faces_.empty()) {
-      const mesh::HalfEdge face = faces_.back();
-      faces_.pop_back();
+    while (!faces.empty()) {
+      const mesh::HalfEdge face = faces.back();
+      faces.pop_back();
       for (const mesh::HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) visit(h);
     }
-    return found_;
   }
 
  private:
   void reach(mesh::HalfEdge h) {
     if (triangulation_.triangulation().is_ghost_face(h)) return;
-    if (reached_.insert(number(mesh::face(h))).second) faces_.push_back(h);
+    if (scratch_.reached.insert(number(mesh::face(h)))) scratch_.faces.push_back(h);
   }
 
   // Sides and corners are explicit, so about them the test is exact; that it may go too far over an edge does no harm.
@@ -163,43 +168,43 @@ class BoxFlood {
     const mesh::Vertex v = mesh.origin(h);
     if (geometry.is_explicit(number(v)) && test_.holds(geometry.nearest(number(v)))) {
       triangulation_.uses().for_each(triangulation_.corner_uses(v),
-                                     [&](std::uint32_t item) { found_.push_back(item); });
+                                     [&](std::uint32_t item) { scratch_.slots.push_back(item); });
     }
     if (!test_.meets(geometry.exact(number(v)), geometry.exact(number(mesh.target(h))))) return;
     triangulation_.for_each_side(h, [&](const Side& side) {
-      if (test_.meets(geometry.exact(number(side.from)), geometry.exact(number(side.to)))) found_.push_back(side.item);
+      const bool is_met = test_.meets(geometry.exact(number(side.from)), geometry.exact(number(side.to)));
+      if (is_met) scratch_.slots.push_back(side.item);
     });
     reach(mesh.twin(h));
   }
 
   const ExactTriangulation& triangulation_;
   BoxTest test_;
-  std::unordered_set<std::uint32_t> reached_;
-  std::vector<mesh::HalfEdge> faces_;
-  Slots found_;
+  ItemQueryScratch& scratch_;
 };
 
 }  // namespace
 
-std::vector<ItemId> items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point) {
+void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point, ItemQueryScratch& scratch,
+              std::vector<ItemId>& result) {
   const auto& delaunay = triangulation.triangulation();
   const locate::Located place = delaunay.locate(point);
-  Slots slots = cover.of_place(triangulation, place);
+  Slots& slots = scratch.slots;
+  slots = cover.of_place(triangulation, place);
   if (place.spot == locate::Spot::edge) append_items_of_edge(triangulation, place.h, slots);
   if (place.spot == locate::Spot::vertex) {
     const mesh::Vertex v = triangulation.topology().origin(place.h);
     append_items_around(triangulation, v, slots);
     triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) { slots.push_back(item); });
   }
-  return ids_of(triangulation, std::move(slots));
+  fill_ids(triangulation, slots, result);
 }
 
-std::vector<std::pair<ItemId, Point>> items_crossed(const ExactTriangulation& triangulation, const Point& from,
-                                                    const Point& to) {
-  const auto& delaunay = triangulation.triangulation();
-  CrossedItems crossed(triangulation, from, to);
-  SegmentWalk(triangulation, from, to, delaunay.locate(from)).run(crossed);
-  return std::move(crossed.found());
+void items_crossed(const ExactTriangulation& triangulation, const Point& from, const Point& to,
+                   ItemQueryScratch& scratch, std::vector<CrossedItem>& result) {
+  result.clear();
+  SegmentWalk(triangulation, from, to, triangulation.triangulation().locate(from))
+      .run(CrossedItems(triangulation, from, to, scratch, result));
 }
 
 void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit) {
@@ -213,18 +218,17 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
 }
 
 // What covers the whole box without a side or corner in it covers its first corner.
-std::vector<ItemId> items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box) {
+void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box, ItemQueryScratch& scratch,
+              std::vector<ItemId>& result) {
   const Box& domain = triangulation.domain();
   const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
                     {std::min(box.max.x, domain.max.x), std::min(box.max.y, domain.max.y)}};
   const auto& delaunay = triangulation.triangulation();
   const locate::Located place = delaunay.locate(clipped.min);
-  Slots slots = cover.of_place(triangulation, place);
-  std::vector<mesh::HalfEdge> faces;
-  faces_at(triangulation, place, faces);
-  const Slots met = BoxFlood(triangulation, clipped).run(faces.front());
-  slots.insert(slots.end(), met.begin(), met.end());
-  return ids_of(triangulation, std::move(slots));
+  scratch.slots = cover.of_place(triangulation, place);
+  faces_at(triangulation, place, scratch.faces);
+  BoxFlood(triangulation, clipped, scratch).run(scratch.faces.front());
+  fill_ids(triangulation, scratch.slots, result);
 }
 
 }  // namespace waywright::constraint

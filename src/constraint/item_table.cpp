@@ -77,18 +77,9 @@ void ItemTable::add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to,
 
 void ItemTable::outline(std::uint32_t item, Outline& outline) const {
   outline.clear();
-  const ItemKind kind = items_[item].kind;
-  if (kind == ItemKind::point) {
-    outline.corners.push_back(mesh::Vertex{items_[item].place});
-    outline.ring_ends.push_back(1);
-    return;
-  }
-  for_each_link(item, [&](std::uint32_t slot) {
-    const auto& [side, next] = sides_[slot];
-    outline.corners.push_back(side.from);
-    if ((next & kEndsRing) == 0) return;
-    if (kind != ItemKind::polygon && side.from != side.to) outline.corners.push_back(side.to);
-    outline.ring_ends.push_back(static_cast<std::uint32_t>(outline.corners.size()));
+  for_each_corner(item, [&](mesh::Vertex corner, bool ends_ring) {
+    outline.corners.push_back(corner);
+    if (ends_ring) outline.ring_ends.push_back(static_cast<std::uint32_t>(outline.corners.size()));
   });
 }
 
@@ -153,14 +144,13 @@ void ItemTable::leave(std::uint32_t slot) {
   --index_size_;
 }
 
-std::vector<ItemId> ItemTable::ids() const {
-  std::vector<ItemId> result;
+void ItemTable::ids(std::vector<ItemId>& result) const {
+  result.clear();
   result.reserve(size_);
   for (std::uint32_t slot = 0; slot < items_.size(); ++slot) {
     if (items_[slot].is_alive) result.push_back(id(slot));
   }
   std::sort(result.begin(), result.end());
-  return result;
 }
 
 // Linear probing; a removal moves later entries up, so that no search meets a gap.

@@ -71,6 +71,9 @@ class ItemTable {
     });
   }
 
+  /// Calls visit(corner, ends_ring) for each corner of an item, ring after ring: see Outline.
+  template <class Visit>
+  void for_each_corner(std::uint32_t item, Visit&& visit) const;
   /// Fills `outline`, for its memory.
   void outline(std::uint32_t item, Outline& outline) const;
 
@@ -98,7 +101,13 @@ class ItemTable {
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
 
-  [[nodiscard]] std::vector<ItemId> ids() const;
+  /// Of the live items, ascending. Fills `result`, for its memory.
+  void ids(std::vector<ItemId>& result) const;
+  [[nodiscard]] std::vector<ItemId> ids() const {
+    std::vector<ItemId> result;
+    ids(result);
+    return result;
+  }
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
   void see(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
 
@@ -182,5 +191,18 @@ class ItemTable {
   std::size_t polygon_count_before_ = 0;
   ItemHash::Words hash_before_{};
 };
+
+template <class Visit>
+void ItemTable::for_each_corner(std::uint32_t item, Visit&& visit) const {
+  const ItemKind kind = items_[item].kind;
+  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item].place}, true);
+  for_each_link(item, [&](std::uint32_t slot) {
+    const auto& [side, next] = sides_[slot];
+    const bool ends_ring = (next & kEndsRing) != 0;
+    const bool has_open_end = ends_ring && kind != ItemKind::polygon && side.from != side.to;
+    visit(side.from, ends_ring && !has_open_end);
+    if (has_open_end) visit(side.to, true);
+  });
+}
 
 }  // namespace waywright::constraint

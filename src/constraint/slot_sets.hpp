@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "constraint/mix.hpp"
+
 // Sets of items, as lists of their slots. However many polygons lie on one another, making a set of them costs no more
 // than sorting them.
 
@@ -29,5 +31,48 @@ inline void keep_odd(std::vector<std::uint32_t>& slots) {
   }
   slots.resize(kept);
 }
+
+/// A set of numbers below 2^32 - 1. An object to keep: its memory serves use after use, and clearing it costs what was
+/// in it.
+class SlotSet {
+ public:
+  /// Whether the number was not in the set yet.
+  bool insert(std::uint32_t number) {
+    if (3 * (places_.size() + 1) > 2 * table_.size()) grow();
+    const std::size_t at = place_of(number);
+    if (table_[at] == number) return false;
+    places_.push_back(static_cast<std::uint32_t>(at));
+    table_[at] = number;
+    return true;
+  }
+  void clear() {
+    for (const std::uint32_t place : places_) table_[place] = kEmpty;
+    places_.clear();
+  }
+
+ private:
+  static constexpr std::uint32_t kEmpty = 0xffffffff;
+
+  /// Where the number is, or the gap for it. Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithm L.
+  [[nodiscard]] std::size_t place_of(std::uint32_t number) const {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t at = mix(number) & mask;
+    while (table_[at] != kEmpty && table_[at] != number) at = (at + 1) & mask;
+    return at;
+  }
+  void grow() {
+    std::vector<std::uint32_t> old(std::max<std::size_t>(2 * table_.size(), 64), kEmpty);
+    places_.reserve(old.size());
+    old.swap(table_);
+    for (std::uint32_t& place : places_) {
+      const std::uint32_t number = old[place];
+      place = static_cast<std::uint32_t>(place_of(number));
+      table_[place] = number;
+    }
+  }
+
+  std::vector<std::uint32_t> table_;   ///< its size is 0 or a power of two; at most two thirds are in use
+  std::vector<std::uint32_t> places_;  ///< in the table, of each number
+};
 
 }  // namespace waywright::constraint

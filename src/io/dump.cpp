@@ -6,10 +6,11 @@
 namespace waywright::io {
 
 std::string dump(const constraint::ExactTriangulation& triangulation) {
-  const constraint::CanonicalMesh mesh = constraint::canonical_mesh(triangulation);
-  const MeshSnapshot& snapshot = mesh.snapshot;
-  std::string text = "vertices " + std::to_string(mesh.order.size()) + '\n';
-  for (const mesh::Vertex v : mesh.order) {
+  constraint::CanonicalOrder order;
+  MeshSnapshot snapshot;
+  constraint::take_snapshot(triangulation, order, snapshot);
+  std::string text = "vertices " + std::to_string(order.vertices.size()) + '\n';
+  for (const mesh::Vertex v : order.vertices) {
     text += exact::to_fractions(triangulation.triangulation().geometry().exact(number(v)));
     text += '\n';
   }

@@ -23,7 +23,7 @@ struct FileCloser {
 
 Error unreadable(const std::string& file_name, int reason) {
   return Error{.code = ErrorCode::unreadable,
-               .message = file_name + ": cannot be read: " + std::generic_category().message(reason),
+               .words = file_name + ": cannot be read: " + std::generic_category().message(reason),
                .item = {}};
 }
 
@@ -71,7 +71,7 @@ Result<SceneFormat> scene_format(std::string_view file_name) {
   }
   std::string message(file_name);
   message += ": expected a file name that ends in .wws, .map, .poly or .node";
-  return Error{.code = ErrorCode::not_supported, .message = std::move(message), .item = {}};
+  return Error{.code = ErrorCode::not_supported, .words = std::move(message), .item = {}};
 }
 
 Result<Scene> read_scene(const std::string& file_name) {

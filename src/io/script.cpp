@@ -60,7 +60,8 @@ class ScriptParser {
   bool read_insertion(Item& item, ItemKind kind);
   bool read_replacement(Item& item);
   bool read_rings(Shape& shape);
-  bool read_ring(std::vector<Point>& ring);
+  bool read_ring(Rings& rings);
+  bool read_points(std::uint64_t count, Rings& rings);
   bool read_algorithm(Operation& operation);
 
   /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
@@ -226,10 +227,9 @@ bool ScriptParser::read_insertion(Item& item, ItemKind kind) {
   item.shape.kind = kind;
   if (!id(item.id)) return false;
   if (kind == ItemKind::polygon) return read_rings(item.shape);
-  std::vector<Point>& ring = item.shape.rings.emplace_back();
-  if (kind == ItemKind::polyline) return read_ring(ring);
-  ring.resize(kind == ItemKind::point ? 1 : 2);
-  return std::all_of(ring.begin(), ring.end(), [this](Point& p) { return point(p); });
+  if (kind == ItemKind::polyline) return read_ring(item.shape.rings);
+  item.shape.rings.start_ring();
+  return read_points(kind == ItemKind::point ? 1 : 2, item.shape.rings);
 }
 
 bool ScriptParser::read_replacement(Item& item) {
@@ -245,27 +245,34 @@ bool ScriptParser::read_replacement(Item& item) {
 }
 
 bool ScriptParser::read_rings(Shape& shape) {
-  if (!read_ring(shape.rings.emplace_back())) return false;
+  if (!read_ring(shape.rings)) return false;
   std::string_view word;
   while (words_.next(word)) {
     if (word != "/") return fail("'/' or no more", word);
-    if (!read_ring(shape.rings.emplace_back())) return false;
+    if (!read_ring(shape.rings)) return false;
   }
   return true;
 }
 
-bool ScriptParser::read_ring(std::vector<Point>& ring) {
+bool ScriptParser::read_ring(Rings& rings) {
   constexpr std::string_view kExpected = "a count of points, 1 or more,";
   std::string_view word;
   if (!words_.next(word)) return fail(kExpected, {});
   const std::optional<std::uint64_t> count = io::read_unsigned(word);
   if (!count || *count == 0) return fail(kExpected, word);
   // A point takes two digits and a blank at least: a count that the line cannot keep must not cost its memory.
-  ring.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3)));
-  for (std::uint64_t i = 0; i < *count; ++i) {
+  const auto likely_count = static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3));
+  if (rings.empty()) rings.reserve(likely_count);
+  rings.start_ring();
+  return read_points(*count, rings);
+}
+
+/// Reads points into the last ring.
+bool ScriptParser::read_points(std::uint64_t count, Rings& rings) {
+  for (std::uint64_t i = 0; i < count; ++i) {
     Point p;
     if (!point(p)) return false;
-    ring.push_back(p);
+    rings.add_point(p);
   }
   return true;
 }
@@ -284,8 +291,8 @@ bool fits(const Shape& shape, const Box& domain) {
     return exact::in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y &&
            p.y <= domain.max.y;
   };
-  return std::all_of(shape.rings.begin(), shape.rings.end(),
-                     [&](const std::vector<Point>& ring) { return std::all_of(ring.begin(), ring.end(), takes); });
+  const std::span<const Point> points = shape.rings.points();
+  return std::all_of(points.begin(), points.end(), takes);
 }
 
 }  // namespace

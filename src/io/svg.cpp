@@ -59,7 +59,7 @@ struct Strokes {
   double marker = 0.0;
 };
 
-bool is_one_place(const std::vector<Point>& ring) {
+bool is_one_place(PointSpan ring) {
   return std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return point == ring.front(); });
 }
 
@@ -68,7 +68,7 @@ void sort_item(Item item, Things& things) {
     things.solids.push_back(std::move(item));
     return;
   }
-  const std::vector<Point>& chain = item.shape.rings.front();
+  const PointSpan chain = std::as_const(item).shape.rings.front();
   if (is_one_place(chain)) {
     things.dots.push_back(chain.front());
   } else {
@@ -94,7 +94,7 @@ Strokes strokes_for(const Frame& frame, std::size_t vertex_count, std::size_t pa
   return strokes;
 }
 
-void append_chain(PathData& data, const std::vector<Point>& chain) {
+void append_chain(PathData& data, PointSpan chain) {
   data.move_to(chain.front());
   for (std::size_t i = 1; i < chain.size(); ++i) data.line_to(chain[i]);
 }
@@ -137,7 +137,7 @@ std::string draw_solids(const std::vector<Item>& solids, const Frame& frame, dou
   std::string out = open_group("solids", kSolid, kSolidEdge, stroke_width) + " fill-rule=\"evenodd\">\n";
   for (const Item& item : solids) {
     PathData data(frame);
-    for (const std::vector<Point>& ring : item.shape.rings) {
+    for (const PointSpan& ring : item.shape.rings) {
       append_chain(data, ring);
       data.close();
     }

@@ -169,7 +169,7 @@ Error error_at(ErrorCode code, std::string_view name, std::uint64_t line, std::s
   std::string message(name);
   message += with_number(":", line, ": ");
   message += what;
-  return Error{.code = code, .message = std::move(message), .item = {}, .index = line};
+  return Error{.code = code, .words = std::move(message), .item = {}, .index = line};
 }
 
 }  // namespace waywright::io

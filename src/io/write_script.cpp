@@ -18,7 +18,7 @@ void append_point(std::string& out, Point point) {
 }
 
 /// Appends the points of a ring, their count before them where the kind's line has one.
-void append_ring(std::string& out, const std::vector<Point>& ring, bool with_count) {
+void append_ring(std::string& out, PointSpan ring, bool with_count) {
   if (with_count) {
     out += ' ';
     io::append_unsigned(out, ring.size());
@@ -33,7 +33,7 @@ void append_item(std::string& out, const Item& item) {
   out += ' ';
   io::append_unsigned(out, item.id.value);
   std::string_view separator;
-  for (const std::vector<Point>& ring : item.shape.rings) {
+  for (const PointSpan& ring : item.shape.rings) {
     out += separator;
     append_ring(out, ring, with_count);
     separator = " /";

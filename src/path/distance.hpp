@@ -9,18 +9,9 @@
 #include "base/ieee.hpp"
 
 // Lengths in doubles. They choose between ways and bound searches; what is on which side is decided elsewhere, exactly.
+// Square root is correctly rounded everywhere, which std::hypot is not.
 
 namespace waywright::path {
-
-/// Euclidean. Square root is correctly rounded everywhere, which std::hypot is not.
-[[nodiscard]] inline double distance(const Point& p, const Point& q) {
-  const double dx = p.x - q.x;
-  const double dy = p.y - q.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
-/// Of two directions: positive where `w` points to the left of `v`.
-[[nodiscard]] inline double cross(const Point& v, const Point& w) { return v.x * w.y - v.y * w.x; }
 
 /// Edges whose squared length is not above this have no direction in doubles. They join vertices that round to one
 /// place, or to two next to 0.

@@ -49,7 +49,7 @@ class CgalWorld {
   }
 
   void insert(ItemId id, const Shape& shape) {
-    for (const std::vector<Point>& ring : shape.rings) {
+    for (const PointSpan& ring : shape.rings) {
       for (const Point& p : ring) cdt_.insert(cgal_point(p));
       const std::size_t side_count = shape.kind == ItemKind::polygon ? ring.size() : ring.size() - 1;
       for (std::size_t i = 0; i < side_count; ++i) {

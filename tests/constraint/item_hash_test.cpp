@@ -43,7 +43,7 @@ std::vector<std::uint64_t> words_of(ItemId id, const Shape& shape) {
   if (shape.kind == ItemKind::segment) kind = 1;
   if (shape.kind == ItemKind::polyline) kind = 2;
   std::vector<std::uint64_t> words{id.value, kind, shape.rings.size()};
-  for (const std::vector<Point>& ring : shape.rings) {
+  for (const PointSpan& ring : shape.rings) {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> points;
     for (const Point& p : ring) {
       const std::pair point{bits(p.x), bits(p.y)};

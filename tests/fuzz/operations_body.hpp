@@ -65,8 +65,8 @@ class BytesReader {
     const std::size_t ring_count = kind == ItemKind::polygon ? 1 + byte / 32 % 3 : 1;
     Shape result{kind, {}};
     for (std::size_t i = 0; i < ring_count; ++i) {
-      std::vector<Point>& ring = result.rings.emplace_back();
-      while (ring.size() < count) ring.push_back(point());
+      result.rings.start_ring();
+      for (std::size_t j = 0; j < count; ++j) result.rings.add_point(point());
     }
     // One in eight leaves the domain with its last point.
     if (!is_one_or_two && byte / 32 == 7) result.rings.back().back().x = script_.domain.max.x * 2;
@@ -116,8 +116,8 @@ inline std::string fault_of_step(World& world, LiveItems& live, const Step& step
   const std::string before = expected ? std::string() : world.dump();
   const ItemsHash hash = world.items_hash();
   const Result<std::vector<ItemId>> done = perform(world, step);
-  if (done.ok() != expected.ok()) return done ? "not refused" : "refused: " + done.error().message;
-  if (!done && done.error().code != expected.error().code) return "refused as " + done.error().message;
+  if (done.ok() != expected.ok()) return done ? "not refused" : "refused: " + done.error().message();
+  if (!done && done.error().code != expected.error().code) return "refused as " + done.error().message();
   if (!done && (world.dump() != before || world.items_hash() != hash)) return "a refused step changed the world";
   if (done && *done != *expected) return "wrong ids returned";
   const Validation validation = world.validate();
@@ -128,7 +128,7 @@ inline std::string fault_of_step(World& world, LiveItems& live, const Step& step
 inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
   Result<World> world = World::create(script.domain);
-  if (!world) return world.error().message;
+  if (!world) return world.error().message();
   LiveItems live(script.domain);
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
     const std::string fault = fault_of_step(*world, live, script.steps[i]);

@@ -26,14 +26,14 @@ inline std::string fault_of_error(const Error& error, std::string_view text) {
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
   if (error.index < 1 || error.index > lines) return "an error on a line that is not there";
   const std::string start = std::string(kFuzzName) + ":" + std::to_string(error.index) + ": ";
-  return error.message.rfind(start, 0) == 0 ? "" : "an error without name and line: " + error.message;
+  return error.message().rfind(start, 0) == 0 ? "" : "an error without name and line: " + error.message();
 }
 
 /// A scene printed as a script reads back as the same scene.
 inline std::string fault_of_scene(Scene scene) {
   scene.y_down = false;
   const Result<Script> script = parse_script(to_script(scene), kFuzzName);
-  if (!script.ok()) return "the scene's script is refused: " + script.error().message;
+  if (!script.ok()) return "the scene's script is refused: " + script.error().message();
   return scene_of(*script) == scene ? "" : "the scene's script reads back as another scene";
 }
 
@@ -49,7 +49,7 @@ inline std::string fault_of_script(std::string_view text) {
 /// Twice the area that the rings enclose, holes taken off.
 inline double doubled_area(const std::vector<std::vector<Point>>& rings) {
   double doubled = 0.0;
-  for (const std::vector<Point>& ring : rings) {
+  for (const PointSpan& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i];
       const Point b = ring[(i + 1) % ring.size()];

@@ -24,7 +24,7 @@ void expect_malformed(const Result<T>& result, const Malformed& expected) {
   ASSERT_FALSE(result.ok()) << expected.text;
   EXPECT_EQ(result.error().code, ErrorCode::malformed) << expected.text;
   EXPECT_EQ(result.error().index, expected.line) << expected.text;
-  EXPECT_EQ(result.error().message,
+  EXPECT_EQ(result.error().message(),
             std::string(kName) + ":" + std::to_string(expected.line) + ": " + std::string(expected.message))
       << expected.text;
 }

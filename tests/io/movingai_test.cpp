@@ -34,7 +34,7 @@ std::string map_text(const Rows& rows) {
 
 Scene parsed(const Rows& rows) {
   const Result<Scene> scene = parse_movingai_map(map_text(rows), "test.map");
-  EXPECT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_TRUE(scene.ok()) << scene.error().message();
   return scene.ok() ? *scene : Scene{};
 }
 
@@ -67,7 +67,7 @@ TEST(ParseMovingaiMap, TakesCarriageReturnsBlankEndsAndNoLastLineEnd) {
        {"type octile\r\nheight 1\r\nwidth 2\r\nmap\r\n@.\r\n", "type octile\nheight 1\nwidth 2\nmap\n@.",
         "type  octile \nheight\t1\nwidth 2\nmap\n@.\n\n \n"}) {
     const Result<Scene> scene = parse_movingai_map(text, "test.map");
-    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    ASSERT_TRUE(scene.ok()) << scene.error().message();
     EXPECT_EQ(*scene, expected);
   }
 }
@@ -275,7 +275,7 @@ TEST(ParseMovingaiMap, CoversTheBlockedCellsOfTheRealMaps) {
     for (int header = 0; header < 4; ++header) std::getline(lines, line);
     while (std::getline(lines, line)) rows.push_back(line);
     const Result<Scene> scene = parse_movingai_map(text, entry.path().string());
-    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    ASSERT_TRUE(scene.ok()) << scene.error().message();
     EXPECT_EQ(fault_of(*scene, rows), "") << entry.path();
   }
   EXPECT_GT(maps, 0U);

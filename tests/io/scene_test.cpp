@@ -33,8 +33,8 @@ class ReadScene : public testing::Test {
   static void expect_error(const std::string& file_name, ErrorCode code, const std::string& start) {
     const Result<Scene> scene = read_scene(file_name);
     ASSERT_FALSE(scene.ok()) << file_name;
-    EXPECT_EQ(scene.error().code, code) << scene.error().message;
-    EXPECT_EQ(scene.error().message.rfind(start, 0), 0U) << scene.error().message << " starts not with " << start;
+    EXPECT_EQ(scene.error().code, code) << scene.error().message();
+    EXPECT_EQ(scene.error().message().rfind(start, 0), 0U) << scene.error().message() << " starts not with " << start;
   }
 
  private:
@@ -50,20 +50,20 @@ TEST(SceneFormatOf, GoesByTheEnding) {
     const Result<SceneFormat> format = scene_format(name);
     ASSERT_FALSE(format.ok()) << name;
     EXPECT_EQ(format.error().code, ErrorCode::not_supported) << name;
-    EXPECT_EQ(format.error().message.rfind(std::string(name) + ": ", 0), 0U) << format.error().message;
+    EXPECT_EQ(format.error().message().rfind(std::string(name) + ": ", 0), 0U) << format.error().message();
   }
 }
 
 TEST_F(ReadScene, ReadsAScript) {
   const Result<Scene> scene =
       read_scene(write("a.wws", "waywright 1\ndomain 0 0 4 4\npoint 1 1 1\npoint 2 2 2\nremove 1\n"));
-  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  ASSERT_TRUE(scene.ok()) << scene.error().message();
   EXPECT_EQ(*scene, (Scene{.domain = {{0, 0}, {4, 4}}, .items = {{{2}, {ItemKind::point, {{{2, 2}}}}}}}));
 }
 
 TEST_F(ReadScene, ReadsAMap) {
   const Result<Scene> scene = read_scene(write("a.map", "type octile\nheight 1\nwidth 2\nmap\n.@\n"));
-  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  ASSERT_TRUE(scene.ok()) << scene.error().message();
   EXPECT_EQ(*scene, (Scene{.domain = {{0, 0}, {2, 1}},
                            .items = {{{1}, {ItemKind::polygon, {{{1, 0}, {2, 0}, {2, 1}, {1, 1}}}}}},
                            .y_down = true}));
@@ -72,15 +72,15 @@ TEST_F(ReadScene, ReadsAMap) {
 TEST_F(ReadScene, ReadsNodesAndPolysWithAndWithoutVertices) {
   const std::string node = write("a.node", "2 2 0 0\n1 0 0\n2 8 8\n");
   const Result<Scene> points = read_scene(node);
-  ASSERT_TRUE(points.ok()) << points.error().message;
+  ASSERT_TRUE(points.ok()) << points.error().message();
   EXPECT_EQ(points->items.size(), 2U);
 
   const Result<Scene> beside = read_scene(write("a.poly", "0 2 0 0\n1 0\n1 1 2\n0\n"));
-  ASSERT_TRUE(beside.ok()) << beside.error().message;
+  ASSERT_TRUE(beside.ok()) << beside.error().message();
   EXPECT_EQ(beside->items, (std::vector<Item>{{{1}, {ItemKind::segment, {{{0, 0}, {8, 8}}}}}}));
 
   const Result<Scene> alone = read_scene(write("b.poly", "1 2 0 0\n1 5 6\n0\n0\n"));
-  ASSERT_TRUE(alone.ok()) << alone.error().message;
+  ASSERT_TRUE(alone.ok()) << alone.error().message();
   EXPECT_EQ(alone->items, (std::vector<Item>{{{1}, {ItemKind::point, {{{5, 6}}}}}}));
 }
 
@@ -111,7 +111,7 @@ TEST_F(ReadScene, ReadsFilesLargerThanItsBuffer) {
   constexpr std::size_t kItems = 20000;
   for (std::size_t id = 1; id <= kItems; ++id) text += "point " + std::to_string(id) + " 0.5 0.25\n";
   const Result<Scene> scene = read_scene(write("large.wws", text));
-  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  ASSERT_TRUE(scene.ok()) << scene.error().message();
   EXPECT_EQ(scene->items.size(), kItems);
 }
 

@@ -18,7 +18,7 @@ using Rings = std::vector<Ring>;
 /// What the lines give after a header and a domain of [0, 10] x [0, 10], which are lines 1 and 2.
 Script parsed(std::string_view lines) {
   const Result<Script> script = parse_script("waywright 1\ndomain 0 0 10 10\n" + std::string(lines), "test.wws");
-  EXPECT_TRUE(script.ok()) << script.error().message;
+  EXPECT_TRUE(script.ok()) << script.error().message();
   return script.ok() ? *script : Script{};
 }
 
@@ -39,7 +39,7 @@ TEST(ParseScript, ReadsTheDomain) {
 TEST(ParseScript, PassesOverCommentsBlanksTabsAndCarriageReturns) {
   const Result<Script> script = parse_script(
       "# a title\r\n\r\n \t\r\n  waywright\t1 # version\r\n#\r\ndomain 0 0 1 1# box\r\n\tcheck  \r\n# end", "test.wws");
-  ASSERT_TRUE(script.ok()) << script.error().message;
+  ASSERT_TRUE(script.ok()) << script.error().message();
   EXPECT_EQ(script->domain_line, 6U);
   ASSERT_EQ(script->operations.size(), 1U);
   EXPECT_EQ(script->operations[0].kind, OperationKind::check);

@@ -176,7 +176,7 @@ TEST(InQuotes, ClipsAndShowsBytesThatDoNotPrint) {
 TEST(ErrorAt, NamesTextAndLine) {
   const Error error = error_at(ErrorCode::malformed, "a.wws", 12, "expected more");
   EXPECT_EQ(error.code, ErrorCode::malformed);
-  EXPECT_EQ(error.message, "a.wws:12: expected more");
+  EXPECT_EQ(error.message(), "a.wws:12: expected more");
   EXPECT_EQ(error.index, 12U);
 }
 

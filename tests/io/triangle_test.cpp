@@ -13,13 +13,13 @@ namespace {
 
 Scene parsed_node(std::string_view text) {
   const Result<Scene> scene = parse_triangle_node(text, "test.node");
-  EXPECT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_TRUE(scene.ok()) << scene.error().message();
   return scene.ok() ? *scene : Scene{};
 }
 
 Scene parsed_poly(std::string_view text, std::string_view node_text = {}) {
   const Result<Scene> scene = parse_triangle_poly(text, "test.poly", node_text, "test.node");
-  EXPECT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_TRUE(scene.ok()) << scene.error().message();
   return scene.ok() ? *scene : Scene{};
 }
 
@@ -74,7 +74,7 @@ TEST(ParseTriangleNode, RefusesCoordinatesOutOfRange) {
     const Result<Scene> scene = parse_triangle_node("1\n1 0 " + std::string(number) + "\n", "a.node");
     ASSERT_FALSE(scene.ok()) << number;
     EXPECT_EQ(scene.error().code, ErrorCode::coordinate_range) << number;
-    EXPECT_EQ(scene.error().message.rfind("a.node:2: ", 0), 0U) << scene.error().message;
+    EXPECT_EQ(scene.error().message().rfind("a.node:2: ", 0), 0U) << scene.error().message();
     EXPECT_EQ(scene.error().index, 2U);
   }
 }
@@ -104,7 +104,7 @@ TEST(ParseTrianglePoly, PassesOverTheNodeFileWhereItHasVertices) {
 TEST(ParseTrianglePoly, NamesTheNodeFileInItsErrors) {
   const Result<Scene> scene = parse_triangle_poly("0\n0\n0\n", "a.poly", "1\n1 x 0\n", "a.node");
   ASSERT_FALSE(scene.ok());
-  EXPECT_EQ(scene.error().message, "a.node:2: expected a coordinate, found 'x'");
+  EXPECT_EQ(scene.error().message(), "a.node:2: expected a coordinate, found 'x'");
 }
 
 TEST(LacksVertices, LooksAtTheFirstCount) {

@@ -267,7 +267,7 @@ TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
   Reduced reduced(kTen);
   const Shape once = rectangle(4, 4, 6, 6);
   Shape twice = once;
-  twice.rings[0].insert(twice.rings[0].end(), once.rings[0].begin(), once.rings[0].end());
+  for (const Point& corner : once.rings[0]) twice.rings.add_point(corner);
   std::vector<ItemId> ids;
   for (int i = 0; i < 60; ++i) ids.push_back(reduced.insert(i % 3 == 0 ? twice : once));
   const auto cover_count = [&] {

@@ -47,7 +47,7 @@ class ChangesCheck {
  private:
   Fault first_fault() {
     Result<World> world = World::create(script_.domain);
-    if (!world) return "create: " + world.error().message;
+    if (!world) return "create: " + world.error().message();
     for (const Step& step : script_.steps) {
       if (const Fault fault = check_step(*world, step)) {
         return "step " + std::to_string(report_.counts.steps) + ": " + *fault;
@@ -73,7 +73,7 @@ class ChangesCheck {
 
   Fault check_done(World& world, const Step& step, const std::vector<ItemId>& ids) {
     const Result<std::vector<ItemId>> done = perform(world, step);
-    if (!done) return "refused: " + done.error().message;
+    if (!done) return "refused: " + done.error().message();
     if (*done != ids) return "returned wrong ids";
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Change::Kind kind = step.changes[i].kind;
@@ -125,7 +125,7 @@ class ChangesCheck {
     ++report_.counts.rebuilds;
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random_.below(i)]);
     Result<World> fresh = World::create(script_.domain);
-    if (!fresh) return "create: " + fresh.error().message;
+    if (!fresh) return "create: " + fresh.error().message();
     for (const Item& item : items) {
       if (!fresh->insert(item.shape, item.id)) return "a fresh world refuses " + name_of(item.id);
     }
@@ -155,17 +155,17 @@ class ChangesCheck {
 
 using Fails = std::function<bool(const ChangeScript&)>;
 
-/// Takes ever smaller runs out of a list of the script's, as long as the script still fails.
-template <class List>
-void shrink_list(ChangeScript& script, const Fails& fails, const List& list_of, std::size_t least) {
-  for (std::size_t run = list_of(script).size(); run > 0; run /= 2) {
-    for (std::size_t first = 0; first < list_of(script).size();) {
-      ChangeScript less = script;
+/// Takes ever smaller runs out of a list that is a part of `whole`, as long as that still fails.
+template <class Whole, class WholeFails, class List>
+void shrink_list(Whole& whole, const WholeFails& fails, const List& list_of, std::size_t least) {
+  for (std::size_t run = list_of(whole).size(); run > 0; run /= 2) {
+    for (std::size_t first = 0; first < list_of(whole).size();) {
+      Whole less = whole;
       auto& list = list_of(less);
       const std::size_t last = std::min(first + run, list.size());
       list.erase(list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last));
       if (list.size() >= least && fails(less)) {
-        script = std::move(less);
+        whole = std::move(less);
       } else {
         first += run;
       }
@@ -176,13 +176,20 @@ void shrink_list(ChangeScript& script, const Fails& fails, const List& list_of, 
 void shrink_points(ChangeScript& script, const Fails& fails, std::size_t s, std::size_t c) {
   const ItemKind kind = script.steps[s].changes[c].shape.kind;
   if (kind == ItemKind::point || kind == ItemKind::segment) return;
-  const auto rings_of = [&](ChangeScript & changed) -> auto& { return changed.steps[s].changes[c].shape.rings; };
-  if (rings_of(script).empty()) return;
-  shrink_list(script, fails, rings_of, 1);
-  for (std::size_t r = 0; r < rings_of(script).size(); ++r) {
+  using RingLists = std::vector<std::vector<Point>>;
+  RingLists rings = script.steps[s].changes[c].shape.rings;
+  if (rings.empty()) return;
+  const auto fails_with = [&](const RingLists& less) {
+    ChangeScript changed = script;
+    changed.steps[s].changes[c].shape.rings = less;
+    return fails(changed);
+  };
+  shrink_list(rings, fails_with, std::identity(), 1);
+  for (std::size_t r = 0; r < rings.size(); ++r) {
     shrink_list(
-        script, fails, [&](ChangeScript & changed) -> auto& { return rings_of(changed)[r]; }, 1);
+        rings, fails_with, [&](RingLists & less) -> auto& { return less[r]; }, 1);
   }
+  script.steps[s].changes[c].shape.rings = rings;
 }
 
 }  // namespace

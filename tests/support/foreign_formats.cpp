@@ -44,7 +44,7 @@ class SceneBuilder {
   Scene finish() {
     Ring all;
     for (const Item& item : scene_.items) {
-      for (const Ring& ring : item.shape.rings) all.insert(all.end(), ring.begin(), ring.end());
+      for (const PointSpan& ring : item.shape.rings) all.insert(all.end(), ring.begin(), ring.end());
     }
     if (all.empty()) all.push_back({0.0, 0.0});
     const auto [left, right] = std::minmax_element(all.begin(), all.end(), [](Point a, Point b) { return a.x < b.x; });

@@ -61,7 +61,7 @@ class LiveItems {
     if (change.kind == Change::Kind::remove) return std::nullopt;
     if (id.value > ItemId::kLargest) return ErrorCode::bad_id;
     if (change.kind == Change::Kind::insert && is_alive) return ErrorCode::id_in_use;
-    for (const std::vector<Point>& ring : change.shape.rings) {
+    for (const PointSpan& ring : change.shape.rings) {
       for (const Point& p : ring) {
         if (!is_legal_coordinate(p.x) || !is_legal_coordinate(p.y)) return ErrorCode::coordinate_range;
         const bool is_inside =
@@ -94,13 +94,14 @@ class LiveItems {
 
 /// A shape as World::shape returns it: points that repeat their predecessor merged, -0 become 0.
 [[nodiscard]] inline Shape merged(Shape shape) {
-  for (std::vector<Point>& ring : shape.rings) {
+  std::vector<std::vector<Point>> rings = shape.rings;
+  for (std::vector<Point>& ring : rings) {
     for (Point& p : ring) p = {p.x + 0.0, p.y + 0.0};
     if (shape.kind == ItemKind::segment) continue;
     ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     if (shape.kind == ItemKind::polygon && ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   }
-  return shape;
+  return {shape.kind, rings};
 }
 
 }  // namespace waywright::test

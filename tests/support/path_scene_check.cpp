@@ -72,9 +72,9 @@ class PathCaseCheck {
  private:
   Fault first_fault() {
     Result<World> world = World::create(path_case_.scene.domain);
-    if (!world) return "create: " + world.error().message;
+    if (!world) return "create: " + world.error().message();
     for (const Item& item : path_case_.scene.items) {
-      if (const auto inserted = world->insert(item.shape, item.id); !inserted) return inserted.error().message;
+      if (const auto inserted = world->insert(item.shape, item.id); !inserted) return inserted.error().message();
     }
     report_.vertices = world->vertex_count();
     const auto first_walls = oracle::first_walls(oracle::to_oracle(path_case_.scene), rays_of(path_case_));
@@ -101,7 +101,7 @@ class PathCaseCheck {
 
   Fault check_ray(const World& world, const Ends& ends, const oracle::OracleHit& expected) {
     const Result<void> done = world.ray(ends.start, ends.goal, hit_);
-    if (!done) return done.error().message;
+    if (!done) return done.error().message();
     std::vector<std::uint64_t> ids;
     for (const ItemId id : hit_.items) ids.push_back(id.value);
     if (hit_.hit != expected.hit) return "a hit where there is none, or none where there is";
@@ -114,7 +114,7 @@ class PathCaseCheck {
 
   Fault check_query(const World& world, const PathQuery& query, const oracle::ShortestPath& shortest,
                     PathRatios& ratios) {
-    if (const Result<void> done = find_(world, query, context_, path_); !done) return done.error().message;
+    if (const Result<void> done = find_(world, query, context_, path_); !done) return done.error().message();
     const PathStatus expected = status_of(shortest.status);
     if (path_.status != expected) {
       return std::string(to_string(path_.status)) + " instead of " + std::string(to_string(expected));

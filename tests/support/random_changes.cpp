@@ -94,22 +94,9 @@ class ChangeMaker {
     return chosen->first;
   }
 
-  static Box box_of(const Shape& shape) {
-    Box box{shape.rings[0][0], shape.rings[0][0]};
-    for (const std::vector<Point>& ring : shape.rings) {
-      for (const Point& p : ring) {
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-      }
-    }
-    return box;
-  }
-
   static bool are_near(const Shape& a, const Shape& b) {
     if (b.rings.empty()) return true;
-    const Box p = box_of(a);
-    const Box q = box_of(b);
-    return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
+    return Box::of(a.rings.points()).overlaps(Box::of(b.rings.points()));
   }
 
   /// For shapes to come back.
@@ -128,7 +115,7 @@ class ChangeMaker {
 
   /// The shape with one of its corners at a corner of another.
   Shape dragged(Shape shape) {
-    std::vector<Point>& ring = shape.rings[random_.below(shape.rings.size())];
+    const MutablePointSpan ring = shape.rings[random_.below(shape.rings.size())];
     const Shape& other = pool_.items[random_.below(pool_.items.size())].shape;
     ring[random_.below(ring.size())] = other.rings[0][random_.below(other.rings[0].size())];
     return shape;

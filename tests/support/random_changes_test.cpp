@@ -92,7 +92,7 @@ TEST(RandomChanges, PrintAsAScriptThatLeavesTheSameItems) {
     LiveItems live(changes.domain);
     for (const Step& step : changes.steps) static_cast<void>(live.apply(step));
     const Result<Script> script = parse_script(to_script(changes), "changes");
-    ASSERT_TRUE(script.ok()) << script.error().message;
+    ASSERT_TRUE(script.ok()) << script.error().message();
     std::map<ItemId, Shape> left;
     for (const Item& item : scene_of(*script).items) left.emplace(item.id, item.shape);
     EXPECT_EQ(left, live.items());

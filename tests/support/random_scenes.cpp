@@ -311,7 +311,7 @@ class SceneMaker {
   }
 
   void add(ItemId id, Shape shape) {
-    for (Ring& ring : shape.rings) {
+    for (MutablePointSpan& ring : shape.rings) {
       for (Point& p : ring) p = inside(p);
       corners_.insert(corners_.end(), ring.begin(), ring.end());
       for (std::size_t i = 1; i < ring.size(); ++i) sides_.emplace_back(ring[i - 1], ring[i]);

@@ -37,7 +37,7 @@ class WorldCheck {
  private:
   Fault first_fault() {
     Result<World> world = World::create(scene_.domain);
-    if (!world) return "create: " + world.error().message;
+    if (!world) return "create: " + world.error().message();
     if (const Fault fault = insert_all(*world)) return fault;
     const std::string dump = world->dump();
     report_.vertices = world->vertex_count();
@@ -54,7 +54,7 @@ class WorldCheck {
     for (const Item& item : scene_.items) {
       const Result<ItemId> inserted = world.insert(item.shape, item.id);
       ++report_.operations;
-      if (!inserted) return "insert of " + name_of(item.id) + ": " + inserted.error().message;
+      if (!inserted) return "insert of " + name_of(item.id) + ": " + inserted.error().message();
       if (*inserted != item.id) return "insert of " + name_of(item.id) + " returned " + name_of(*inserted);
       const Validation validation = world.validate();
       if (!validation.ok) return "validate after " + name_of(item.id) + ": " + validation.fault;
@@ -132,7 +132,7 @@ class WorldCheck {
       ++report_.operations;
       const std::string where = "locate " + text_of(points[i]) + ": ";
       const Result<void> located = world.locate(points[i], context, location);
-      if (!located) return where + located.error().message;
+      if (!located) return where + located.error().message();
       if (static_cast<int>(location.at) != static_cast<int>(expected[i].at)) return where + "wrong kind of place";
       const std::vector<Point> corners(location.corners.begin(),
                                        location.corners.begin() + static_cast<std::ptrdiff_t>(location.corner_count));
@@ -187,7 +187,7 @@ class WorldCheck {
     std::vector<Item> items = scene_.items;
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random_.below(i)]);
     Result<World> world = World::create(scene_.domain);
-    if (!world) return "create: " + world.error().message;
+    if (!world) return "create: " + world.error().message();
     for (const Item& item : items) {
       ++report_.operations;
       if (!world->insert(item.shape, item.id))
@@ -201,12 +201,12 @@ class WorldCheck {
   Fault check_at_once(std::string_view dump) {
     for (const std::size_t before : {std::size_t{0}, scene_.items.size() / 3}) {
       Result<World> world = World::create(scene_.domain);
-      if (!world) return "create: " + world.error().message;
+      if (!world) return "create: " + world.error().message();
       const std::span<const Item> items = scene_.items;
       for (const Item& item : items.first(before)) (void)world->insert(item.shape, item.id);
       const Result<std::vector<ItemId>> ids = world->insert_all(items.subspan(before));
       report_.operations += items.size();
-      if (!ids) return "insert_all: " + ids.error().message;
+      if (!ids) return "insert_all: " + ids.error().message();
       for (std::size_t i = before; i < items.size(); ++i) {
         if ((*ids)[i - before] != items[i].id) return "insert_all returned another id for " + name_of(items[i].id);
         const Result<Shape> shape = world->shape(items[i].id);

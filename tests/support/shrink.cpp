@@ -35,9 +35,10 @@ void shrink_points(Scene& scene, const SceneCheck& check) {
     for (std::size_t r = 0; r < scene.items[i].shape.rings.size(); ++r) {
       for (std::size_t p = 0; p < scene.items[i].shape.rings[r].size();) {
         Scene less = scene;
-        auto& rings = less.items[i].shape.rings;
+        std::vector<std::vector<Point>> rings = less.items[i].shape.rings;
         rings[r].erase(rings[r].begin() + static_cast<std::ptrdiff_t>(p));
         if (rings[r].empty()) rings.erase(rings.begin() + static_cast<std::ptrdiff_t>(r));
+        less.items[i].shape.rings = rings;
         if (rings.empty() || !check(less).fault) {
           ++p;
           continue;

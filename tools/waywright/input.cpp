@@ -70,13 +70,13 @@ Script load_script(const std::string& name) {
 Scene load_scene(const std::string& name) {
   if (name == "-") return scene_of(load_script(name));
   Result<Scene> scene = read_scene(name);
-  if (!scene.ok()) throw Failure(scene.error().message);
+  if (!scene.ok()) throw Failure(scene.error().message());
   return std::move(scene).value();
 }
 
 World build_world(const Scene& scene, const std::string& name) {
   Result<World> created = World::create(scene.domain);
-  if (!created.ok()) throw Failure(fmt::format("{}: {}", name, created.error().message));
+  if (!created.ok()) throw Failure(fmt::format("{}: {}", name, created.error().message()));
   World world = std::move(created).value();
   Progress progress("insert");
   const auto show = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
@@ -89,7 +89,7 @@ World build_world(const Scene& scene, const std::string& name) {
     progress.show(done++, scene.items.size());
     const Result<ItemId> inserted = world.insert(item.shape, item.id);
     if (inserted.ok()) continue;
-    if (left_out++ == 0) first_reason = fmt::format("item {}: {}", item.id.value, inserted.error().message);
+    if (left_out++ == 0) first_reason = fmt::format("item {}: {}", item.id.value, inserted.error().message());
   }
   progress.finish();
   if (left_out > 0) {

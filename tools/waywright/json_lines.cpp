@@ -83,7 +83,7 @@ std::string json_line(const Request& request, const ItemsHash& items, const Mesh
 
 std::string json_line(const Request& request, const Error& error) {
   return opening(request) +
-         fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message));
+         fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message()));
 }
 
 std::string json_line(const PredicateCounts& counts, const MemoryUse& memory) {

@@ -26,7 +26,7 @@ ExitStatus path(const PathOptions& options) {
   const World world = build_world(scene, options.map);
 
   const Result<Path> searched = world.find_path(query);
-  if (!searched.ok()) throw Failure(fmt::format("waywright: path: {}", searched.error().message));
+  if (!searched.ok()) throw Failure(fmt::format("waywright: path: {}", searched.error().message()));
   StreamWriter output(stream_beside({options.svg}));
   output.write_line(json_line({"path", {}}, *searched));
   output.flush();

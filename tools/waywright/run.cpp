@@ -23,7 +23,7 @@ namespace {
 
 World create_world(const Script& script, const std::string& name) {
   Result<World> world = World::create(script.domain);
-  if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", name, script.domain_line, world.error().message));
+  if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", name, script.domain_line, world.error().message()));
   return std::move(world).value();
 }
 

@@ -111,10 +111,10 @@ Outcome Runner::refuse_unsupported(const Operation& operation) {
   Error error;
   if (has_radius(operation.kind) && !(std::isfinite(operation.radius) && operation.radius >= 0.0)) {
     error.code = ErrorCode::bad_radius;
-    error.message = fmt::format("the radius {} is negative or not finite", operation.radius);
+    error.words = fmt::format("the radius {} is negative or not finite", operation.radius);
   } else {
     error.code = ErrorCode::not_supported;
-    error.message = fmt::format("this version does not carry out '{}'", to_string(operation));
+    error.words = fmt::format("this version does not carry out '{}'", to_string(operation));
   }
   return refuse(operation, error);
 }

@@ -191,7 +191,7 @@ class ScenarioRun {
     if (done.ok()) return;
     const char* const hint =
         done.error().code == ErrorCode::out_of_domain ? "; is this the scenario of another map?" : "";
-    throw Failure(fmt::format("{}:{}: {}{}", options_.scenario, query.line, done.error().message, hint));
+    throw Failure(fmt::format("{}:{}: {}{}", options_.scenario, query.line, done.error().message(), hint));
   }
 
   void append_percentiles(std::string& out) const {

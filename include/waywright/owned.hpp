@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "waywright/assert.hpp"
+
+namespace waywright::detail {
+
+/// A std::unique_ptr that checks each access: it is empty in an object that has been moved from.
+template <class T, const char* kIfEmpty>
+class Owned {
+ public:
+  Owned(std::unique_ptr<T> object) : object_(std::move(object)) {}
+
+  [[nodiscard]] T* operator->() const {
+    WAYWRIGHT_ASSERT(object_ != nullptr, kIfEmpty);
+    return object_.get();
+  }
+  [[nodiscard]] T& operator*() const { return *operator->(); }
+
+ private:
+  std::unique_ptr<T> object_;
+};
+
+inline constexpr char kMovedWorld[] = "World: this one has been moved from; it may only be assigned to or destroyed";
+inline constexpr char kMovedContext[] =
+    "QueryContext: this one has been moved from; it may only be assigned to or destroyed";
+inline constexpr char kMovedSearch[] =
+    "PathSearch: this one has been moved from; it may only be assigned to or destroyed";
+
+}  // namespace waywright::detail

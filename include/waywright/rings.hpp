@@ -1,0 +1,170 @@
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "waywright/assert.hpp"
+#include "waywright/point.hpp"
+
+namespace waywright {
+
+/// The rings of a shape: lists of points, one after the other in one piece of memory, so that one ring costs one
+/// allocation. It is made from and compared with what else holds rings: `{{{0, 0}, {1, 0}, {1, 1}}}`, one ring in
+/// braces, `{{0, 0}, {1, 0}, {1, 1}}`, a list of points, or a list of such lists.
+///
+/// It reads as a range of PointSpan, which are views: they are valid until rings or points are added.
+class Rings {
+ public:
+  /// Goes from ring to ring. The ring that it hands out is its own, so a reference to it is valid until the iterator
+  /// moves or goes.
+  template <class P>
+  class Iterator;
+  using iterator = Iterator<Point>;
+  using const_iterator = Iterator<const Point>;
+  using value_type = PointSpan;
+
+  /// No ring.
+  Rings() = default;
+  /// Several rings.
+  Rings(std::initializer_list<PointSpan> rings) { append_all(rings); }
+  template <class List>
+  requires std::convertible_to<const List&, std::span<const std::vector<Point>>> Rings(const List& rings) {
+    append_all(std::span<const std::vector<Point>>(rings));
+  }
+  /// One ring. A template, so that `{{}}` has one meaning: one ring without points.
+  template <std::same_as<Point> P = Point>
+  Rings(std::initializer_list<P> ring) : ring_count_(1), points_(ring) {}
+  Rings(std::vector<Point> ring) : ring_count_(1), points_(std::move(ring)) {}
+  template <class List>
+  requires std::convertible_to<const List&, std::span<const Point>> Rings(const List& ring)
+      : Rings(std::vector<Point>(PointSpan(ring))) {}
+
+  /// A copy as a list of lists.
+  operator std::vector<std::vector<Point>>() const;
+
+  [[nodiscard]] std::size_t size() const { return ring_count_; }
+  [[nodiscard]] bool empty() const { return ring_count_ == 0; }
+
+  /// The i-th ring, from 0. Requires: i < size().
+  [[nodiscard]] PointSpan operator[](std::size_t i) const { return points().subspan(begin_of(i), count_of(i)); }
+  [[nodiscard]] MutablePointSpan operator[](std::size_t i) { return points().subspan(begin_of(i), count_of(i)); }
+  /// The first and the last ring. Requires: there is a ring.
+  [[nodiscard]] PointSpan front() const { return (*this)[0]; }
+  [[nodiscard]] MutablePointSpan front() { return (*this)[0]; }
+  [[nodiscard]] PointSpan back() const { return (*this)[ring_count_ - 1]; }
+  [[nodiscard]] MutablePointSpan back() { return (*this)[ring_count_ - 1]; }
+
+  [[nodiscard]] const_iterator begin() const;
+  [[nodiscard]] const_iterator end() const;
+  [[nodiscard]] iterator begin();
+  [[nodiscard]] iterator end();
+
+  /// The points of all rings, ring after ring.
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  [[nodiscard]] std::span<Point> points() { return points_; }
+
+  /// Adds a ring of these points. They may be some of this object's own.
+  void push_back(PointSpan ring) {
+    const std::less<const Point*> before;
+    const Point* const own = points_.data();
+    const bool is_own = !before(ring.data(), own) && before(ring.data(), own + points_.size());
+    const std::size_t offset = is_own ? static_cast<std::size_t>(ring.data() - own) : 0;
+    start_ring();
+    for (std::size_t i = 0; i < ring.size(); ++i) points_.push_back(is_own ? points_[offset + i] : ring[i]);
+  }
+  /// Adds a ring without points, which add_point() adds to.
+  void start_ring() {
+    if (ring_count_ > 0) later_begins_.push_back(points_.size());
+    ++ring_count_;
+  }
+  /// Adds a point to the last ring. Requires: there is a ring.
+  void add_point(const Point& point) {
+    WAYWRIGHT_ASSERT(ring_count_ > 0, "Rings::add_point: there is no ring yet");
+    points_.push_back(point);
+  }
+  /// Makes room for so many points in all.
+  void reserve(std::size_t points) { points_.reserve(points); }
+  /// Removes all rings, and keeps the memory.
+  void clear() {
+    ring_count_ = 0;
+    points_.clear();
+    later_begins_.clear();
+  }
+
+  friend bool operator==(const Rings&, const Rings&) = default;
+
+ private:
+  template <class List>
+  void append_all(const List& rings) {
+    std::size_t count = 0;
+    for (const PointSpan ring : rings) count += ring.size();
+    points_.reserve(count);
+    for (const PointSpan ring : rings) push_back(ring);
+  }
+  [[nodiscard]] std::size_t begin_of(std::size_t i) const {
+    WAYWRIGHT_ASSERT(i < ring_count_, "Rings: there is no ring of this index");
+    return i == 0 ? 0 : later_begins_[i - 1];
+  }
+  [[nodiscard]] std::size_t count_of(std::size_t i) const {
+    return (i + 1 == ring_count_ ? points_.size() : later_begins_[i]) - begin_of(i);
+  }
+
+  std::size_t ring_count_ = 0;
+  std::vector<Point> points_;
+  std::vector<std::size_t> later_begins_;  ///< where each ring but the first begins in `points_`
+};
+
+template <class P>
+class Rings::Iterator {
+ public:
+  using value_type = BasicPointSpan<P>;
+  using reference = BasicPointSpan<P>&;
+  using pointer = BasicPointSpan<P>*;
+  using difference_type = std::ptrdiff_t;
+  using iterator_category = std::input_iterator_tag;
+
+  Iterator() = default;
+
+  [[nodiscard]] BasicPointSpan<P>& operator*() const { return ring_; }
+  [[nodiscard]] BasicPointSpan<P>* operator->() const { return &ring_; }
+  Iterator& operator++() {
+    ++index_;
+    read();
+    return *this;
+  }
+  Iterator operator++(int) {
+    Iterator old = *this;
+    ++*this;
+    return old;
+  }
+  friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+
+ private:
+  friend class Rings;
+  using Owner = std::conditional_t<std::is_const_v<P>, const Rings, Rings>;
+
+  Iterator(Owner& rings, std::size_t index) : rings_(&rings), index_(index) { read(); }
+  void read() {
+    if (index_ < rings_->size()) ring_ = (*rings_)[index_];
+  }
+
+  Owner* rings_ = nullptr;
+  std::size_t index_ = 0;
+  mutable BasicPointSpan<P> ring_;
+};
+
+inline Rings::operator std::vector<std::vector<Point>>() const { return {begin(), end()}; }
+inline Rings::const_iterator Rings::begin() const { return {*this, 0}; }
+inline Rings::const_iterator Rings::end() const { return {*this, ring_count_}; }
+inline Rings::iterator Rings::begin() { return {*this, 0}; }
+inline Rings::iterator Rings::end() { return {*this, ring_count_}; }
+
+}  // namespace waywright
