@@ -10,6 +10,7 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
 #include "constraint/box_test.hpp"
 #include "memory/count.hpp"
 

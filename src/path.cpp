@@ -5,6 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "waywright/assert.hpp"
+
+#include "base/float_environment.hpp"
+#include "base/ieee.hpp"
 #include "exact/exact_point.hpp"
 #include "exact/predicates.hpp"
 #include "path/distance.hpp"
@@ -109,13 +113,15 @@ PathPosition position_on(const std::vector<Point>& points, std::size_t segment, 
 PathPosition Path::at(double distance, Precision precision) const { return advance({}, distance, precision); }
 
 PathPosition Path::advance(const PathPosition& from, double step, Precision precision) const {
+  const base::FloatEnvironment environment;
+  WAYWRIGHT_ASSERT(!points.empty(), "Path::advance: the path has no points");
   const double total = std::max(from.distance + step, 0.0);
   const bool goes_on = total >= from.before && from.segment + 1 < points.size();
   std::size_t segment = goes_on ? from.segment : 0;
   double before = goes_on ? from.before : 0.0;
   if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
   for (;;) {
-    const double segment_length = path::distance(points[segment], points[segment + 1]);
+    const double segment_length = waywright::distance(points[segment], points[segment + 1]);
     if (total - before < segment_length || segment + 2 == points.size()) {
       return position_on(points, segment, before, std::min(total - before, segment_length), segment_length, precision);
     }
@@ -125,6 +131,8 @@ PathPosition Path::advance(const PathPosition& from, double step, Precision prec
 }
 
 PathPosition Path::nearest(const Point& place, Precision precision) const {
+  const base::FloatEnvironment environment;
+  WAYWRIGHT_ASSERT(!points.empty(), "Path::nearest: the path has no points");
   if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
   double best_distance = std::numeric_limits<double>::infinity();
   double best_along = 0.0;
@@ -133,12 +141,12 @@ PathPosition Path::nearest(const Point& place, Precision precision) const {
   double before = 0.0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Point way{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
-    const double segment_length = path::distance(points[i], points[i + 1]);
+    const double segment_length = waywright::distance(points[i], points[i + 1]);
     const Point foot = path::foot(place, points[i], way);
     const double ahead = (foot.x - points[i].x) * way.x + (foot.y - points[i].y) * way.y;
-    const double along = ahead <= 0.0 ? 0.0 : std::min(path::distance(points[i], foot), segment_length);
+    const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), segment_length);
     const double share = segment_length > 0.0 ? along / segment_length : 0.0;
-    const double distance = path::distance(place, {points[i].x + share * way.x, points[i].y + share * way.y});
+    const double distance = waywright::distance(place, {points[i].x + share * way.x, points[i].y + share * way.y});
     if (distance < best_distance) {
       best_distance = distance;
       best_along = along;
@@ -147,7 +155,7 @@ PathPosition Path::nearest(const Point& place, Precision precision) const {
     }
     before += segment_length;
   }
-  const double segment_length = path::distance(points[best_segment], points[best_segment + 1]);
+  const double segment_length = waywright::distance(points[best_segment], points[best_segment + 1]);
   return position_on(points, best_segment, best_before, best_along, segment_length, precision);
 }
 

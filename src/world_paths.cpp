@@ -114,11 +114,15 @@ Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) co
   return paths;
 }
 
-double World::default_end_tolerance() const { return path::default_end_tolerance(domain()); }
+double World::default_end_tolerance() const {
+  const base::FloatEnvironment environment;
+  return path::default_end_tolerance(domain());
+}
 
 Result<bool> World::is_clear(std::span<const Point> points, QueryContext& context) const {
+  const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (auto error = find_point_error(domain(), points[i], i)) return *std::move(error);
+    if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
   }
   context.scratch_->cover.use(impl_->kept_abstraction());
   return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover, points);
@@ -140,6 +144,7 @@ Result<bool> World::is_clear(const Point& from, const Point& to) const {
 }
 
 bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
+  const base::FloatEnvironment environment;
   return !points.empty() && impl_->change_log.meets(points, since);
 }
 
@@ -213,7 +218,7 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   if (auto error = find_query_error(world, world.impl_->abstraction.has_value(), query)) return *std::move(error);
   impl_->query = query;
   impl_->restarts = 0;
-  impl_->world = world.impl_.get();
+  impl_->world = &*world.impl_;
   impl_->begin();
   impl_->start(*world.impl_);
   return {};

@@ -34,3 +34,14 @@
 #else
 #define WAYWRIGHT_API_EXCEPTION WAYWRIGHT_API
 #endif
+
+/// Stands before inline functions of public headers that take more than one rounded step. The compiler puts each call
+/// of them in place. Otherwise a linker could replace the library's copy by one that a program has compiled with its
+/// own floating-point options, and the library's answers would change.
+#if defined(__GNUC__)
+#define WAYWRIGHT_INLINE __attribute__((always_inline)) inline
+#elif defined(_MSC_VER)
+#define WAYWRIGHT_INLINE __forceinline
+#else
+#define WAYWRIGHT_INLINE inline
+#endif

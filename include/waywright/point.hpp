@@ -43,17 +43,17 @@ struct Point {
 };
 
 /// The dot product.
-[[nodiscard]] constexpr double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
+[[nodiscard]] WAYWRIGHT_INLINE constexpr double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 /// The third coordinate of the cross product: positive where `b` points to the left of `a`.
-[[nodiscard]] constexpr double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
+[[nodiscard]] WAYWRIGHT_INLINE constexpr double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 /// The square of the length; it takes no root.
-[[nodiscard]] constexpr double squared_length(const Point& a) { return dot(a, a); }
+[[nodiscard]] WAYWRIGHT_INLINE constexpr double squared_length(const Point& a) { return dot(a, a); }
 /// The distance from (0, 0).
-[[nodiscard]] inline double length(const Point& a) { return std::sqrt(squared_length(a)); }
+[[nodiscard]] WAYWRIGHT_INLINE double length(const Point& a) { return std::sqrt(squared_length(a)); }
 /// The distance between two places.
-[[nodiscard]] inline double distance(const Point& a, const Point& b) { return length(b - a); }
+[[nodiscard]] WAYWRIGHT_INLINE double distance(const Point& a, const Point& b) { return length(b - a); }
 /// The place that divides the way from `a` to `b`: `a` at t = 0, `b` at t = 1, exactly.
-[[nodiscard]] constexpr Point lerp(const Point& a, const Point& b, double t) {
+[[nodiscard]] WAYWRIGHT_INLINE constexpr Point lerp(const Point& a, const Point& b, double t) {
   return t == 1.0 ? b : Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 /// Whether `a` comes before `b` in (x, y) order: by x and, where these are equal, by y. The order for std::sort and
@@ -111,7 +111,7 @@ struct Box {
   [[nodiscard]] constexpr double width() const { return max.x - min.x; }
   [[nodiscard]] constexpr double height() const { return max.y - min.y; }
   /// The middle, rounded.
-  [[nodiscard]] constexpr Point centre() const { return {min.x + width() / 2, min.y + height() / 2}; }
+  [[nodiscard]] WAYWRIGHT_INLINE constexpr Point centre() const { return {min.x + width() / 2, min.y + height() / 2}; }
 
   /// Whether the point lies in the box or on its border.
   [[nodiscard]] constexpr bool contains(const Point& point) const {

@@ -224,14 +224,13 @@ class WAYWRIGHT_API World {
   /// lies strictly inside a polygon, but no farther from a free place than PathQuery::end_tolerance, is moved there:
   /// to the nearest free place, among those that are joined with the other end if the world keeps its abstraction and
   /// there are any. If walls part the ends, an end that lies beside a wall by no more than rounding
-  /// (default_end_tolerance() at most) is moved to its other side, if this joins the ends; this, too, takes a world that
-  /// keeps its abstraction. The answer says so (Path::moved_start, Path::moved_goal).
-  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported. Cost: the location of the ends,
-  /// and the triangles searched (Path::expansions); no memory, once `context` and `path` have been used for a search as large.
-  /// Where walls part the ends no triangle is, if the world keeps its abstraction.
-  /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
-  /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md says where we
-  /// depart from them.
+  /// (default_end_tolerance() at most) is moved to its other side, if this joins the ends; this, too, takes a world
+  /// that keeps its abstraction. The answer says so (Path::moved_start, Path::moved_goal). Errors: coordinate_range,
+  /// out_of_domain, bad_radius, bad_distance, not_supported. Cost: the location of the ends, and the triangles searched
+  /// (Path::expansions); no memory, once `context` and `path` have been used for a search as large. Where walls part
+  /// the ends no triangle is, if the world keeps its abstraction. Source: Cui, Harabor and Grastien, *Compromise-free
+  /// pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`); Demyen and Buro, *Efficient triangulation-based
+  /// pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md says where we depart from them.
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 

@@ -5,6 +5,7 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
 #include "exact/exact_point.hpp"
 #include "exact/predicates.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
 #include "exact/exact_point.hpp"
 #include "exact/homogeneous.hpp"
 #include "exact/integer.hpp"

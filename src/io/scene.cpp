@@ -51,7 +51,7 @@ Result<Scene> read_poly(std::string_view text, const std::string& file_name) {
   const Result<std::string> node_text = read_file(node_name);
   if (!node_text.ok()) {
     Error error = node_text.error();
-    error.message += "; it should hold the vertices, of which " + file_name + " counts none";
+    error.words = error.message() + "; it should hold the vertices, of which " + file_name + " counts none";
     return error;
   }
   return parse_triangle_poly(text, file_name, *node_text, node_name);

@@ -6,6 +6,7 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
 #include "constraint/cover.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"

@@ -69,7 +69,7 @@ bool run(const std::filesystem::path& file) {
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const Result<Script> script = parse_script(text, file.filename().string());
-  if (!script) return std::fprintf(stderr, "%s\n", script.error().message.c_str()), false;
+  if (!script) return std::fprintf(stderr, "%s\n", script.error().message().c_str()), false;
   World world = World::create(script->domain).value();
   std::printf("script %s\n", file.filename().string().c_str());
   for (const Operation& operation : script->operations) perform(world, operation);

@@ -22,7 +22,7 @@ struct Reader {
 
 template <class Value>
 std::string message_of(const Result<Value>& result) {
-  return result.ok() ? std::string() : result.error().message;
+  return result.ok() ? std::string() : result.error().message();
 }
 
 const std::string kNode = "1 2 0 0\n1 0 0\n";

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<ScenarioQuery> queries_of(const std::string& text) {
   const auto queries = parse_movingai_scenario(text, "s.scen");
-  EXPECT_TRUE(queries.ok()) << queries.error().message;
+  EXPECT_TRUE(queries.ok()) << queries.error().message();
   return queries.ok() ? *queries : std::vector<ScenarioQuery>{};
 }
 
@@ -41,7 +41,7 @@ TEST(ParseScenario, SaysWhatIsWrongAndWhere) {
     const auto queries = parse_movingai_scenario(text, "s.scen");
     ASSERT_FALSE(queries.ok()) << text;
     EXPECT_EQ(queries.error().code, ErrorCode::malformed);
-    EXPECT_EQ(queries.error().message, "s.scen:" + message);
+    EXPECT_EQ(queries.error().message(), "s.scen:" + message);
   };
   const std::string begin = "expected 'version 1', as scenarios of Moving AI begin, found ";
   expect_message("", "1: " + begin + "the end of the text");

@@ -89,7 +89,7 @@ TEST_F(ReadScene, NamesTheFileThatCannotBeRead) {
   fs::create_directories(path_of("folder.map"));
   expect_error(path_of("folder.map"), ErrorCode::unreadable, path_of("folder.map") + ": ");
   expect_error(write("a.poly", "0 2 0 0\n0\n0\n"), ErrorCode::unreadable, path_of("a.node") + ": ");
-  EXPECT_EQ(read_scene(path_of("a.poly")).error().message,
+  EXPECT_EQ(read_scene(path_of("a.poly")).error().message(),
             path_of("a.node") + ": cannot be read: No such file or directory; it should hold the vertices, of which " +
                 path_of("a.poly") + " counts none");
 }

@@ -42,7 +42,7 @@ class PlacesCheck {
     for (const Ends& ends : path_case_.queries) {
       for (const PathAlgorithm algorithm : kPathAlgorithms) {
         const PathQuery query{.start = ends.start, .goal = ends.goal, .algorithm = algorithm};
-        if (auto done = world.find_path(query, context_, path_); !done) return failed(done.error().message);
+        if (auto done = world.find_path(query, context_, path_); !done) return failed(done.error().message());
         if (path_.status != PathStatus::found || path_.length == 0.0) continue;
         ++report_.paths;
         for (std::size_t i = 0; i < places_per_path_; ++i) {
@@ -67,7 +67,7 @@ class PlacesCheck {
     ++report_.places;
     PathQuery again = query;
     again.start = place;
-    if (auto done = world.find_path(again, context_, answer_); !done) return done.error().message;
+    if (auto done = world.find_path(again, context_, answer_); !done) return done.error().message();
     const std::string text = std::string(to_string(query.algorithm)) + " from " + text_of(query.start) + " to " +
                              text_of(query.goal) + ", again from " + text_of(place);
     if (answer_.status != PathStatus::found) return text + ": " + std::string(to_string(answer_.status));

@@ -63,7 +63,7 @@ std::string read_text(const std::string& name) {
 
 Script load_script(const std::string& name) {
   Result<Script> script = parse_script(read_text(name), name);
-  if (!script.ok()) throw Failure(script.error().message);
+  if (!script.ok()) throw Failure(script.error().message());
   return std::move(script).value();
 }
 

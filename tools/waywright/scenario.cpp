@@ -67,7 +67,7 @@ bool is_between_cells(const World& world, const Point& point, QueryContext& cont
 
 std::vector<ScenarioQuery> load_scenario(const std::string& name) {
   Result<std::vector<ScenarioQuery>> queries = parse_movingai_scenario(read_text(name), name);
-  if (!queries.ok()) throw Failure(queries.error().message);
+  if (!queries.ok()) throw Failure(queries.error().message());
   return std::move(queries).value();
 }
 
