@@ -32,4 +32,8 @@ namespace waywright {
   return point_error(domain, point, index, name);
 }
 
+[[nodiscard]] inline std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index) {
+  return find_point_error(domain, point, index, {"point", index});
+}
+
 }  // namespace waywright

@@ -58,7 +58,7 @@ std::optional<Error> find_shape_error(const Box& domain, const Shape& shape, std
   if (auto error = find_arity_error(shape)) return error;
   const std::span<const Point> points = shape.rings.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (auto error = find_point_error(domain, points[i], i, {"point", i})) return error;
+    if (auto error = find_point_error(domain, points[i], i)) return error;
   }
   if (vertex_count + points.size() > kLargestPointCount) return too_large();
   return std::nullopt;
@@ -302,7 +302,7 @@ Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOp
     };
     if (id.value > ItemId::kLargest || id < first) return refuse(bad_id(id));
     if (id <= largest && items.contains(id)) return refuse(id_in_use(id));
-    if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return refuse(*std::move(error));
+    if (auto error = find_point_error(domain(), points[i], i)) return refuse(*std::move(error));
   }
   if (vertex_count() + points.size() > kLargestPointCount) return about(first, too_large());
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);

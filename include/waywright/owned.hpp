@@ -17,6 +17,7 @@ class Owned {
     WAYWRIGHT_ASSERT(object_ != nullptr, kIfEmpty);
     return object_.get();
   }
+  [[nodiscard]] T* get() const { return operator->(); }
   [[nodiscard]] T& operator*() const { return *operator->(); }
 
  private:
