@@ -10,6 +10,7 @@
 namespace {
 
 using waywright::Change;
+using waywright::Shape;
 using waywright::World;
 
 World new_world() { return World::create({{0, 0}, {1000, 1000}}).value(); }
@@ -20,8 +21,8 @@ std::vector<Change> commands_of(std::uint64_t tick) {
   const double x = 50.0 + static_cast<double>(tick * 137 % 900);
   const double y = 50.0 + static_cast<double>(tick * 211 % 900);
   const std::vector<waywright::Point> house = {{x, y}, {x + 40, y + 10}, {x + 30, y + 45}, {x - 10, y + 35}};
-  std::vector<Change> commands{{Change::Kind::insert, {tick}, {waywright::ItemKind::polygon, {house}}}};
-  if (tick % 3 == 0) commands.push_back({Change::Kind::remove, {tick / 3}, {}});
+  std::vector<Change> commands{Change::insert(Shape::polygon(house), tick)};
+  if (tick % 3 == 0) commands.push_back(Change::remove(tick / 3));
   return commands;
 }
 

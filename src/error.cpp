@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/float_environment.hpp"
 #include "exact/exact_point.hpp"
 #include "io/text.hpp"
 
@@ -94,6 +95,7 @@ void append_id_error(std::string& text, const Error& error) {
 }  // namespace
 
 std::string Error::message() const {
+  const base::FloatEnvironment environment;
   std::string text;
   if (words.list != nullptr) text = words.list + io::with_number(" ", index, ": ");
   if (!words.text.empty()) {

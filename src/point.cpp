@@ -2,11 +2,13 @@
 
 #include "waywright/assert.hpp"
 
+#include "base/float_environment.hpp"
 #include "io/text.hpp"
 
 namespace waywright {
 
 std::string to_string(const Point& point) {
+  const base::FloatEnvironment environment;
   std::string text = "(";
   io::append_number(text, point.x);
   text += ", ";

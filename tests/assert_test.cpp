@@ -62,7 +62,7 @@ TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
   EXPECT_DEATH(static_cast<void>(*refused), why);
   EXPECT_DEATH(static_cast<void>(refused->at), why);
   EXPECT_DEATH(static_cast<void>(*world_of_ten().locate({3, 17})), why);
-  const Result<ItemId> done = ItemId(1);
+  const Result<Location> done = world_of_ten().locate({3, 7});
   EXPECT_DEATH(static_cast<void>(done.error()), "Result::error\\(\\): the call was carried out");
   EXPECT_DEATH(static_cast<void>(Result<void>().error()), "Result::error\\(\\): the call was carried out");
 }
@@ -111,6 +111,12 @@ TEST(AssertionOf, ThereBeingAThreadAndAContext) {
   EXPECT_DEATH(static_cast<void>(world.insert_points({{1, 1}}, {}, no_thread)), "`threads` is 0");
   EXPECT_DEATH(static_cast<void>(world.find_paths(queries, 0)), "there is no context, or the number of threads is 0");
   EXPECT_DEATH(static_cast<void>(world.find_paths(queries, {}, paths)), "there is no context");
+}
+
+TEST(AssertionOf, APathWithoutPoints) {
+  const Path path;
+  EXPECT_DEATH(static_cast<void>(path.at(1)), "the path has no points");
+  EXPECT_DEATH(static_cast<void>(path.nearest({1, 1})), "the path has no points");
 }
 
 TEST(AssertionOf, ShapesAndBoxes) {

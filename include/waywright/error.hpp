@@ -24,7 +24,7 @@ enum class ErrorCode : std::uint8_t {
   unknown_id,        ///< no item of that id is alive
   bad_radius,        ///< a radius that is negative or not finite
   bad_distance,      ///< a distance that is negative or not a number
-  bad_id,            ///< an id above 2^63 - 1
+  bad_id,            ///< an id above 2^63 - 1; a negative number is one
   bad_domain,        ///< a domain that is not min.x < max.x and min.y < max.y
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
   too_large,         ///< more vertices, triangles or items than 32-bit indices can name

@@ -142,7 +142,7 @@ class WAYWRIGHT_API World {
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Takes an item out. What remains is, bit for bit, the mesh that a fresh build of the remaining items gives.
-  /// Errors: unknown_id. Cost: what the item touches, however large the world.
+  /// Errors: unknown_id, bad_id. Cost: what the item touches, however large the world.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
