@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "io/text.hpp"
@@ -14,15 +15,15 @@ namespace {
 
 constexpr std::size_t kFields = 9;
 
-/// Half a unit of a decimal number's last digit: the number with all digits 0 but the last, which is 5, one place on.
+/// Half a unit of a decimal number's last digit. Read from a text, for std::pow rounds differently elsewhere.
 double precision_of(std::string_view word) {
-  std::string unit = "0.";
+  constexpr double kBeyondDoubles = 400.0;
+  const std::size_t point = word.find('.');
   const std::size_t end = std::min(word.find_first_of("eE"), word.size());
-  const std::size_t point = std::min(word.find('.'), end);
-  unit.append(point < end ? end - point - 1 : 0, '0');
-  unit += '5';
-  unit += word.substr(end);
-  return io::read_number(unit).value_or(0.0);
+  const double digits = point == std::string_view::npos ? 0.0 : static_cast<double>(end - point - 1);
+  const double exponent = end < word.size() ? io::read_number(word.substr(end + 1)).value_or(0.0) : 0.0;
+  const double place = std::clamp(exponent - digits - 1.0, -kBeyondDoubles, kBeyondDoubles);
+  return io::read_number("5e" + std::to_string(static_cast<int>(place))).value_or(0.0);
 }
 
 /// Reads one scenario. Every reading member returns false once `error_` says what is wrong.
