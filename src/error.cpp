@@ -47,11 +47,11 @@ std::string_view to_string(ErrorCode code) {
 namespace {
 
 void append_point_error(std::string& text, const Error& error) {
-  const auto& [name, number, has_number] = error.words.point_name;
+  const detail::PointName& named = error.words.point_name;
   const Point& point = error.words.point;
   const auto append_name = [&] {
-    text += name;
-    if (has_number) text += io::with_number(" ", number, "");
+    text += named.name;
+    if (named.has_number) text += io::with_number(" ", named.number, "");
     text += ", ";
   };
   if (error.code == ErrorCode::out_of_domain) {
