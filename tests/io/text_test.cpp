@@ -31,6 +31,17 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
+TEST(WordReader, PeeksAtTheNextWord) {
+  WordReader words(" one\ttwo ");
+  std::string_view word;
+  for (const std::string_view expected : {"one", "two"}) {
+    EXPECT_EQ(words.peek(), expected);
+    ASSERT_TRUE(words.next(word));
+    EXPECT_EQ(word, expected);
+  }
+  EXPECT_EQ(words.peek(), "");
+}
+
 TEST(LineReader, EndsLinesAtLineFeedsWithOrWithoutCarriageReturns) {
   using Lines = std::vector<std::string>;
   EXPECT_EQ(lines_of(""), Lines{});

@@ -33,8 +33,8 @@ constexpr const char* kExamples =
     "  waywright path map.wws --from 3 4 --to 90 60           one path through a map\n"
     "  waywright scenario arena.map arena.map.scen            every query of a scenario, and how long it took\n"
     "  waywright convert arena.map arena.svg                  draw a map\n"
-    "\nwaywright help COMMAND says more. - is standard input where a file is read, and standard output where one is\n"
-    "written; answers go to standard error then. No file is written over one that is read.\n"
+    "\nwaywright help COMMAND says more. A file named - is standard input or standard output; where a file goes to\n"
+    "standard output, answers go to standard error. No file is written over one that is read.\n"
     "Exit status: 0 done, 1 a check failed or (--strict) an operation was refused, 2 bad arguments, a file that\n"
     "cannot be read or written, or malformed input.\n";
 constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a world script on standard input";
@@ -61,10 +61,9 @@ constexpr const char* kScenarioExamples =
     "  waywright scenario arena.map arena.map.scen --algorithm ta --csv arena.csv\n"
     "  waywright scenario arena.map arena.map.scen --svg arena.svg --query 17 --query 160\n"
     "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
-    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. The map's\n"
-    "name, less folders and ending, and for a .map its size, must be those that the scenario gives. It also counts the "
-    "queries\n"
-    "with an end where two blocked cells touch at a corner: there the given length may start on the other side.\n";
+    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. Each query must name the\n"
+    "map, whose folders and ending do not matter, and the size of a .map. The queries with an end where two blocked\n"
+    "cells touch at a corner are counted: there the given length may start on the other side.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"
