@@ -108,6 +108,15 @@ TEST(ClosedStreams, NoOutputFileTakesTheirPlace) {
   }
 }
 
+// A pipe is opened before the run, and so could get the answers.
+TEST(ClosedStreams, NoPipeTakesTheirPlace) {
+  const Inputs inputs;
+  const auto result = inputs.shell(
+      "mkfifo \"$D\"/pipe; \"$W\" run \"$D\"/a.wws --dump \"$D\"/pipe >&- & cat \"$D\"/pipe; wait $!; echo $?");
+  EXPECT_EQ(result.out, "2\n");
+  EXPECT_EQ(result.err, "waywright: cannot write to standard output: Bad file descriptor\n");
+}
+
 TEST(ClosedStreams, StandardInputIsTold) {
   const Inputs inputs;
   for (const std::string words : {"run -", "path - --from 1 1 --to 2 2", "convert - \"$D\"/x.svg",
@@ -138,6 +147,8 @@ TEST(ClosedStreams, UsedUpMemoryIsTold) {
 
 TEST(Messages, KeepControlCharactersOfNamesFromTheTerminal) {
   EXPECT_EQ(run_command({"run", "no\x1b[2J\nfile"}).err, "no?[2J file: cannot be read: No such file or directory\n");
+  const std::string longest(2000, 'n');
+  EXPECT_EQ(run_command({"run", longest}).err, longest + ": cannot be read: File name too long\n");
 }
 
 }  // namespace
