@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "waywright/path_search.hpp"
+#include "waywright/scenario.hpp"
 #include "waywright/script.hpp"
 #include "waywright/world.hpp"
 
@@ -134,9 +135,7 @@ ChangeScript scaled(ChangeScript script, double scale) {
   script.domain = {scaled(script.domain.min, scale), scaled(script.domain.max, scale)};
   for (Step& step : script.steps) {
     for (Change& change : step.changes) {
-      for (std::vector<Point>& ring : change.shape.rings) {
-        for (Point& point : ring) point = scaled(point, scale);
-      }
+      for (Point& point : change.shape.rings.points()) point = scaled(point, scale);
     }
   }
   return script;
@@ -243,6 +242,48 @@ TEST_P(FloatEnvironment, ChangesNoPath) {
       }
     }
   }
+}
+
+std::string bits_of(const PathPosition& position) {
+  return bits_of(position.at) + bits_of(position.heading) + bits_of(position.distance) +
+         std::to_string(position.segment);
+}
+
+TEST_P(FloatEnvironment, ChangesNoWalkAlongAPath) {
+  for (const Obstacles obstacles : kObstacles) {
+    const PathCase example = random_path_case(obstacles, 3, 6);
+    World world = World::create(example.scene.domain).value();
+    world.insert_all(example.scene.items).value();
+    const std::uint64_t version = world.version();
+    world.insert_point(example.queries[0].start).value();
+    for (const Ends& ends : example.queries) {
+      const Path path = world.find_path({.start = ends.start, .goal = ends.goal}).value();
+      EXPECT_EQ(in([&] { return world.is_clear(path.points); }).value(), world.is_clear(path.points).value());
+      EXPECT_EQ(in([&] { return world.is_affected(path.points, version); }), world.is_affected(path.points, version));
+      if (path.status != PathStatus::found) continue;
+      for (std::size_t i = 0; i <= 16; ++i) {
+        const double distance = path.length * (static_cast<double>(i) / 16.0);
+        const PathPosition plainly = path.at(distance);
+        ASSERT_EQ(bits_of(in([&] { return path.at(distance); })), bits_of(plainly));
+        const Point beside{plainly.at.x + 0.1, plainly.at.y - 0.3};
+        ASSERT_EQ(bits_of(in([&] { return path.nearest(beside); })), bits_of(path.nearest(beside)));
+      }
+    }
+  }
+}
+
+TEST_P(FloatEnvironment, ChangesNoPointsText) {
+  EXPECT_EQ(in([] { return to_string(Point{-0.0, 0x1p-1050}); }), to_string(Point{-0.0, 0x1p-1050}));
+}
+
+TEST_P(FloatEnvironment, ChangesNoScenario) {
+  constexpr const char* kScenario =
+      "version 1\n0 a.map 8 8 1 2 3 4 0.1234567\n0 a.map 8 8 1 2 3 4 9007199254740993e-5\n";
+  const auto queries = in([&] { return parse_movingai_scenario(kScenario, "text"); });
+  const auto plainly = parse_movingai_scenario(kScenario, "text");
+  ASSERT_TRUE(queries.ok() && plainly.ok());
+  ASSERT_EQ(queries->size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(bits_of((*queries)[i].length), bits_of((*plainly)[i].length));
 }
 
 TEST_P(FloatEnvironment, ChangesNoShape) {

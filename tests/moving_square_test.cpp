@@ -18,11 +18,11 @@ struct Turn {
 Shape square(double x, double y, double half_side, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  Shape shape{ItemKind::polygon, {{}}};
+  std::vector<Point> ring;
   for (const auto& [dx, dy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    shape.rings[0].push_back({x + half_side * (dx * c - dy * s), y + half_side * (dx * s + dy * c)});
+    ring.push_back({x + half_side * (dx * c - dy * s), y + half_side * (dx * s + dy * c)});
   }
-  return shape;
+  return Shape::polygon(ring);
 }
 
 class MovingSquare : public testing::TestWithParam<Turn> {};

@@ -49,7 +49,7 @@ inline std::string fault_of_script(std::string_view text) {
 /// Twice the area that the rings enclose, holes taken off.
 inline double doubled_area(const std::vector<std::vector<Point>>& rings) {
   double doubled = 0.0;
-  for (const PointSpan& ring : rings) {
+  for (const std::vector<Point>& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i];
       const Point b = ring[(i + 1) % ring.size()];

@@ -62,7 +62,7 @@ TEST(ParseTriangleNode, FindsADomainFarFromTheOriginAndAtTheEndsOfTheRange) {
     EXPECT_LE(scene.domain.max.x, 0x1p100) << text;
     EXPECT_LE(scene.domain.max.y, 0x1p100) << text;
     for (const Item& item : scene.items) {
-      const Point p = item.shape.rings.at(0).at(0);
+      const Point p = item.shape.rings.points().front();
       EXPECT_TRUE(p.x >= scene.domain.min.x && p.x <= scene.domain.max.x) << text;
       EXPECT_TRUE(p.y >= scene.domain.min.y && p.y <= scene.domain.max.y) << text;
     }

@@ -33,7 +33,7 @@ std::int64_t turn(const Point& a, const Point& b, const Point& c) {
   return static_cast<std::int64_t>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+double hypotenuse(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 /// The length of the shortest way through a channel, by trying all: from each portal's ends, the start and the goal to
 /// all later ones that the straight way through the portals between leads to.
@@ -69,10 +69,10 @@ double shortest_by_trying_all(const Triangulation& triangulation, const Channel&
   };
   for (std::size_t i = 0; i < stops.size(); ++i) {
     Stop& stop = stops[i];
-    if (is_free(channel.start, 0, stop)) stop.length = distance(channel.start, stop.at);
+    if (is_free(channel.start, 0, stop)) stop.length = hypotenuse(channel.start, stop.at);
     for (std::size_t k = 0; k < i; ++k) {
       if (!is_free(stops[k].at, stops[k].portal + 1, stop)) continue;
-      stop.length = std::min(stop.length, stops[k].length + distance(stops[k].at, stop.at));
+      stop.length = std::min(stop.length, stops[k].length + hypotenuse(stops[k].at, stop.at));
     }
   }
   return stops.back().length;

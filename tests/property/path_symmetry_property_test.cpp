@@ -40,9 +40,7 @@ Box moved(const Box& box, Movement move) {
 World moved_world(const Scene& scene, Movement move) {
   World world = World::create(moved(scene.domain, move)).value();
   for (Item item : scene.items) {
-    for (std::vector<Point>& ring : item.shape.rings) {
-      std::transform(ring.begin(), ring.end(), ring.begin(), move);
-    }
+    for (Point& point : item.shape.rings.points()) point = move(point);
     world.insert(item.shape, item.id).value();
   }
   return world;
