@@ -54,8 +54,8 @@ class Rings {
   [[nodiscard]] bool empty() const { return ring_count_ == 0; }
 
   /// The i-th ring, from 0. Requires: i < size().
-  [[nodiscard]] PointSpan operator[](std::size_t i) const { return points().subspan(begin_of(i), count_of(i)); }
-  [[nodiscard]] MutablePointSpan operator[](std::size_t i) { return points().subspan(begin_of(i), count_of(i)); }
+  [[nodiscard]] PointSpan operator[](std::size_t i) const { return ring_of(i, points()); }
+  [[nodiscard]] MutablePointSpan operator[](std::size_t i) { return ring_of(i, points()); }
   /// The first and the last ring. Requires: there is a ring.
   [[nodiscard]] PointSpan front() const { return (*this)[0]; }
   [[nodiscard]] MutablePointSpan front() { return (*this)[0]; }
@@ -109,12 +109,13 @@ class Rings {
     points_.reserve(count);
     for (const PointSpan ring : rings) push_back(ring);
   }
-  [[nodiscard]] std::size_t begin_of(std::size_t i) const {
+  /// The points of a ring, given those of all rings.
+  template <class P>
+  [[nodiscard]] std::span<P> ring_of(std::size_t i, std::span<P> points) const {
     WAYWRIGHT_ASSERT(i < ring_count_, "Rings: there is no ring of this index");
-    return i == 0 ? 0 : later_begins_[i - 1];
-  }
-  [[nodiscard]] std::size_t count_of(std::size_t i) const {
-    return (i + 1 == ring_count_ ? points_.size() : later_begins_[i]) - begin_of(i);
+    const std::size_t begin = i == 0 ? 0 : later_begins_[i - 1];
+    const std::size_t end = i + 1 == ring_count_ ? points.size() : later_begins_[i];
+    return points.subspan(begin, end - begin);
   }
 
   std::size_t ring_count_ = 0;
