@@ -34,11 +34,13 @@ class ChangeLog {
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
   }
 
-  /// The operation is about to succeed and makes the world that of `version`. Allocates, and changes nothing if that
-  /// fails.
-  void commit(std::uint64_t version) {
+  /// Makes room for what commit() adds. Allocates.
+  void reserve() {
     if (entries_.size() + boxes_.size() > 2 * kKept) drop_oldest();
-    entries_.reserve(entries_.size() + boxes_.size());
+    if (entries_.capacity() < entries_.size() + boxes_.size()) entries_.reserve(2 * (entries_.size() + boxes_.size()));
+  }
+  /// The operation succeeds, and makes the world that of `version`. Allocates nothing. Requires: reserve().
+  void commit(std::uint64_t version) {
     for (const Box& box : boxes_) entries_.push_back({version, box});
   }
 

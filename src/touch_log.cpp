@@ -6,12 +6,8 @@ namespace waywright {
 
 // A search reads of a face it looks at, and of the faces that share a corner with it. So all faces around the corners
 // of those that were made count as touched.
-void TouchLog::note(const constraint::ExactTriangulation& triangulation, const path::Abstraction* abstraction) {
-  if (searches_.load(std::memory_order_relaxed) == 0) {
-    entries_.clear();
-    return note_everything();
-  }
-  if (entries_.size() > kLongest) {
+void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
+  if (searches_.load(std::memory_order_relaxed) == 0 || entries_.size() > kLongest) {
     entries_.clear();
     return note_everything();
   }
@@ -25,7 +21,19 @@ void TouchLog::note(const constraint::ExactTriangulation& triangulation, const p
       mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) { add(mesh::face(around)); });
     }
   });
-  if (abstraction != nullptr && !abstraction->for_each_changed_face(add)) note_everything();
+  if (entries_.capacity() - entries_.size() < kSpare) entries_.reserve(2 * entries_.size() + kSpare);
+}
+
+void TouchLog::note_abstraction(const path::Abstraction& abstraction) {
+  if (complete_since_ > version_) return;  // everything is noted
+  const bool is_told = abstraction.for_each_changed_face([&](mesh::Face f) {
+    if (entries_.size() < entries_.capacity()) {
+      entries_.push_back({version_ + 1, f});
+    } else {
+      note_everything();
+    }
+  });
+  if (!is_told) note_everything();
 }
 
 bool TouchLog::has_touched(const path::LookedAt& looked_at, std::uint64_t since) const {

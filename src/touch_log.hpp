@@ -27,8 +27,11 @@ class TouchLog {
   void add_search() { searches_.fetch_add(1, std::memory_order_relaxed); }
   void remove_search() { searches_.fetch_sub(1, std::memory_order_relaxed); }
 
-  /// Takes note of what an operation has touched. It may be taken back afterwards. Allocates.
-  void note(const constraint::ExactTriangulation& triangulation, const path::Abstraction* abstraction);
+  /// Takes note of what an operation has touched of the mesh. The operation may be taken back afterwards. Allocates.
+  void note_mesh(const constraint::ExactTriangulation& triangulation);
+  /// Then, of what it has changed in the abstraction. Allocates nothing: if that is more than note_mesh() has made room
+  /// for, the operation counts as one that has touched everything.
+  void note_abstraction(const path::Abstraction& abstraction);
   /// Takes note that an operation has touched everything. Allocates nothing.
   void note_everything() { complete_since_ = version_ + 1; }
   /// An operation succeeds.
@@ -40,6 +43,8 @@ class TouchLog {
  private:
   /// A log that is longer starts anew, and all searches do, too.
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
+  /// Room for so many changes of the abstraction.
+  static constexpr std::size_t kSpare = 4096;
 
   /// A face, and the version that the operation which touched it led to.
   struct Entry {

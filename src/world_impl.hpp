@@ -67,11 +67,16 @@ class WAYWRIGHT_INTERNAL World::Operation {
     impl_.triangulation.remove(id);
   }
   void commit() {
-    if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation);
-    impl_.touch_log->note(impl_.triangulation, impl_.kept_abstraction());
-    impl_.change_log.commit(impl_.touch_log->version() + 1);
+    impl_.touch_log->note_mesh(impl_.triangulation);
+    impl_.change_log.reserve();
+    if (impl_.abstraction) {
+      impl_.abstraction->update(impl_.triangulation);
+      impl_.touch_log->note_abstraction(*impl_.abstraction);
+    }
+    // Nothing fails from here on.
     operation_.commit();
     impl_.touch_log->commit();
+    impl_.change_log.commit(impl_.touch_log->version());
   }
 
  private:
@@ -95,11 +100,12 @@ void World::Impl::insert_all(const Batch& batch, const locate::Crew& crew) {
   made.see(triangulation.items().largest_id_seen());
   change_log.begin();
   note_changes(batch);
-  change_log.commit(touch_log->version() + 1);
+  change_log.reserve();
   if (abstraction) abstraction = path::Abstraction(made);
   triangulation = std::move(made);
   touch_log->note_everything();
   touch_log->commit();
+  change_log.commit(touch_log->version());
 }
 
 template <class Batch>

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/float_environment.hpp"
 #include "io/text.hpp"
 
 namespace waywright {
@@ -121,6 +122,7 @@ Result<std::vector<ScenarioQuery>> ScenarioParser::run() {
 }  // namespace
 
 Result<std::vector<ScenarioQuery>> parse_movingai_scenario(std::string_view text, std::string_view name) {
+  const base::FloatEnvironment environment;
   if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
   return ScenarioParser(text, name).run();
 }
