@@ -18,8 +18,8 @@ struct Moments {
   double y = 0.0;
 };
 
-/// About `origin`, which keeps small things far from (0, 0) accurate. The area is positive whichever way the ring
-/// turns.
+/// About `origin`, which keeps small things far from (0, 0) accurate. The area is positive where the ring turns
+/// counter-clockwise.
 Moments moments(PointSpan ring, const Point& origin) {
   Moments sum;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -33,26 +33,30 @@ Moments moments(PointSpan ring, const Point& origin) {
     sum.x += (px + qx) * cross / 6.0;
     sum.y += (py + qy) * cross / 6.0;
   }
-  return sum.area < 0.0 ? Moments{-sum.area, -sum.x, -sum.y} : sum;
+  return sum;
 }
 
-bool is_within(const Point& point, PointSpan ring) {
-  bool is_inside = false;
+/// The ring's winding number around the point.
+int turns_around(const Point& point, PointSpan ring) {
+  int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& p = ring[i];
     const Point& q = ring[(i + 1) % ring.size()];
     if ((p.y > point.y) == (q.y > point.y)) continue;
-    if (point.x < p.x + (q.x - p.x) * ((point.y - p.y) / (q.y - p.y))) is_inside = !is_inside;
+    if (point.x < p.x + (q.x - p.x) * ((point.y - p.y) / (q.y - p.y))) turns += q.y > p.y ? 1 : -1;
   }
-  return is_inside;
+  return turns;
 }
 
-bool is_hole(const Rings& rings, std::size_t ring) {
-  std::size_t around = 0;
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    if (i != ring && is_within(rings[ring].front(), rings[i])) ++around;
+/// What the ring's area counts for in its shape's area: 1, -1 for a hole, or 0 where it makes no difference.
+double share_of_ring(const Shape& shape, std::size_t ring, bool turns_left) {
+  int outside = 0;
+  for (std::size_t i = 0; i < shape.rings.size(); ++i) {
+    if (i != ring) outside += turns_around(shape.rings[ring].front(), shape.rings[i]);
   }
-  return around % 2 == 1;
+  const int inside = outside + (turns_left ? 1 : -1);
+  const auto is_filled = [&](int turns) { return shape.fill == FillRule::even_odd ? turns % 2 != 0 : turns != 0; };
+  return static_cast<double>(is_filled(inside)) - static_cast<double>(is_filled(outside));
 }
 
 Point mean_of_points(const Shape& shape, const Point& origin) {
@@ -121,10 +125,11 @@ Point centroid(const Shape& shape) {
   Moments sum;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
     const Moments ring = moments(shape.rings[i], origin);
-    const double sign = is_hole(shape.rings, i) ? -1.0 : 1.0;
-    sum.area += sign * ring.area;
-    sum.x += sign * ring.x;
-    sum.y += sign * ring.y;
+    const bool turns_left = ring.area > 0.0;
+    const double share = share_of_ring(shape, i, turns_left) * (turns_left ? 1.0 : -1.0);
+    sum.area += share * ring.area;
+    sum.x += share * ring.x;
+    sum.y += share * ring.y;
   }
   if (!(sum.area > 0.0)) return mean_of_points(shape, origin);
   return {origin.x + sum.x / sum.area, origin.y + sum.y / sum.area};

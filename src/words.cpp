@@ -18,6 +18,16 @@ std::string_view to_string(ItemKind kind) {
   return "unknown";
 }
 
+std::string_view to_string(FillRule rule) {
+  switch (rule) {
+    case FillRule::even_odd:
+      return "even-odd";
+    case FillRule::nonzero:
+      return "nonzero";
+  }
+  return "unknown";
+}
+
 std::string_view to_string(PathStatus status) {
   switch (status) {
     case PathStatus::found:

@@ -170,6 +170,7 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
   std::size_t count = 0;
   items.for_each_corner(slot, [&](mesh::Vertex, bool) { ++count; });
   shape.kind = items.kind(slot);
+  shape.fill = items.fill(slot);
   const bool is_a_place = shape.kind == ItemKind::segment && count == 1;
   shape.rings.clear();
   shape.rings.reserve(is_a_place ? 2 : count);

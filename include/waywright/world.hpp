@@ -138,7 +138,7 @@ class WAYWRIGHT_API World {
   /// An open chain of walls through one point or more.
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
   /// A solid obstacle of one closed ring or several: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from a
-  /// ring's last point to its first is implied. Inside is what an odd number of the rings' turns enclose.
+  /// ring's last point to its first is implied. The fill rule is even_odd: a ring in a ring is a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Takes an item out. What remains is, bit for bit, the mesh that a fresh build of the remaining items gives.

@@ -22,6 +22,7 @@ struct ShapeBatch {
   [[nodiscard]] std::size_t size() const { return elements.size(); }
   [[nodiscard]] ItemId id(std::size_t i) const { return ids[i]; }
   [[nodiscard]] ItemKind kind(std::size_t i) const { return elements[i].shape.kind; }
+  [[nodiscard]] FillRule fill(std::size_t i) const { return elements[i].shape.fill; }
   [[nodiscard]] const Rings& rings(std::size_t i) const { return elements[i].shape.rings; }
 };
 
@@ -33,6 +34,7 @@ struct PointBatch {
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] ItemId id(std::size_t i) const { return {first.value + i}; }
   [[nodiscard]] static ItemKind kind(std::size_t /*i*/) { return ItemKind::point; }
+  [[nodiscard]] static FillRule fill(std::size_t /*i*/) { return FillRule::even_odd; }
   [[nodiscard]] std::array<std::span<const Point>, 1> rings(std::size_t i) const { return {points.subspan(i, 1)}; }
 };
 

@@ -38,7 +38,7 @@ ItemHash::Words hash_of_batch(const Batch& batch) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const bool is_closed = batch.kind(i) == ItemKind::polygon;
     const auto& rings = batch.rings(i);
-    ItemHash hash(batch.id(i), batch.kind(i), rings.size());
+    ItemHash hash(batch.id(i), batch.kind(i), batch.fill(i), rings.size());
     for (const auto& ring : rings) {
       hash.begin_ring(count_corners(ring, is_closed));
       for_each_corner(ring, is_closed, [&](const Point& point) { hash.add(point); });
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (i + kIdsAhead < batch.size()) items_.prefetch(batch.id(i + kIdsAhead));
     const ItemKind kind = batch.kind(i);
-    const std::uint32_t slot = items_.add_item(batch.id(i), kind);
+    const std::uint32_t slot = items_.add_item(batch.id(i), kind, batch.fill(i));
     const std::uint32_t first_rank = ranks[corner];
     outline_.clear();
     for (const auto& ring : batch.rings(i)) {

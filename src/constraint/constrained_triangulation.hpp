@@ -70,8 +70,8 @@ class ConstrainedTriangulation {
   void insert(const Shape& shape, ItemId id);
 
   /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(), and for i below
-  /// that an id(i), a kind(i) and rings(i), a range of ranges of points: see batch.hpp. Reports corners done, and
-  /// after them items whose sides are. Requires: as insert, of each.
+  /// that an id(i), a kind(i), a fill(i) and rings(i), a range of ranges of points: see batch.hpp. Reports corners
+  /// done, and after them items whose sides are. Requires: as insert, of each.
   template <class Batch>
   void insert_all(const Batch& batch, const locate::Crew& crew = {});
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "constraint/slot_sets.hpp"
+#include "constraint/turns.hpp"
 
 namespace waywright::constraint {
 
@@ -25,6 +26,47 @@ void append_polygons(const ExactTriangulation& triangulation, mesh::HalfEdge h, 
   triangulation.for_each_side(h, [&](const Side& side) {
     if (triangulation.items().is_polygon(side.item)) polygons.push_back(side.item);
   });
+}
+
+/// Appends an entry for each polygon's side on the edge: twice the polygon, and 1 more where the side runs against `h`.
+void append_turns(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& turns) {
+  triangulation.for_each_side(h, [&](const Side& side) {
+    if (!triangulation.items().is_polygon(side.item)) return;
+    turns.push_back(2 * side.item + (runs_along(triangulation, side, h) ? 0 : 1));
+  });
+}
+
+/// Turns the entries of append_turns into the polygons that cover what those turns are around.
+void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& turns) {
+  std::sort(turns.begin(), turns.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < turns.size();) {
+    const std::uint32_t polygon = turns[i] / 2;
+    std::int32_t sum = 0;
+    for (; i < turns.size() && turns[i] / 2 == polygon; ++i) sum += turns[i] % 2 == 0 ? 1 : -1;
+    if (items.covers(polygon, sum)) turns[kept++] = polygon;
+  }
+  turns.resize(kept);
+}
+
+/// Goes from the face of `h` to beyond the domain and calls visit(edge) for each edge that it crosses, as a half-edge
+/// of the face before it. The way goes through faces around vertices that come ever earlier in (x, y) order, to the
+/// domain's first corner and out: every other vertex has an earlier neighbour, so no way is shorter to describe or
+/// surer to end.
+template <class Visit>
+void go_out(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto& delaunay = triangulation.triangulation();
+  while (!delaunay.is_ghost_face(h)) {
+    const mesh::Vertex v = mesh.origin(h);
+    const bool is_last = v == delaunay.box_corners()[0];
+    const mesh::Vertex towards = is_last ? delaunay.ghost() : mesh.target(first_neighbour(triangulation, v));
+    while (mesh.target(h) != towards) {
+      visit(mesh::previous(h));
+      h = mesh.next_around(h);
+    }
+    if (!is_last) h = mesh::next(h);
+  }
 }
 
 }  // namespace
@@ -58,26 +100,25 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& pl
   }
 }
 
-// A polygon covers a face when a way from there to beyond the domain crosses an odd number of its sides. The way goes
-// through faces around vertices that come ever earlier in (x, y) order, to the domain's first corner and out: every
-// other vertex has an earlier neighbour, so no way is shorter to describe or surer to end.
+// On a way from a face to beyond the domain, the sides crossed add up to the winding number around the face. Where
+// every polygon is even-odd, their count decides.
 const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  const auto& delaunay = triangulation.triangulation();
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
-  while (!delaunay.is_ghost_face(h)) {
-    const mesh::Vertex v = mesh.origin(h);
-    const bool is_last = v == delaunay.box_corners()[0];
-    const mesh::Vertex towards = is_last ? delaunay.ghost() : mesh.target(first_neighbour(triangulation, v));
-    while (mesh.target(h) != towards) {
-      append_polygons(triangulation, mesh::previous(h), crossed_);
-      h = mesh.next_around(h);
-    }
-    if (!is_last) h = mesh::next(h);
+  if (triangulation.items().has_nonzero_polygons()) {
+    go_out(triangulation, h, [&](mesh::HalfEdge edge) { append_turns(triangulation, edge, crossed_); });
+    keep_covering(triangulation.items(), crossed_);
+  } else {
+    go_out(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
+    keep_odd(crossed_);
   }
-  keep_odd(crossed_);
   return crossed_;
+}
+
+std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
+  std::int32_t turns = 0;
+  go_out(triangulation, h, [&](mesh::HalfEdge edge) { turns += turns_across(triangulation, edge, polygon); });
+  return turns;
 }
 
 void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& place) {

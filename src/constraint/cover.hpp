@@ -43,7 +43,7 @@ class Cover {
  private:
   void collect_touching(const ExactTriangulation& triangulation, const locate::Located& place);
 
-  std::vector<std::uint32_t> crossed_;   ///< polygons, one for each side crossed; then, those around the face at hand
+  std::vector<std::uint32_t> crossed_;   ///< an entry for each side crossed; then, the polygons around the face at hand
   std::vector<std::uint32_t> touching_;  ///< polygons with a side or corner at the place; ascending
   std::vector<std::uint32_t> covering_;
   std::vector<mesh::HalfEdge> around_;
@@ -53,5 +53,10 @@ class Cover {
 /// The half-edges whose faces meet at the place, in the order that Cover::open_faces describes, ghost faces left out.
 void faces_at(const ExactTriangulation& triangulation, const locate::Located& place,
               std::vector<mesh::HalfEdge>& faces);
+
+/// The polygon's winding number around the face of `h`; of an even-odd polygon only its parity counts. Found on the way
+/// that Cover::of_face goes.
+[[nodiscard]] std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h,
+                                        std::uint32_t polygon);
 
 }  // namespace waywright::constraint

@@ -9,7 +9,7 @@ namespace waywright::constraint {
 // corners of its own item.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
-  const std::uint32_t slot = items_.add_item(id, shape.kind);
+  const std::uint32_t slot = items_.add_item(id, shape.kind, shape.fill);
   outline_.clear();
   for (const PointSpan& ring : shape.rings) insert_ring(ring, slot);
   end_item(slot);
@@ -18,7 +18,7 @@ void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
 
 template <class Geometry>
 ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, const Outline& outline) const {
-  ItemHash hash(items_.id(slot), items_.kind(slot), outline.ring_ends.size());
+  ItemHash hash(items_.id(slot), items_.kind(slot), items_.fill(slot), outline.ring_ends.size());
   std::uint32_t i = 0;
   for (const std::uint32_t end : outline.ring_ends) {
     hash.begin_ring(end - i);

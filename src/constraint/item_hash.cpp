@@ -5,9 +5,11 @@
 
 namespace waywright::constraint {
 
-ItemHash::ItemHash(ItemId id, ItemKind kind, std::size_t ring_count) : words_{0, 1} {
+ItemHash::ItemHash(ItemId id, ItemKind kind, FillRule fill, std::size_t ring_count) : words_{0, 1} {
+  constexpr std::uint64_t kNonzeroPolygon = 4;
+  const bool is_nonzero = kind == ItemKind::polygon && fill == FillRule::nonzero;
   add(id.value);
-  add(static_cast<std::uint64_t>(kind));
+  add(is_nonzero ? kNonzeroPolygon : static_cast<std::uint64_t>(kind));
   add(ring_count);
 }
 

@@ -16,7 +16,7 @@ class ItemHash {
  public:
   using Words = std::array<std::uint64_t, 2>;
 
-  ItemHash(ItemId id, ItemKind kind, std::size_t ring_count);
+  ItemHash(ItemId id, ItemKind kind, FillRule fill, std::size_t ring_count);
   void begin_ring(std::size_t point_count) { add(point_count); }
   /// Requires: no coordinate is -0.
   void add(const Point& point);

@@ -18,7 +18,7 @@ ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({kNon
 void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home(id)]); }
 
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
-std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
+std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   if (first_free_item_ == kNone) {
     items_.emplace_back();
     first_free_item_ = static_cast<std::uint32_t>(items_.size() - 1);
@@ -33,9 +33,10 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind) {
   }
   log_.push_back({slot, false});
   first_free_item_ = items_[slot].place;
-  items_[slot] = {kNone, kind, is_slot_id};
+  items_[slot] = {kNone, kind, is_slot_id, false, kind == ItemKind::polygon ? fill : FillRule::even_odd};
   enter(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
+  nonzero_count_ += items_[slot].fill == FillRule::nonzero ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
   return slot;
 }
@@ -88,6 +89,7 @@ void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
   leave(slot);
   ItemHash::subtract_from(hash_, hash);
   polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
+  nonzero_count_ -= items_[slot].fill == FillRule::nonzero ? 1 : 0;
 }
 
 void ItemTable::begin() {
@@ -98,6 +100,7 @@ void ItemTable::begin() {
   largest_id_before_ = largest_id_seen_;
   hash_before_ = hash_;
   polygon_count_before_ = polygon_count_;
+  nonzero_count_before_ = nonzero_count_;
 }
 
 // An id that goes back into the index finds room there: it has held as many before.
@@ -114,6 +117,7 @@ void ItemTable::roll_back() {
   largest_id_seen_ = largest_id_before_;
   hash_ = hash_before_;
   polygon_count_ = polygon_count_before_;
+  nonzero_count_ = nonzero_count_before_;
 }
 
 /// Frees a slot and the ring of its sides.

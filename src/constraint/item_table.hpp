@@ -56,12 +56,20 @@ class ItemTable {
   [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
     return slot != kDomain && items_[slot].kind == ItemKind::polygon;
   }
+  /// Of anything but a polygon, even_odd.
+  [[nodiscard]] FillRule fill(std::uint32_t slot) const { return items_[slot].fill; }
+  /// Whether a polygon of that slot covers what its rings turn around so often.
+  [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t turns) const {
+    return fill(slot) == FillRule::even_odd ? turns % 2 != 0 : turns != 0;
+  }
   [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot].side; }
   /// The sum of the hashes of the live items and the domain.
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }
   /// Live items, the domain left out.
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool has_polygons() const { return polygon_count_ != 0; }
+  /// Whether any polygon's fill rule is nonzero.
+  [[nodiscard]] bool has_nonzero_polygons() const { return nonzero_count_ != 0; }
 
   /// Calls visit(side slot) for each of an item's sides that has a length, in order. No side may be added meanwhile.
   template <class Visit>
@@ -88,7 +96,7 @@ class ItemTable {
   /// Has the place of an id fetched that is soon to be added.
   void prefetch(ItemId id) const;
   /// Requires: no item has that id.
-  std::uint32_t add_item(ItemId id, ItemKind kind);
+  std::uint32_t add_item(ItemId id, ItemKind kind, FillRule fill);
   /// Gives an item its corners and sides. To be called once.
   void set_outline(std::uint32_t item, const Outline& outline);
   /// Counts in the hash of an item, or the sum of several. To be called once for each, when its corners are known.
@@ -130,6 +138,7 @@ class ItemTable {
     ItemKind kind = ItemKind::point;
     bool is_slot_id = true;
     bool is_alive = false;  ///< never the domain
+    FillRule fill = FillRule::even_odd;
   };
   struct Link {
     Side side;                   ///< of no length where a ring has one corner
@@ -185,10 +194,12 @@ class ItemTable {
   ItemId largest_id_seen_;
   ItemHash::Words hash_{};
   std::size_t polygon_count_ = 0;
+  std::size_t nonzero_count_ = 0;  ///< of the polygons
 
   std::vector<Undo> log_;
   ItemId largest_id_before_;
   std::size_t polygon_count_before_ = 0;
+  std::size_t nonzero_count_before_ = 0;
   ItemHash::Words hash_before_{};
 };
 

@@ -18,18 +18,22 @@ inline void keep_one_of_each(std::vector<std::uint32_t>& slots) {
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
 }
 
-/// Sorts the slots and leaves one of each that is there an odd number of times.
-inline void keep_odd(std::vector<std::uint32_t>& slots) {
+/// Sorts the slots and leaves one of each for which keeps(slot, count) is true, the count being how often it is there.
+template <class Keeps>
+void keep_each_if(std::vector<std::uint32_t>& slots, Keeps&& keeps) {
   std::sort(slots.begin(), slots.end());
   std::size_t kept = 0;
-  for (const std::uint32_t slot : slots) {
-    if (kept > 0 && slots[kept - 1] == slot) {
-      --kept;
-    } else {
-      slots[kept++] = slot;
-    }
+  for (std::size_t begin = 0, end = 0; begin < slots.size(); begin = end) {
+    const std::uint32_t slot = slots[begin];
+    while (end < slots.size() && slots[end] == slot) ++end;
+    if (keeps(slot, end - begin)) slots[kept++] = slot;
   }
   slots.resize(kept);
+}
+
+/// Sorts the slots and leaves one of each that is there an odd number of times.
+inline void keep_odd(std::vector<std::uint32_t>& slots) {
+  keep_each_if(slots, [](std::uint32_t, std::size_t count) { return count % 2 == 1; });
 }
 
 /// A set of numbers below 2^32 - 1. An object to keep: its memory serves use after use, and clearing it costs what was

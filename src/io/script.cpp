@@ -26,7 +26,8 @@ constexpr std::array kGrammars{
     Grammar{"point", "point ID X Y", OperationKind::insert, ItemKind::point},
     Grammar{"segment", "segment ID X1 Y1 X2 Y2", OperationKind::insert, ItemKind::segment},
     Grammar{"polyline", "polyline ID N X1 Y1 ... XN YN", OperationKind::insert, ItemKind::polyline},
-    Grammar{"polygon", "polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...", OperationKind::insert, ItemKind::polygon},
+    Grammar{"polygon", "polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...", OperationKind::insert,
+            ItemKind::polygon},
     Grammar{"remove", "remove ID", OperationKind::remove},
     Grammar{"replace", "replace KIND ID ...", OperationKind::replace},
     Grammar{"locate", "locate X Y", OperationKind::locate},
@@ -40,6 +41,7 @@ constexpr std::array kGrammars{
 
 constexpr std::string_view kHeaderUsage = "waywright 1";
 constexpr std::string_view kDomainUsage = "domain X0 Y0 X1 Y1";
+constexpr std::string_view kPointCount = "a count of points, 1 or more,";
 
 /// Reads one script. Every reading member returns false once `error_` says what is wrong.
 class ScriptParser {
@@ -61,6 +63,7 @@ class ScriptParser {
   bool read_replacement(Item& item);
   bool read_rings(Shape& shape);
   bool read_ring(Rings& rings);
+  bool read_ring(std::string_view count_word, Rings& rings);
   bool read_points(std::uint64_t count, Rings& rings);
   bool read_algorithm(Operation& operation);
 
@@ -245,8 +248,13 @@ bool ScriptParser::read_replacement(Item& item) {
 }
 
 bool ScriptParser::read_rings(Shape& shape) {
-  if (!read_ring(shape.rings)) return false;
   std::string_view word;
+  if (!words_.next(word)) return fail(kPointCount, {});
+  if (word == to_string(FillRule::nonzero)) {
+    shape.fill = FillRule::nonzero;
+    if (!words_.next(word)) return fail(kPointCount, {});
+  }
+  if (!read_ring(word, shape.rings)) return false;
   while (words_.next(word)) {
     if (word != "/") return fail("'/' or no more", word);
     if (!read_ring(shape.rings)) return false;
@@ -255,11 +263,13 @@ bool ScriptParser::read_rings(Shape& shape) {
 }
 
 bool ScriptParser::read_ring(Rings& rings) {
-  constexpr std::string_view kExpected = "a count of points, 1 or more,";
   std::string_view word;
-  if (!words_.next(word)) return fail(kExpected, {});
-  const std::optional<std::uint64_t> count = io::read_unsigned(word);
-  if (!count || *count == 0) return fail(kExpected, word);
+  return words_.next(word) ? read_ring(word, rings) : fail(kPointCount, {});
+}
+
+bool ScriptParser::read_ring(std::string_view count_word, Rings& rings) {
+  const std::optional<std::uint64_t> count = io::read_unsigned(count_word);
+  if (!count || *count == 0) return fail(kPointCount, count_word);
   // A point takes two digits and a blank at least: a count that the line cannot keep must not cost its memory.
   const auto likely_count = static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3));
   if (rings.empty()) rings.reserve(likely_count);

@@ -99,7 +99,9 @@ void append_chain(PathData& data, PointSpan chain) {
   for (std::size_t i = 1; i < chain.size(); ++i) data.line_to(chain[i]);
 }
 
-std::string path_element(const PathData& data) { return "<path d=\"" + data.text() + "\"/>\n"; }
+std::string path_element(const PathData& data, std::string_view attributes = {}) {
+  return "<path" + std::string(attributes) + " d=\"" + data.text() + "\"/>\n";
+}
 
 /// The opening of a group of strokes.
 std::string open_group(std::string_view id, std::string_view fill, std::string_view stroke, double stroke_width) {
@@ -141,7 +143,8 @@ std::string draw_solids(const std::vector<Item>& solids, const Frame& frame, dou
       append_chain(data, ring);
       data.close();
     }
-    out += path_element(data);
+    const bool is_nonzero = item.shape.fill == FillRule::nonzero;
+    out += path_element(data, is_nonzero ? " fill-rule=\"nonzero\"" : "");
   }
   return out + "</g>\n";
 }

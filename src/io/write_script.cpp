@@ -32,6 +32,10 @@ void append_item(std::string& out, const Item& item) {
   out += to_string(kind);
   out += ' ';
   io::append_unsigned(out, item.id.value);
+  if (kind == ItemKind::polygon && item.shape.fill == FillRule::nonzero) {
+    out += ' ';
+    out += to_string(FillRule::nonzero);
+  }
   std::string_view separator;
   for (const PointSpan& ring : item.shape.rings) {
     out += separator;

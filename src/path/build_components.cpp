@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
+#include "constraint/turns.hpp"
 #include "path/components.hpp"
 
 // The components of a mesh that nothing is known of yet. They are found in place: until they are numbered, a face's
@@ -9,6 +13,32 @@ namespace waywright::path {
 
 using mesh::Face;
 using mesh::HalfEdge;
+
+namespace {
+
+/// The winding numbers of polygons, by slot, ascending; those that are 0 are left out.
+using Turns = std::vector<std::pair<std::uint32_t, std::int32_t>>;
+
+/// The winding numbers beyond the edge of `h`, from those in its face.
+Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Turns& here, HalfEdge h) {
+  Turns turns = here;
+  triangulation.for_each_side(h, [&](const constraint::Side& side) {
+    if (!triangulation.items().is_polygon(side.item)) return;
+    turns.emplace_back(side.item, constraint::runs_along(triangulation, side, h) ? -1 : 1);
+  });
+  std::sort(turns.begin(), turns.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < turns.size();) {
+    const std::uint32_t polygon = turns[i].first;
+    std::int32_t sum = 0;
+    for (; i < turns.size() && turns[i].first == polygon; ++i) sum += turns[i].second;
+    if (sum != 0) turns[kept++] = {polygon, sum};
+  }
+  turns.resize(kept);
+  return turns;
+}
+
+}  // namespace
 
 Components::Components(const Triangulation& triangulation) : labels_(triangulation.topology().face_slots(), kNone) {
   join_faces(triangulation);
@@ -40,21 +70,28 @@ void Components::number_components() {
   }
 }
 
-/// From beyond the box inwards.
+/// From beyond the box inwards. Where there are nonzero polygons, the components whose neighbours are still to be
+/// looked at have their winding numbers kept.
 void Components::cover_components(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
+  const bool has_nonzero = triangulation.items().has_nonzero_polygons();
   const std::vector<Door> doors = find_doors(mesh);
   std::vector<bool> is_known(records_.size());
-  std::vector<Label> known = {kNone};
+  std::vector<std::pair<Label, Turns>> known(1, {kNone, {}});
   const auto comes_before = [](const Door& door, Label component) { return door.component < component; };
   for (std::size_t i = 0; i < known.size(); ++i) {
-    auto door = std::lower_bound(doors.begin(), doors.end(), known[i], comes_before);
-    for (; door != doors.end() && door->component == known[i]; ++door) {
+    const auto [component, here] = std::move(known[i]);
+    auto door = std::lower_bound(doors.begin(), doors.end(), component, comes_before);
+    for (; door != doors.end() && door->component == component; ++door) {
       const Label beyond = of(mesh::face(mesh.twin(door->h)));
       if (is_known[beyond]) continue;
       is_known[beyond] = true;
-      records_[beyond].cover = cover_beyond(triangulation, door->h, {});
-      known.push_back(beyond);
+      known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, door->h) : Turns());
+      Uses& cover = records_[beyond].cover;
+      if (!has_nonzero) cover = cover_beyond(triangulation, door->h, {});
+      for (const auto& [polygon, turns] : known.back().second) {
+        if (triangulation.items().covers(polygon, turns)) cover = covers_.add(cover, polygon);
+      }
     }
   }
 }

@@ -1,10 +1,13 @@
 #include <algorithm>
 
 #include "constraint/slot_sets.hpp"
+#include "constraint/turns.hpp"
 #include "path/components.hpp"
 
-// Which polygons cover a component. A polygon covers one of two faces on an edge when it covers the other and an even
-// number of its sides lie on the edge, or else an odd number.
+// Which polygons cover a component. What a component keeps of a polygon is whether it covers it, not its winding
+// number. Across an edge, cover follows from that and from the polygon's sides on the edge, unless the polygon is a
+// nonzero one that turns around the known face and has sides there. Then the winding number is found on a way out of
+// the domain.
 
 namespace waywright::path {
 
@@ -21,46 +24,43 @@ bool contains(std::span<const std::uint32_t> slots, std::uint32_t slot) {
   return std::binary_search(slots.begin(), slots.end(), slot);
 }
 
-/// Whether an odd number of the polygon's sides lie on the edge.
-bool crosses(const constraint::ExactTriangulation& triangulation, HalfEdge h, std::uint32_t polygon) {
-  bool is_odd = false;
-  triangulation.for_each_side(h, [&](const Side& side) { is_odd ^= side.item == polygon; });
-  return is_odd;
-}
-
 /// The vertex of the ring that comes first in (x, y) order, by its position.
 std::size_t first_corner(const constraint::ExactTriangulation& triangulation, std::span<const mesh::Vertex> ring) {
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return triangulation.triangulation().comes_before(p, q); };
   return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), before) - ring.begin());
 }
 
-/// Goes along the edges of one side of a polygon and calls visit(face) for each face on an edge that the polygon covers
-/// on that side only. `h` starts at the side's first corner, `is_inside` says whether the polygon covers its face; both
-/// are then so for the side's last corner.
+/// Goes along the edges of one side of a polygon and calls visit(face) for each face that the polygon covers at an edge
+/// on which its winding number changes. `h` starts at the side's first corner, `turns` is the winding number around its
+/// face; both are then so for the side's last corner.
 template <class Visit>
 void visit_inner_faces(const constraint::ExactTriangulation& triangulation, std::uint32_t slot, HalfEdge& h,
-                       bool& is_inside, Visit&& visit) {
+                       std::int32_t& turns, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  const Side side = triangulation.items().side(slot);
+  const constraint::ItemTable& items = triangulation.items();
+  const Side side = items.side(slot);
   HalfEdge came = mesh::kNoHalfEdge;
   while (mesh.origin(h) != side.to) {
     HalfEdge on = mesh::kNoHalfEdge;
-    bool is_on_inside = false;
+    std::int32_t turns_on = 0;
     const HalfEdge start = h;
-    bool is_crossing = crosses(triangulation, h, side.item);
+    std::int32_t change = constraint::turns_across(triangulation, h, side.item);
     do {
-      if (is_crossing) visit(mesh::face(is_inside ? h : mesh.twin(h)));
+      if (change != 0) {
+        if (items.covers(side.item, turns)) visit(mesh::face(h));
+        if (items.covers(side.item, turns - change)) visit(mesh::face(mesh.twin(h)));
+      }
       if (h != came && triangulation.uses().contains(mesh.label(h), slot)) {
         on = h;
-        is_on_inside = is_inside;
+        turns_on = turns;
       }
       h = mesh.next_around(h);
-      is_crossing = crosses(triangulation, h, side.item);
-      is_inside ^= is_crossing;
+      change = constraint::turns_across(triangulation, h, side.item);
+      turns += change;
     } while (h != start);
     came = mesh.twin(on);
     h = mesh::next(on);
-    is_inside = is_on_inside;
+    turns = turns_on;
   }
 }
 
@@ -166,7 +166,12 @@ Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, st
       polygons_.push_back(side.item);
     }
   });
-  constraint::keep_odd(polygons_);
+  constraint::keep_each_if(polygons_, [&](std::uint32_t polygon, std::size_t count) {
+    if (triangulation.items().fill(polygon) == FillRule::even_odd) return count % 2 == 1;
+    const bool is_here = neighbour != kNone && covers_.contains(records_[neighbour].cover, polygon);
+    if (!turns_change(triangulation, h, polygon)) return is_here;
+    return !is_here || turns_around(triangulation, triangulation.topology().twin(h), polygon) != 0;
+  });
   Uses cover = UseLists::kNone;
   for (const std::uint32_t polygon : polygons_) cover = covers_.add(cover, polygon);
   return cover;
@@ -195,10 +200,10 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
     const std::size_t first = first_corner(triangulation, {outline_.corners.data() + ring_begin, count});
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
     // To the right of that half-edge nothing of the ring is left. With other rings the ring may lie within them.
-    bool is_inside = outline_.ring_ends.size() == 1 ? crosses(triangulation, h, polygon)
-                                                    : contains(outer_cover_.of_face(triangulation, h), polygon);
+    std::int32_t turns = outline_.ring_ends.size() == 1 ? turns_across(triangulation, h, polygon)
+                                                        : turns_around(triangulation, h, polygon);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
-      visit_inner_faces(triangulation, sides_[sides_begin + (first + i) % count], h, is_inside, visit);
+      visit_inner_faces(triangulation, sides_[sides_begin + (first + i) % count], h, turns, visit);
     }
     ring_begin = ring_end;
     sides_begin += count > 1 ? count : 0;
@@ -208,7 +213,7 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
     stack_.pop_back();
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * number(f) + side};
-      if (!crosses(triangulation, h, polygon)) visit(mesh::face(mesh.twin(h)));
+      if (!turns_change(triangulation, h, polygon)) visit(mesh::face(mesh.twin(h)));
     }
   }
   constraint::keep_one_of_each(flooded_);

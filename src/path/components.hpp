@@ -198,7 +198,6 @@ class Components {
   constraint::Outline outline_;
   std::vector<std::uint32_t> sides_;
   std::vector<std::uint32_t> polygons_;
-  constraint::Cover outer_cover_;
 };
 
 }  // namespace waywright::path

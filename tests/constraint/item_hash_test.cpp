@@ -42,6 +42,7 @@ std::vector<std::uint64_t> words_of(ItemId id, const Shape& shape) {
   if (shape.kind == ItemKind::point) kind = 0;
   if (shape.kind == ItemKind::segment) kind = 1;
   if (shape.kind == ItemKind::polyline) kind = 2;
+  if (shape.kind == ItemKind::polygon && shape.fill == FillRule::nonzero) kind = 4;
   std::vector<std::uint64_t> words{id.value, kind, shape.rings.size()};
   for (const PointSpan& ring : shape.rings) {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> points;
@@ -49,7 +50,7 @@ std::vector<std::uint64_t> words_of(ItemId id, const Shape& shape) {
       const std::pair point{bits(p.x), bits(p.y)};
       if (points.empty() || points.back() != point) points.push_back(point);
     }
-    if (kind == 3 && points.size() > 1 && points.front() == points.back()) points.pop_back();
+    if (kind >= 3 && points.size() > 1 && points.front() == points.back()) points.pop_back();
     words.push_back(points.size());
     for (const auto& [x, y] : points) words.insert(words.end(), {x, y});
   }

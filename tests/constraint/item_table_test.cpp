@@ -33,7 +33,7 @@ Outline outline_of(const std::vector<Ring>& rings) {
 }
 
 std::uint32_t add(ItemTable& table, ItemId id, const Entry& entry) {
-  const std::uint32_t slot = table.add_item(id, entry.kind);
+  const std::uint32_t slot = table.add_item(id, entry.kind, FillRule::even_odd);
   table.set_outline(slot, outline_of(entry.rings));
   return slot;
 }

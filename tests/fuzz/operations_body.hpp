@@ -19,13 +19,16 @@
 namespace waywright::test {
 
 /// Reads any bytes as a script. The first says where points lie: on a lattice of 8 x 8, on one of 16 x 16 that fills
-/// its domain, or at odd doubles; each later point is a byte, x and y a half of it. Past the end all bytes are 0.
+/// its domain, or at odd doubles; and whether every other polygon has the fill rule nonzero (64 to 95) or none. Each
+/// later point is a byte, x and y a half of it. Past the end all bytes are 0.
 class BytesReader {
  public:
   explicit BytesReader(std::string_view bytes) : bytes_(bytes) {
     constexpr std::array<Box, 3> kDomains{
         {{{-1, -2}, {10, 9}}, {{0, 0}, {15, 15}}, {{-0x1p100, -0x1p100}, {0x1p100, 0x1p100}}}};
-    manner_ = next() % kDomains.size();
+    const std::size_t first = next();
+    manner_ = first % kDomains.size();
+    has_nonzero_ = first / 32 == 2;
     script_.domain = kDomains[manner_];
   }
 
@@ -64,6 +67,7 @@ class BytesReader {
     const std::size_t count = kind == ItemKind::point ? 1 : kind == ItemKind::segment ? 2 : 1 + byte / 4 % 8;
     const std::size_t ring_count = kind == ItemKind::polygon ? 1 + byte / 32 % 3 : 1;
     Shape result{kind, {}};
+    if (has_nonzero_ && kind == ItemKind::polygon && polygon_count_++ % 2 == 0) result.fill = FillRule::nonzero;
     for (std::size_t i = 0; i < ring_count; ++i) {
       result.rings.start_ring();
       for (std::size_t j = 0; j < count; ++j) result.rings.add_point(point());
@@ -107,6 +111,8 @@ class BytesReader {
   std::string_view bytes_;
   std::size_t at_ = 0;
   std::size_t manner_ = 0;
+  bool has_nonzero_ = false;
+  std::size_t polygon_count_ = 0;
   ChangeScript script_;
 };
 

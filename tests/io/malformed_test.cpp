@@ -111,21 +111,40 @@ constexpr Malformed kOperations[] = {
     {"polyline 1 18446744073709551616 0 0", 3,
      "expected a count of points, 1 or more, in 'polyline ID N X1 Y1 ... XN YN', found '18446744073709551616'"},
     {"polygon 1 0", 3,
-     "expected a count of points, 1 or more, in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '0'"},
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found "
+     "'0'"},
     {"polygon 1 3 0 0 1 0 0", 3,
-     "expected a number in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found the end of the line"},
+     "expected a number in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found the end of the line"},
     {"polygon 1 3 0 0 1 0 / 1 1 1", 3,
-     "expected a number in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '/'"},
+     "expected a number in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '/'"},
     {"polygon 1 2 0 0 1 0 0 1", 3,
-     "expected '/' or no more in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '0'"},
+     "expected '/' or no more in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '0'"},
     {"polygon 1 1 0 0 /", 3,
-     "expected a count of points, 1 or more, in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found the end of "
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found the "
+     "end of "
      "the line"},
     {"polygon 1 1 0 0 / / 1 0 0", 3,
-     "expected a count of points, 1 or more, in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '/'"},
-    {"polygon 1 1 0 0/ 1 0 0", 3, "expected a number in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '0/'"},
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found "
+     "'/'"},
+    {"polygon 1 1 0 0/ 1 0 0", 3,
+     "expected a number in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '0/'"},
     {"polygon 1 / 1 0 0", 3,
-     "expected a count of points, 1 or more, in 'polygon ID N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found '/'"},
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found "
+     "'/'"},
+    {"polygon 1 nonzero", 3,
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found "
+     "the end of the line"},
+    {"polygon 1 nonzero nonzero 1 0 0", 3,
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found "
+     "'nonzero'"},
+    {"polygon 1 even-odd 1 0 0", 3,
+     "expected a count of points, 1 or more, in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', found "
+     "'even-odd'"},
+    {"polygon nonzero 1 1 0 0", 3,
+     "expected an id from 1 to 9223372036854775807 in 'polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...', "
+     "found 'nonzero'"},
+    {"polyline 1 nonzero 1 0 0", 3,
+     "expected a count of points, 1 or more, in 'polyline ID N X1 Y1 ... XN YN', found 'nonzero'"},
     {"remove", 3, "expected an id from 1 to 9223372036854775807 in 'remove ID', found the end of the line"},
     {"remove 0", 3, "expected an id from 1 to 9223372036854775807 in 'remove ID', found '0'"},
     {"remove 1 2", 3, "expected no more in 'remove ID', found '2'"},

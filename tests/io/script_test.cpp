@@ -62,6 +62,8 @@ TEST(ParseScript, ReadsInsertions) {
               {{ItemId::kLargest}, {ItemKind::polygon, {{{0, 0}, {1, 0}, {0, 1}}}}});
   expect_item("polygon 1 2 0 0 1 0 / 1 5 5 / 3 1 1 2 1 1 2",
               {{1}, {ItemKind::polygon, {{{0, 0}, {1, 0}}, {{5, 5}}, {{1, 1}, {2, 1}, {1, 2}}}}});
+  expect_item("polygon 7 nonzero 3 0 0 1 0 0 1 / 1 5 5",
+              {{7}, {ItemKind::polygon, {{{0, 0}, {1, 0}, {0, 1}}, {{5, 5}}}, FillRule::nonzero}});
 }
 
 TEST(ParseScript, ReadsReplacementsAsInsertionsAfterAWord) {

@@ -18,7 +18,8 @@ TEST(ToScript, WritesOneLineAnItem) {
                     .items = {{{3}, {ItemKind::point, {{{1, 2}}}}},
                               {{1}, {ItemKind::segment, {{{1, 2}, {3, 4.5}}}}},
                               {{2}, {ItemKind::polyline, {{{1, 2}, {3, 4}, {-0.0, 6}}}}},
-                              {{7}, {ItemKind::polygon, {{{0, 0}, {9, 0}, {0, 9}}, {{1, 1}}}}}},
+                              {{7}, {ItemKind::polygon, {{{0, 0}, {9, 0}, {0, 9}}, {{1, 1}}}}},
+                              {{8}, {ItemKind::polygon, {{{0, 0}, {9, 0}}, {{1, 1}}}, FillRule::nonzero}}},
                     .y_down = true};
   EXPECT_EQ(to_script(scene),
             "waywright 1\n"
@@ -26,7 +27,8 @@ TEST(ToScript, WritesOneLineAnItem) {
             "point 3 1 2\n"
             "segment 1 1 2 3 4.5\n"
             "polyline 2 3 1 2 3 4 0 6\n"
-            "polygon 7 3 0 0 9 0 0 9 / 1 1 1\n");
+            "polygon 7 3 0 0 9 0 0 9 / 1 1 1\n"
+            "polygon 8 nonzero 2 0 0 9 0 / 1 1 1\n");
 }
 
 TEST(ToScript, WritesAnEmptyScene) {
@@ -59,6 +61,8 @@ RC_GTEST_PROP(ToScript, ReadsBackAsTheSameScene, ()) {
     item.shape.kind = *rc::gen::element(ItemKind::point, ItemKind::segment, ItemKind::polyline, ItemKind::polygon);
     const int rings = item.shape.kind == ItemKind::polygon ? *rc::gen::inRange(1, 4) : 1;
     for (int i = 0; i < rings; ++i) item.shape.rings.push_back(any_ring(item.shape.kind));
+    if (item.shape.kind == ItemKind::polygon)
+      item.shape.fill = *rc::gen::element(FillRule::even_odd, FillRule::nonzero);
     scene.items.push_back(std::move(item));
   }
   const Result<Script> script = parse_script(to_script(scene), "printed.wws");

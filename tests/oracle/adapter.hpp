@@ -35,7 +35,7 @@ namespace waywright::oracle {
 }
 
 [[nodiscard]] inline OracleItem to_oracle(const Item& item) {
-  OracleItem result{item.id.value, to_oracle(item.shape.kind), {}};
+  OracleItem result{item.id.value, to_oracle(item.shape.kind), {}, item.shape.fill == FillRule::nonzero};
   for (const auto& ring : item.shape.rings) result.rings.push_back(to_oracle(ring));
   return result;
 }

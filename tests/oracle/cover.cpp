@@ -8,6 +8,7 @@ std::vector<Solid> solids_of(const OracleScene& scene, const Grid& grid) {
     if (item.kind != OracleKind::polygon) continue;
     Solid& solid = solids.emplace_back();
     solid.id = item.id;
+    solid.is_nonzero = item.is_nonzero;
     for (const auto& ring : item.rings) {
       auto& exact_ring = solid.rings.emplace_back();
       for (const OraclePoint& p : ring) exact_ring.push_back(grid.point(p));
@@ -16,31 +17,44 @@ std::vector<Solid> solids_of(const OracleScene& scene, const Grid& grid) {
   return solids;
 }
 
-// Parity along a ray from the place up (or right). A side counts if its ends part at the ray's line; an end on the line
-// belongs to the lesser side, so a ray through a corner counts right. Sides through the place itself lie behind the
-// ray's start as seen from one side, and are crossed as seen from the other.
+namespace {
+
+// A ring that turns counter-clockwise comes back to smaller x above what it surrounds, and goes to larger y on its
+// right. A side that runs along the ray is crossed by no ray beside it; of such a side the answer is of no use, and any
+// will do.
+int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
+  const int way = across_x ? compare_y(q, p) : compare_x(p, q);
+  return way > 0 ? 1 : way < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+// The winding number along a ray from the place up (or right). A side counts if its ends part at the ray's line; an end
+// on the line belongs to the lesser side, so a ray through a corner counts right. Sides through the place itself lie
+// behind the ray's start as seen from one side, and are crossed as seen from the other.
 Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x) {
   Cover cover;
-  bool odd_ahead = false;
-  bool odd_here = false;
+  int turns_ahead = 0;
+  int turns_here = 0;
   for (const auto& ring : solid.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const ExactPoint& p = ring[i];
       const ExactPoint& q = ring[i + 1 < ring.size() ? i + 1 : 0];
       if (on_segment(p, q, place)) {
         cover.on_boundary = true;
-        if (compare_xy(p, q) != 0) odd_here = !odd_here;
+        turns_here += turn_of(p, q, across_x);
         continue;
       }
       const bool p_beyond = across_x ? compare_y(p, place) > 0 : compare_x(p, place) > 0;
       const bool q_beyond = across_x ? compare_y(q, place) > 0 : compare_x(q, place) > 0;
       if (p_beyond == q_beyond) continue;
       const int turn = q_beyond ? orientation(p, q, place) : orientation(q, p, place);
-      if (across_x ? turn > 0 : turn < 0) odd_ahead = !odd_ahead;
+      if (across_x ? turn > 0 : turn < 0) turns_ahead += turn_of(p, q, across_x);
     }
   }
-  cover.inside_after = odd_ahead;
-  cover.inside_before = odd_ahead != odd_here;
+  const auto is_inside = [&](int turns) { return solid.is_nonzero ? turns != 0 : turns % 2 != 0; };
+  cover.inside_after = is_inside(turns_ahead);
+  cover.inside_before = is_inside(turns_ahead + turns_here);
   return cover;
 }
 

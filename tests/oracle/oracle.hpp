@@ -26,6 +26,7 @@ struct OracleItem {
   /// One ring of one point for a point, of two for a segment, of N for a polyline; a polygon has one or more, each
   /// closed by an implied side.
   std::vector<std::vector<OraclePoint>> rings;
+  bool is_nonzero = false;  ///< of a polygon: by the fill rule nonzero, not even-odd
 };
 
 struct OracleBox {
@@ -94,7 +95,7 @@ class Oracle {
   /// always connected. Requires: check_dump(dump) finds no fault.
   [[nodiscard]] bool connected(std::string_view dump, OraclePoint from, OraclePoint to) const;
 
-  /// The ids, ascending, of the polygons that cover a point: those with it inside, even-odd over all rings, and those
+  /// The ids, ascending, of the polygons that cover a point: those with it inside, by their fill rules, and those
   /// with it on a side or corner.
   [[nodiscard]] std::vector<std::uint64_t> covering_polygons(OraclePoint point) const;
   /// Whether a polygon has the point inside and not on any of its sides.

@@ -284,5 +284,38 @@ TEST(OracleCover, EvenOddWithItsBoundary) {
   EXPECT_THAT(oracle.covering_polygons({12, 0x1.8000000000001p3}), IsEmpty());
 }
 
+TEST(OracleCover, NonzeroWithItsBoundary) {
+  // 1: a square with a square in it that turns the same way, and one in that which turns back twice; 2: a bow tie; 3: a
+  // ring run twice; 4: two squares that overlap and turn opposite ways.
+  const OracleScene scene = square(
+      20,
+      {{1,
+        OracleKind::polygon,
+        {{{1, 1}, {9, 1}, {9, 9}, {1, 9}},
+         {{2, 2}, {8, 2}, {8, 8}, {2, 8}},
+         {{4, 4}, {4, 6}, {6, 6}, {6, 4}, {4, 4}, {4, 6}, {6, 6}, {6, 4}}},
+        true},
+       {2, OracleKind::polygon, {{{10, 0}, {14, 4}, {14, 0}, {10, 4}}}, true},
+       {3, OracleKind::polygon, {{{10, 10}, {14, 10}, {14, 14}, {10, 10}, {14, 10}, {14, 14}}}, true},
+       {4, OracleKind::polygon, {{{1, 11}, {5, 11}, {5, 15}, {1, 15}}, {{3, 13}, {3, 17}, {7, 17}, {7, 13}}}, true}});
+  const Oracle oracle(scene);
+  for (const OraclePoint inside : {OraclePoint{1.5, 5}, OraclePoint{3, 3}}) {
+    EXPECT_THAT(oracle.covering_polygons(inside), ElementsAre(1));
+    EXPECT_TRUE(oracle.strictly_inside(inside));
+  }
+  EXPECT_THAT(oracle.covering_polygons({5, 5}), IsEmpty());
+  EXPECT_THAT(oracle.covering_polygons({2, 2}), ElementsAre(1));
+  EXPECT_FALSE(oracle.strictly_inside({2, 2}));
+  EXPECT_THAT(oracle.covering_polygons({11, 2}), ElementsAre(2));
+  EXPECT_TRUE(oracle.strictly_inside({13, 2}));
+  EXPECT_THAT(oracle.covering_polygons({12, 1}), IsEmpty());
+  EXPECT_THAT(oracle.covering_polygons({13, 11}), ElementsAre(3));
+  EXPECT_TRUE(oracle.strictly_inside({13, 11}));
+  EXPECT_FALSE(oracle.strictly_inside({12, 12}));
+  EXPECT_THAT(oracle.covering_polygons({2, 12}), ElementsAre(4));
+  EXPECT_THAT(oracle.covering_polygons({6, 16}), ElementsAre(4));
+  EXPECT_THAT(oracle.covering_polygons({4, 14}), IsEmpty());
+}
+
 }  // namespace
 }  // namespace waywright::oracle

@@ -92,8 +92,10 @@ class LiveItems {
   return std::vector<ItemId>{change.id};
 }
 
-/// A shape as World::shape returns it: points that repeat their predecessor merged, -0 become 0.
+/// A shape as World::shape returns it: points that repeat their predecessor merged, -0 become 0, a fill rule of
+/// polygons only.
 [[nodiscard]] inline Shape merged(Shape shape) {
+  if (shape.kind != ItemKind::polygon) shape.fill = FillRule::even_odd;
   std::vector<std::vector<Point>> rings = shape.rings;
   for (std::vector<Point>& ring : rings) {
     for (Point& p : ring) p = {p.x + 0.0, p.y + 0.0};
@@ -101,7 +103,7 @@ class LiveItems {
     ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     if (shape.kind == ItemKind::polygon && ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   }
-  return {shape.kind, rings};
+  return {shape.kind, rings, shape.fill};
 }
 
 }  // namespace waywright::test

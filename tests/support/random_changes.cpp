@@ -20,6 +20,7 @@ class ChangeMaker {
  public:
   ChangeMaker(Flavour flavour, std::uint64_t seed, std::size_t live_count)
       : random_(seed ^ 0x6368616e67657321U),
+        rules_(seed ^ 0x72756c6573212121U),
         limit_(std::max<std::size_t>(live_count, 1)),
         pool_(random_scene(flavour, seed, 2 * limit_)),
         has_sparse_ids_(random_.chance(20)),
@@ -113,11 +114,13 @@ class ChangeMaker {
     return last_ = random_.chance(15) ? dragged(other) : other;
   }
 
-  /// The shape with one of its corners at a corner of another.
+  /// The shape with one of its corners at a corner of another and, now and then, with the other fill rule.
   Shape dragged(Shape shape) {
     const MutablePointSpan ring = shape.rings[random_.below(shape.rings.size())];
     const Shape& other = pool_.items[random_.below(pool_.items.size())].shape;
     ring[random_.below(ring.size())] = other.rings[0][random_.below(other.rings[0].size())];
+    const bool is_even_odd = shape.fill == FillRule::even_odd;
+    if (rules_.chance(30)) shape.fill = is_even_odd ? FillRule::nonzero : FillRule::even_odd;
     return shape;
   }
 
@@ -151,6 +154,7 @@ class ChangeMaker {
   }
 
   Random random_;
+  Random rules_;  ///< for fill rules, on which nothing else depends
   std::size_t limit_;
   Scene pool_;
   bool has_sparse_ids_;

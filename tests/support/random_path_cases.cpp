@@ -164,6 +164,7 @@ PathCase random_path_case(Obstacles obstacles, std::uint64_t seed, std::size_t q
     const double x = coordinate();
     return Point{x, coordinate()};
   });
+  give_fill_rules(result.scene, seed);
   return result;
 }
 

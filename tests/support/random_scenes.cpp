@@ -371,7 +371,29 @@ std::optional<Flavour> flavour_of(std::string_view name) {
 }
 
 Scene random_scene(Flavour flavour, std::uint64_t seed, std::size_t item_count) {
-  return SceneMaker(flavour, seed).make(item_count);
+  Scene scene = SceneMaker(flavour, seed).make(item_count);
+  give_fill_rules(scene, seed);
+  return scene;
+}
+
+// With random numbers of its own: the points of a scene do not depend on the rules.
+void give_fill_rules(Scene& scene, std::uint64_t seed) {
+  Random random(seed ^ 0x66696c6c2072756cU);
+  const std::vector<Item> items = scene.items;
+  for (Item& item : scene.items) {
+    if (item.shape.kind != ItemKind::polygon || random.chance(50)) continue;
+    item.shape.fill = FillRule::nonzero;
+    if (random.chance(30)) continue;
+    const Shape& other = items[random.below(items.size())].shape;
+    const bool takes_other = other.kind == ItemKind::polygon && random.chance(40);
+    const Shape& source = takes_other ? other : item.shape;
+    std::vector<Point> ring = source.rings[random.below(source.rings.size())];
+    const std::size_t dice = random.below(4);
+    if (dice == 0) std::reverse(ring.begin(), ring.end());
+    if (dice == 1) ring.insert(ring.end(), ring.begin(), ring.end());
+    for (std::size_t i = ring.size(); dice == 2 && i > 1; --i) std::swap(ring[i - 1], ring[random.below(i)]);
+    item.shape.rings.push_back(ring);
+  }
 }
 
 Point random_point(Flavour flavour, const Box& domain, Random& random) {

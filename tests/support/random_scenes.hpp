@@ -30,8 +30,12 @@ inline constexpr std::array kFlavours{Flavour::lattice, Flavour::small, Flavour:
 
 /// A scene that is the same everywhere for the same arguments: points, segments, polylines and polygons of several
 /// rings, with duplicates, overlaps, bundles through one point, corners on sides, self-crossings, zero lengths and
-/// repeated points, on the domain's boundary and off it.
+/// repeated points, on the domain's boundary and off it. Half of the polygons are nonzero ones, see give_fill_rules.
 [[nodiscard]] Scene random_scene(Flavour flavour, std::uint64_t seed, std::size_t item_count);
+
+/// Makes half of a scene's polygons nonzero ones. Some of these get rings that turn once more around their inside, or
+/// back: a ring of theirs or of another polygon, as it is or the other way round, or their corners in another order.
+void give_fill_rules(Scene& scene, std::uint64_t seed);
 
 /// A point of the domain as the flavour has them.
 [[nodiscard]] Point random_point(Flavour flavour, const Box& domain, Random& random);

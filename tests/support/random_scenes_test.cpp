@@ -37,6 +37,7 @@ void count_items(const Scene& scene, Census& census) {
   for (const Item& item : scene.items) {
     ++census[std::string(to_string(item.shape.kind))];
     if (item.shape.rings.size() > 1) ++census["several rings"];
+    if (item.shape.kind == ItemKind::polygon) ++census[std::string(to_string(item.shape.fill))];
     if (item.id.value > scene.items.size()) ++census["sparse ids"];
     const bool again = std::find(earlier.begin(), earlier.end(), item.shape) != earlier.end();
     if (again && item.shape.kind != ItemKind::point) ++census["duplicates"];
@@ -82,9 +83,9 @@ class RandomScenes : public ::testing::TestWithParam<Flavour> {};
 
 TEST_P(RandomScenes, HaveAllKindsOfThings) {
   Census census = census_of(GetParam());
-  for (const char* thing : {"point", "segment", "polyline", "polygon", "several rings", "sparse ids", "duplicates",
-                            "zero length", "rings of one point", "points on the boundary", "overlaps",
-                            "sides on the boundary", "ends on sides", "bundles"}) {
+  for (const char* thing : {"point", "segment", "polyline", "polygon", "even-odd", "nonzero", "several rings",
+                            "sparse ids", "duplicates", "zero length", "rings of one point", "points on the boundary",
+                            "overlaps", "sides on the boundary", "ends on sides", "bundles"}) {
     EXPECT_GE(census[thing], kScenes / 2) << thing;
   }
   EXPECT_GE(census["crossings"], 10 * kScenes);

@@ -75,6 +75,24 @@ TEST(ToSvg, DrawsEachThingOnceInItsGroup) {
             json({"2 solids", "2 walls", "2 points", triangles, "path, length 12.346", "start", "goal"}));
 }
 
+TEST(ToSvg, FillsEachPolygonByItsRule) {
+  const std::vector<Point> star = {{5, 9}, {2, 1}, {9, 6}, {1, 6}, {8, 1}};
+  const auto drawn_by = [&](FillRule rule) {
+    World world = make_world({{0, 0}, {10, 10}});
+    EXPECT_TRUE(world.insert({ItemKind::polygon, {star}, rule}).ok());
+    return to_svg(world, {}, {});
+  };
+  // The group's rule is even-odd; a path may have its own.
+  const std::string attribute = " fill-rule=\"nonzero\"";
+  std::string nonzero = drawn_by(FillRule::nonzero);
+  const std::size_t at = nonzero.find("<path" + attribute);
+  ASSERT_NE(at, std::string::npos);
+  nonzero.erase(nonzero.find(attribute), attribute.size());
+  EXPECT_EQ(nonzero, drawn_by(FillRule::even_odd));
+  EXPECT_NE(nonzero.find("id=\"solids\""), std::string::npos);
+  EXPECT_NE(nonzero.find("fill-rule=\"evenodd\""), std::string::npos);
+}
+
 TEST(ToSvg, DrawsEveryFreeEdgeOnceAndNoneWithoutMesh) {
   World world = make_world({{0, 0}, {10, 10}});
   put(world, ItemKind::point, {{{2, 3}}});
