@@ -31,7 +31,7 @@ PUBLIC = {
     "memory": {"memory_use.hpp"},
     "exact": VALUES | {"predicate_counts.hpp"},
     "mesh": {"id.hpp", "error.hpp", "memory_use.hpp"},
-    "locate": VALUES,
+    "locate": VALUES | {"job_system.hpp"},
     "delaunay": VALUES,
     "constraint": VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"},
     "path": VALUES | {"item.hpp", "path.hpp"},

@@ -156,10 +156,13 @@ std::optional<Error> find_ends_error(const Box& domain, const Point& from, const
 
 /// What is reported is less than `total` until all is done.
 locate::Crew crew_of(const BulkOptions& options, std::size_t total) {
-  if (!options.progress) return {options.threads, {}};
-  return {options.threads, [&options, total](std::size_t done) {
-            if (done < total) options.progress(done, total);
-          }};
+  locate::Crew::Report report;
+  if (options.progress) {
+    report = [&options, total](std::size_t done) {
+      if (done < total) options.progress(done, total);
+    };
+  }
+  return {options.threads, std::move(report), options.jobs};
 }
 
 /// Fills `shape` with that of a live item, for its memory.

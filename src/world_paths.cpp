@@ -67,7 +67,7 @@ Result<Path> World::find_path(const PathQuery& query) const {
 
 // Every query is checked before the first is searched, so that an error leaves nothing half done.
 Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
-                               std::vector<Path>& paths) const {
+                               std::vector<Path>& paths, JobSystem* jobs) const {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     if (auto error = find_query_error(*this, impl_->abstraction.has_value(), queries[i])) {
@@ -78,7 +78,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   }
   WAYWRIGHT_ASSERT(!contexts.empty(), "World::find_paths: there is no context, or the number of threads is 0");
   paths.resize(queries.size());
-  const locate::Crew crew(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {});
+  const locate::Crew crew(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {}, jobs);
   crew.take_turns(queries.size(), [&](std::size_t thread, std::size_t i) {
     path::Finder& finder = contexts[thread].scratch_->finder;
     finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
@@ -87,10 +87,11 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   return {};
 }
 
-Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, std::size_t threads) const {
+Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, std::size_t threads,
+                                            JobSystem* jobs) const {
   std::vector<QueryContext> contexts(threads);
   std::vector<Path> paths;
-  if (auto done = find_paths(queries, contexts, paths); !done) return done.error();
+  if (auto done = find_paths(queries, contexts, paths, jobs); !done) return done.error();
   return paths;
 }
 

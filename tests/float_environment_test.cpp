@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "waywright/job_system.hpp"
 #include "waywright/path_search.hpp"
 #include "waywright/scenario.hpp"
 #include "waywright/script.hpp"
@@ -114,6 +115,23 @@ class FloatEnvironment : public testing::TestWithParam<Mode> {
 
 INSTANTIATE_TEST_SUITE_P(Modes, FloatEnvironment, testing::ValuesIn(kModes),
                          [](const auto& mode) { return name_of(mode.param); });
+
+/// A job system whose thread computes in a mode of its own.
+class JobsInMode final : public JobSystem {
+ public:
+  explicit JobsInMode(Mode mode) : mode_(mode) {}
+  void run(std::size_t count, const std::function<void(std::size_t)>& job) override {
+    for (std::size_t i = 0; i < count; ++i) {
+      in_mode(mode_, [&] {
+        job(i);
+        return true;
+      });
+    }
+  }
+
+ private:
+  Mode mode_;
+};
 
 /// For calls in the ordinary mode.
 constexpr auto kPlainly = [](const auto& call) { return call(); };
@@ -226,6 +244,8 @@ TEST_P(FloatEnvironment, ChangesNoPath) {
       std::vector<PathQuery> queries;
       for (const Ends& ends : example.queries) queries.push_back({.start = ends.start, .goal = ends.goal});
       const std::vector<Path> paths = in([&] { return world.find_paths(queries, 2); }).value();
+      JobsInMode jobs(GetParam());
+      const std::vector<Path> by_jobs = world.find_paths(queries, 2, &jobs).value();
       std::vector<Point> goals;
       for (const PathQuery& query : queries) goals.push_back(query.goal);
       const ManyGoalsQuery many{.start = queries[0].start, .goals = goals, .wants_points = true};
@@ -233,6 +253,7 @@ TEST_P(FloatEnvironment, ChangesNoPath) {
       const std::vector<Path> plainly = world.find_paths_from(many).value();
       for (std::size_t i = 0; i < queries.size(); ++i) {
         ASSERT_EQ(text_of(paths[i]), text_of(world.find_path(queries[i])));
+        ASSERT_EQ(text_of(by_jobs[i]), text_of(paths[i]));
         ASSERT_EQ(text_of(from_one[i]), text_of(plainly[i]));
         PathSearch search;
         in([&] { return search.begin(world, queries[i]); }).value();

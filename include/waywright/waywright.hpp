@@ -5,6 +5,7 @@
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/job_system.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"

@@ -17,6 +17,7 @@
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/job_system.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/owned.hpp"
@@ -43,11 +44,13 @@ struct Change {
 /// How to insert many items at once.
 struct BulkOptions {
   /// So many threads work on it, 1 or more; the calling one is among them. The world is the same with any number. More
-  /// than one speeds up a world's first items.
+  /// than one speeds up a world's first items. Of a job system, so many jobs at a time.
   std::size_t threads = 1;
   /// Called on the calling thread now and then, and at the end, where `done` is `total`; the unit means nothing. It
   /// must not touch the world.
   std::function<void(std::size_t done, std::size_t total)> progress;
+  /// Where the other threads come from. Null: the library starts them.
+  JobSystem* jobs = nullptr;
 };
 
 /// Two hashes of the same items, whatever made them and wherever: equal when the items are, and in practice only then.
@@ -235,11 +238,13 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
   /// A path for each query, in their order and each as find_path gives it, found by as many threads as there are
-  /// contexts. Requires: at least one context. Errors: those of find_path; the error's index is the query's position.
+  /// contexts: threads of the job system, or, where that is null, threads that the library starts. Requires: at least
+  /// one context. Errors: those of find_path; the error's index is the query's position.
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
-                                        std::vector<Path>& paths) const;
+                                        std::vector<Path>& paths, JobSystem* jobs = nullptr) const;
   /// Requires: `threads` is 1 or more.
-  [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads) const;
+  [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
+                                                     JobSystem* jobs = nullptr) const;
 
   /// The shortest path to each goal, in their order. The expansions of all searches stand in every answer. Errors:
   /// those of find_path; the error's index is 0 for the start and else the goal's position + 1. Cost: of a few goals

@@ -154,12 +154,12 @@ void DivideAndConquer<Geometry>::run(const locate::Crew& crew, std::span<const l
   tasks_.clear();
   list_tasks(0, count, std::max(kSmallestTask, static_cast<std::uint32_t>(most)));
   std::atomic<std::size_t> done{0};
-  crew.take_turns(jobs.size() + tasks_.size(), [&](std::size_t thread, std::size_t i) {
+  crew.take_turns(jobs.size() + tasks_.size(), [&](std::size_t, std::size_t i) {
     if (i < jobs.size()) return jobs[i]();
     Task& task = tasks_[i - jobs.size()];
     task.part = triangulate(task.begin, task.end);
     done += task.end - task.begin;
-    if (thread == 0) crew.report(done);
+    crew.report(done);
   });
   std::size_t next_task = 0;
   (void)merge_tasks(0, count, next_task);

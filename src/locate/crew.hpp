@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <future>
+#include <thread>
 #include <utility>
-#include <vector>
+
+#include "waywright/job_system.hpp"
 
 #include "base/compiler.hpp"
 
@@ -15,31 +16,29 @@ namespace waywright::locate {
 /// A piece of work that one thread does while others do something else.
 using Job = std::function<void()>;
 
-/// Who works on something large: the calling thread and, where asked for, others. What comes out never depends on it.
+/// Who works on something large: the calling thread and, where asked for, others, which a job system lends or which are
+/// started for each run. What comes out never depends on it. The parts of a run do not wait for one another, so that
+/// they may also be done one after the other on one thread.
 class Crew {
  public:
   using Report = std::function<void(std::size_t done)>;
 
   /// Of one.
   Crew() = default;
-  /// `report`, if there is one, is called by the calling thread now and then. Requires: `threads` is 1 or more. Where
-  /// the system has no threads, the calling one works alone.
-  Crew(std::size_t threads, Report report) : threads_(base::kHasThreads ? threads : 1), report_(std::move(report)) {}
+  /// `report`, if there is one, is called now and then on the thread that makes this object. `jobs`, or null, is asked
+  /// to do the work. Requires: `threads` is 1 or more. Where the system has no threads and there is no job system, the
+  /// calling thread works alone.
+  Crew(std::size_t threads, Report report, JobSystem* jobs = nullptr)
+      : threads_(base::kHasThreads || jobs != nullptr ? threads : 1), report_(std::move(report)), jobs_(jobs) {}
 
   [[nodiscard]] std::size_t threads() const { return threads_; }
 
-  /// Calls work(t) for each t below threads(), on a thread each; work(0) on the calling one.
+  /// Calls work(t) for each t below threads(), on whichever threads there are. Throws what one of the calls throws,
+  /// when all have returned.
   template <class Work>
   void run(const Work& work) const {
-    // Futures hand on what a thread throws. They wait for their threads when they go. Where the system has none left,
-    // the calling one does the work when it asks for what has come of it.
-    std::vector<std::future<void>> others;
-    others.reserve(threads_ - 1);
-    for (std::size_t t = 1; t < threads_; ++t) {
-      others.push_back(std::async(std::launch::async | std::launch::deferred, [&work, t] { work(t); }));
-    }
-    work(0);
-    for (std::future<void>& other : others) other.get();
+    if (threads_ == 1) return work(0);
+    run_all([&work](std::size_t t) { work(t); });
   }
   /// Calls work(t, begin, end) for each t below threads(): parts of [0, count), in order, of about one size.
   template <class Work>
@@ -61,14 +60,18 @@ class Crew {
     });
   }
 
-  /// To be called by the calling thread.
+  /// Does nothing on another thread than the one that made this object.
   void report(std::size_t done) const {
-    if (report_) report_(done);
+    if (report_ && std::this_thread::get_id() == owner_) report_(done);
   }
 
  private:
+  void run_all(const std::function<void(std::size_t)>& work) const;
+
   std::size_t threads_ = 1;
   Report report_;
+  JobSystem* jobs_ = nullptr;  ///< or null
+  std::thread::id owner_ = std::this_thread::get_id();
 };
 
 }  // namespace waywright::locate

@@ -10,6 +10,7 @@
 #include "waywright/world.hpp"
 
 #include "memory/allocations.hpp"
+#include "support/job_systems.hpp"
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
 
@@ -266,6 +267,28 @@ TEST(MemoryFailureOf, ASearchForManyGoalsLeavesNothingToTheNext) {
     for (std::size_t i = 0; i < goals.size(); ++i) expect_equal(paths[i], expected[i], n);
   }
   EXPECT_GT(failures, 20U);
+}
+
+// What fails in a job fails in the call that the job is part of, which then changes nothing.
+TEST(MemoryFailureOf, AJobLeavesTheWorldEmpty) {
+  Random random(12);
+  std::vector<Point> points;
+  while (points.size() < 3000) {
+    points.push_back({static_cast<double>(random.below(1U << 20)), static_cast<double>(random.below(1U << 20))});
+  }
+  OneThread jobs(OneThread::Order::backwards);
+  BulkOptions options;
+  options.threads = 3;
+  options.jobs = &jobs;
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = World::create({{0, 0}, {1 << 20, 1 << 20}}).value();
+    if (gets_through(n, [&] { world.insert_points(points, {}, options).value(); })) break;
+    EXPECT_EQ(world.item_count(), 0U) << "after allocation " << n << " failed";
+    EXPECT_EQ(world.vertex_count(), 4U) << "after allocation " << n << " failed";
+    ASSERT_TRUE(world.validate().ok) << "after allocation " << n << " failed";
+  }
+  EXPECT_GT(failures, 50U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "waywright/world.hpp"
 
+#include "support/job_systems.hpp"
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
 
@@ -63,8 +64,11 @@ TEST(Threads, ShareTheQueriesOfABatch) {
   }
   const std::vector<Path> paths = world.find_paths(queries, 4).value();
   ASSERT_EQ(paths.size(), queries.size());
+  Pool pool(3);
+  const std::vector<Path> by_pool = world.find_paths(queries, 4, &pool).value();
   for (std::size_t i = 0; i < queries.size(); ++i) {
     EXPECT_EQ(paths[i].points, world.find_path(queries[i]).value().points);
+    EXPECT_EQ(by_pool[i].points, paths[i].points);
   }
 }
 
@@ -92,6 +96,10 @@ TEST(Threads, ManyBuildTheWorldThatOneBuilds) {
     if (threads == 1) alone = world.dump();
     EXPECT_EQ(world.dump(), alone) << threads << " threads";
     EXPECT_TRUE(world.validate().ok);
+    World other = World::create({{0, 0}, {1, 1}}).value();
+    Pool pool(3);
+    other.insert_points(points, {}, {threads, {}, &pool}).value();
+    EXPECT_EQ(other.dump(), alone) << threads << " jobs";
   }
 }
 
