@@ -148,7 +148,7 @@ TEST(ItemHash, PrintsTheFirstLaneFirst) {
 }
 
 TEST(ItemHash, WordsFollowThePage) {
-  constraint::ItemHash hash({9}, ItemKind::polyline, 1);
+  constraint::ItemHash hash({9}, ItemKind::polyline, FillRule::even_odd, 1);
   hash.begin_ring(2);
   hash.add({1.0, 0.0});
   hash.add({-2.0, 0.5});
