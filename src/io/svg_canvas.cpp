@@ -6,14 +6,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "io/svg_clip.hpp"
+
 namespace waywright::io {
 
 namespace {
 
-constexpr double kMargin = 20.0;
-constexpr double kTallest = 1.5;  // a map's height, in widths
 constexpr double kFarthest = 1e7;
-constexpr double kLeastPanel = 48.0;  // a flat domain still gets a band one can see
+constexpr double kStrokeRoom = 64.0;  // more than half of the broadest stroke
 
 void append_integer(std::string& out, long long value) {
   std::array<char, 24> digits{};
@@ -60,7 +60,6 @@ void append_character(std::string& out, char character) {
 }  // namespace
 
 void append_pixels(std::string& out, double value) {
-  // A caller's path may lead anywhere: what is far outside the picture is drawn at its rim.
   const double shown = std::isfinite(value) ? std::clamp(value, -kFarthest, kFarthest) : 0.0;
   long long hundredths = std::llround(shown * 100.0);
   if (hundredths < 0) {
@@ -103,31 +102,91 @@ void append_attribute(std::string& out, std::string_view name, double value) {
   append_attribute(out, name, text);
 }
 
-Frame::Frame(const Box& domain, double picture_width, double top, bool y_down) : domain_(domain), y_down_(y_down) {
-  const double across = domain.max.x - domain.min.x;
-  const double up = domain.max.y - domain.min.y;
-  const double widest = picture_width - 2.0 * kMargin;
-  // Proportions of up to 2^200 : 1 are legal; the shorter side then shrinks to a line.
-  scale_ = std::min(widest / across, widest * kTallest / up);
-  width_ = across * scale_;
-  height_ = up * scale_;
-  const double panel = std::max(height_, kLeastPanel);
-  left_ = kMargin + (widest - width_) / 2.0;
-  top_ = top + (panel - height_) / 2.0;
-  panel_bottom_ = top + panel + kMargin;
+void append_hint(std::string& out, std::string_view text) {
+  out += "<title>";
+  append_escaped(out, text);
+  out += "</title>";
 }
 
-Point Frame::to_pixels(const Point& place) const {
-  const double down = y_down_ ? place.y - domain_.min.y : domain_.max.y - place.y;
-  return {left_ + (place.x - domain_.min.x) * scale_, top_ + down * scale_};
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
 }
 
-void PathData::move_to(const Point& place) { append('M', place); }
+bool is_finite(const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
-void PathData::line_to(const Point& place) { append('L', place); }
+bool contains(const Box& box, const Point& point) {
+  return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
+}
 
-void PathData::append(char command, const Point& place) {
-  const Point pixels = frame_.to_pixels(place);
+std::string circle(const Point& centre, double radius) {
+  std::string out = "<circle";
+  append_attribute(out, "cx", centre.x);
+  append_attribute(out, "cy", centre.y);
+  append_attribute(out, "r", radius);
+  return out + "/>";
+}
+
+PathData::PathData(const SvgFrame& frame) : frame_(frame), near_(frame.map()) {
+  near_.min = {near_.min.x - kStrokeRoom, near_.min.y - kStrokeRoom};
+  near_.max = {near_.max.x + kStrokeRoom, near_.max.y + kStrokeRoom};
+}
+
+void PathData::add_chain(PointSpan points) {
+  bool is_joined = false;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    Point a = frame_.to_picture(points[i - 1]);
+    Point b = frame_.to_picture(points[i]);
+    const Point whole = b;
+    if (!clip_segment(near_, a, b)) {
+      is_joined = false;
+      continue;
+    }
+    if (!is_joined) move_to(a);
+    line_to(b);
+    is_joined = b == whole;
+  }
+}
+
+void PathData::add_segment(const Point& a, const Point& b) {
+  const std::array<Point, 2> ends{a, b};
+  add_chain(ends);
+}
+
+void PathData::add_ring(PointSpan points) {
+  ring_.clear();
+  for (const Point& point : points) ring_.push_back(frame_.to_picture(point));
+  clip_ring(near_, ring_, scratch_);
+  if (ring_.empty()) return;
+  move_to(ring_.front());
+  for (std::size_t i = 1; i < ring_.size(); ++i) line_to(ring_[i]);
+  text_ += 'Z';
+}
+
+void PathData::add_dot(const Point& place) {
+  const Point pixels = frame_.to_picture(place);
+  if (!contains(near_, pixels)) return;
+  move_to(pixels);
+  line_to(pixels);
+}
+
+void PathData::move_to(const Point& pixels) {
+  has_line_ = false;
+  append('M', pixels);
+}
+
+/// Leaves out what the text's two decimals cannot tell from the place before, but not all of a line.
+void PathData::line_to(const Point& pixels) {
+  const Point rounded{std::round(pixels.x * 100.0), std::round(pixels.y * 100.0)};
+  if (rounded == last_) {
+    if (!has_line_) text_ += "h0";
+  } else {
+    append('L', pixels);
+  }
+  has_line_ = true;
+}
+
+void PathData::append(char command, const Point& pixels) {
+  last_ = {std::round(pixels.x * 100.0), std::round(pixels.y * 100.0)};
   text_ += command;
   append_pixels(text_, pixels.x);
   text_ += ' ';

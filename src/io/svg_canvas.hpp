@@ -1,62 +1,65 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "waywright/point.hpp"
+#include "waywright/svg.hpp"
 
 namespace waywright::io {
 
-/// A number as text with at most two decimals, trailing zeros dropped; the hundredth of a pixel is finer than any eye.
+/// A number as text with at most two decimals, without trailing zeros; nobody sees a hundredth of a pixel.
 void append_pixels(std::string& out, double value);
 
-/// Text made safe for XML: markup escaped, control characters blanked, bytes that are no UTF-8 replaced.
+/// Text made safe for XML: markup escaped, control characters replaced by blanks, bytes that are no UTF-8 by `?`.
 void append_escaped(std::string& out, std::string_view text);
 
-/// ` name="value"`, the value taken as it is.
+/// ` name="value"`, the value written as it is.
 void append_attribute(std::string& out, std::string_view name, std::string_view value);
 void append_attribute(std::string& out, std::string_view name, double value);
 
-/// Where the domain lies in the picture, all in pixels but the scale.
-class Frame {
- public:
-  /// Fits `domain` into a picture of the given width below a strip of height `top`, keeping its proportions.
-  Frame(const Box& domain, double picture_width, double top, bool y_down);
+/// `<title>text</title>`, escaped: what a browser shows on hover.
+void append_hint(std::string& out, std::string_view text);
 
-  [[nodiscard]] Point to_pixels(const Point& place) const;
-  [[nodiscard]] double left() const { return left_; }
-  [[nodiscard]] double top() const { return top_; }
-  [[nodiscard]] double width() const { return width_; }
-  [[nodiscard]] double height() const { return height_; }
-  /// The lower end of the map, its margin included.
-  [[nodiscard]] double bottom() const { return panel_bottom_; }
+/// The number of characters of a UTF-8 text.
+[[nodiscard]] std::size_t character_count(std::string_view text);
 
- private:
-  Box domain_;
-  bool y_down_ = false;
-  double scale_ = 1.0;
-  double left_ = 0.0;
-  double top_ = 0.0;
-  double width_ = 0.0;
-  double height_ = 0.0;
-  double panel_bottom_ = 0.0;
-};
+[[nodiscard]] bool is_finite(const Point& point);
+[[nodiscard]] bool contains(const Box& box, const Point& point);
 
-/// Collects the `d` attribute of a path element.
+[[nodiscard]] std::string circle(const Point& centre, double radius);
+
+/// Collects the `d` attribute of a path element, of places of the world. What lies far outside the map is left out, and
+/// what crosses its edge is cut.
 class PathData {
  public:
-  explicit PathData(const Frame& frame) : frame_(frame) {}
+  explicit PathData(const SvgFrame& frame);
 
-  void move_to(const Point& place);
-  void line_to(const Point& place);
-  void close() { text_ += 'Z'; }
+  /// An open line through the points, or of those parts of it that are near the map.
+  void add_chain(PointSpan points);
+  /// A closed line. Cut so that the inside of several rings, even-odd, stays the same on the map.
+  void add_ring(PointSpan points);
+  /// A point, for strokes with round ends.
+  void add_dot(const Point& place);
+  void add_segment(const Point& a, const Point& b);
+
+  [[nodiscard]] bool empty() const { return text_.empty(); }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  void append(char command, const Point& place);
+  void move_to(const Point& pixels);
+  void line_to(const Point& pixels);
+  void append(char command, const Point& pixels);
 
-  const Frame& frame_;
+  const SvgFrame& frame_;
+  Box near_;  // the map and the room that broad strokes need
   std::string text_;
+  Point last_;  // as rounded in the text
+  bool has_line_ = false;
+  std::vector<Point> ring_;
+  std::vector<Point> scratch_;
 };
 
 }  // namespace waywright::io

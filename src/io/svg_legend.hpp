@@ -3,18 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "io/svg_theme.hpp"
+
 namespace waywright::io {
 
-/// One line of the legend: a sample, drawn into a box of 28 by 16 pixels, and what it stands for.
+/// One entry of the legend: a sample, 16 pixels high, and what it stands for.
 struct LegendEntry {
   std::string sample;  ///< SVG elements
   std::string label;
+  double sample_width = 28.0;
 };
 
-/// How high the legend is, its lower margin included.
-[[nodiscard]] double legend_height(const std::vector<LegendEntry>& entries, double width);
-
-/// The legend as one SVG group, its upper end at `top`.
-[[nodiscard]] std::string legend(const std::vector<LegendEntry>& entries, double width, double top);
+/// The legend as one SVG group, its upper left corner at (`left`, `top`), in rows that fit the picture's width. Puts
+/// its height, the lower margin included, into `height`.
+[[nodiscard]] std::string legend(const std::vector<LegendEntry>& entries, const Palette& palette, double width,
+                                 double left, double top, double& height);
 
 }  // namespace waywright::io

@@ -7,6 +7,7 @@
 #include "waywright/path.hpp"
 
 #include "exit_status.hpp"
+#include "picture.hpp"
 
 namespace waywright::command {
 
@@ -17,6 +18,7 @@ struct RunOptions {
   std::string script;
   std::string dump;  ///< empty: none
   std::string svg;   ///< empty: none
+  PictureOptions picture;
   bool check = false;
   bool strict = false;
   bool stats = false;
@@ -29,7 +31,7 @@ struct PathOptions {
   std::vector<std::string> to;    ///< x, y
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   std::string svg;  ///< empty: none
-  bool no_mesh = false;
+  PictureOptions picture;
 };
 
 /// `waywright scenario`
@@ -41,7 +43,7 @@ struct ScenarioOptions {
   std::string svg;                   ///< empty: none
   std::vector<std::size_t> queries;  ///< to draw, from 1
   bool any_map = false;
-  bool no_mesh = false;
+  PictureOptions picture;
 };
 
 /// `waywright convert`
@@ -49,7 +51,7 @@ struct ConvertOptions {
   std::string in;
   std::string out;
   std::string format;  ///< `wws`, `svg`, or empty: what the ending of `out` says
-  bool no_mesh = false;
+  PictureOptions picture;
 };
 
 /// The subcommands. Each throws Failure for what ends in status 2.

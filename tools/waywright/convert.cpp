@@ -11,17 +11,15 @@
 #include "file_names.hpp"
 #include "input.hpp"
 #include "output.hpp"
+#include "picture.hpp"
 
 namespace waywright::command {
 
 namespace {
 
-std::string draw(const Scene& scene, const ConvertOptions& options) {
-  SvgOptions picture;
-  picture.mesh = !options.no_mesh;
-  picture.y_down = scene.y_down;
-  picture.title = title_of(options.in);
-  return to_svg(build_world(scene, options.in), {}, picture);
+std::string picture_of(const Scene& scene, const ConvertOptions& options) {
+  const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.in), scene.y_down);
+  return draw(build_world(scene, options.in), {}, picture);
 }
 
 /// Whether OUT becomes a picture, or else a world script. Throws Failure where nothing says so.
@@ -40,10 +38,13 @@ bool is_picture(const ConvertOptions& options) {
 
 ExitStatus convert(const ConvertOptions& options) {
   const bool picture = is_picture(options);
+  if (!picture && !options.picture.crop.empty()) {
+    throw Failure("waywright: convert: --crop is for pictures, and OUT becomes a world script");
+  }
   refuse_shared_files(files_of_map(options.in), {{"OUT", options.out}});
   const Scene scene = load_scene(options.in);
   OutputFile out(options.out);
-  out.write(picture ? draw(scene, options) : to_script(scene));
+  out.write(picture ? picture_of(scene, options) : to_script(scene));
   out.commit();
   return kDone;
 }

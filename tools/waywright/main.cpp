@@ -40,7 +40,8 @@ constexpr const char* kExamples =
 constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a world script on standard input";
 constexpr const char* kRunExamples =
     "Examples:\n"
-    "  waywright run world.wws --svg world.svg                the final world, and the paths found in it\n"
+    "  waywright run world.wws --svg world.svg                the final world, and what was asked of it\n"
+    "  waywright run world.wws --svg part.svg --crop 0 0 50 40 --theme dark\n"
     "  waywright run world.wws --dump world.dump --check      the final mesh; validated after every operation\n"
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
     "  waywright run world.wws --dump - | sha256sum           the final mesh alone on standard output\n"
@@ -93,9 +94,9 @@ void add_file(CLI::App& command, const std::string& name, std::string& value, co
   command.add_option(name, value, about)->check(check_file_name)->required();
 }
 
-/// An option that names a file to write.
-void add_file_option(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
-  command.add_option(name, value, about)->type_name("FILE")->check(check_file_name);
+/// Adds an option that names a file to write.
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
+  return command.add_option(name, value, about)->type_name("FILE")->check(check_file_name);
 }
 
 void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
@@ -105,6 +106,35 @@ void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
     algorithm = *named;
   };
   command.add_option_function<std::string>("--algorithm", read, "optimal (the default), ta or tra")->type_name("NAME");
+}
+
+CLI::Option* add_theme(CLI::App& command, SvgTheme& theme) {
+  const auto read = [&theme](const std::string& word) {
+    if (word != "auto" && word != "light" && word != "dark") {
+      throw CLI::ValidationError("--theme", "'" + word + "' is none of auto, light and dark");
+    }
+    theme = word == "light" ? SvgTheme::light : word == "dark" ? SvgTheme::dark : SvgTheme::automatic;
+  };
+  return command
+      .add_option_function<std::string>(
+          "--theme", read, "The picture's colours: auto (as the viewer prefers; the default), light or dark")
+      ->type_name("NAME");
+}
+
+/// Adds the options of a picture. They need `file`, the option that names its file; null for a command without one.
+void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) {
+  command.add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
+  CLI::Option* const no_axes =
+      command.add_flag("--no-axes", options.no_axes, "Leave ticks, coordinates and the scale bar out of the picture");
+  CLI::Option* const theme = add_theme(command, options.theme);
+  const char* const about = "Show only the part of the world between these corners, the lower coordinates first";
+  CLI::Option* const crop = command.add_option("--crop", options.crop, about)
+                                ->type_size(4)
+                                ->expected(1)
+                                ->allow_extra_args(false)
+                                ->type_name("X0 Y0 X1 Y1");
+  if (file == nullptr) return;
+  for (CLI::Option* const option : {no_axes, theme, crop}) option->needs(file);
 }
 
 std::string check_format(const std::string& name) {
@@ -124,7 +154,9 @@ void add_run(CommandLine& line) {
   line.run = line.app.add_subcommand("run", "Run a world script, one JSON line per answer");
   add_file(*line.run, "SCRIPT", options.script, "The script (.wws); - is standard input");
   add_file_option(*line.run, "--dump", options.dump, "Write the final mesh, exactly, as text");
-  add_file_option(*line.run, "--svg", options.svg, "Draw the final world");
+  CLI::Option* const svg =
+      add_file_option(*line.run, "--svg", options.svg, "Draw the final world, and the queries since it last changed");
+  add_picture(*line.run, options.picture, svg);
   line.run->add_flag("--check", options.check, "Validate after every operation; stop at the first fault");
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
   line.run->add_flag("--stats", options.stats,
@@ -149,8 +181,8 @@ void add_path(CommandLine& line) {
       ->type_name("X Y")
       ->required();
   add_algorithm(*line.path, options.algorithm);
-  add_file_option(*line.path, "--svg", options.svg, "Draw the map and the path");
-  line.path->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
+  CLI::Option* const svg = add_file_option(*line.path, "--svg", options.svg, "Draw the map and the path");
+  add_picture(*line.path, options.picture, svg);
   line.path->footer(kPathExamples);
 }
 
@@ -161,13 +193,14 @@ void add_scenario(CommandLine& line) {
   add_file(*line.scenario, "SCENARIO", options.scenario, "The queries (.scen); - is standard input");
   add_algorithm(*line.scenario, options.algorithm);
   add_file_option(*line.scenario, "--csv", options.csv, "Write a line for each query");
-  add_file_option(*line.scenario, "--svg", options.svg, "Draw the map and the paths of the queries named by --query");
+  CLI::Option* const svg = add_file_option(*line.scenario, "--svg", options.svg,
+                                           "Draw the map and the paths of the queries named by --query");
   line.scenario->add_option("--query", options.queries, "A query to draw")
       ->type_name("N")
       ->allow_extra_args(false)
       ->check(check_query_number);
   line.scenario->add_flag("--any-map", options.any_map, "Ask the queries although they name another map or size");
-  line.scenario->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
+  add_picture(*line.scenario, options.picture, svg);
   line.scenario->footer(kScenarioExamples);
 }
 
@@ -179,7 +212,7 @@ void add_convert(CommandLine& line) {
   line.convert->add_option("--format", options.format, "wws or svg, where the ending of OUT does not say it")
       ->type_name("NAME")
       ->check(check_format);
-  line.convert->add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
+  add_picture(*line.convert, options.picture, nullptr);
   line.convert->footer(kConvertExamples);
 }
 

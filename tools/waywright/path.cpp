@@ -12,6 +12,7 @@
 #include "input.hpp"
 #include "json_lines.hpp"
 #include "output.hpp"
+#include "picture.hpp"
 
 namespace waywright::command {
 
@@ -23,6 +24,7 @@ ExitStatus path(const PathOptions& options) {
   refuse_shared_files(files_of_map(options.map), {{"--svg", options.svg}});
   const Scene scene = load_scene(options.map);
   OutputFile svg(options.svg);
+  const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.map), scene.y_down);
   const World world = build_world(scene, options.map);
 
   const Result<Path> searched = world.find_path(query);
@@ -31,11 +33,9 @@ ExitStatus path(const PathOptions& options) {
   output.write_line(json_line({"path", {}}, *searched));
   output.flush();
   if (svg.wanted()) {
-    SvgOptions picture;
-    picture.mesh = !options.no_mesh;
-    picture.y_down = scene.y_down;
-    picture.title = title_of(options.map);
-    svg.write(to_svg(world, {*searched}, picture));
+    SvgOverlay overlay;
+    add_answer(overlay, query, *searched);
+    svg.write(draw(world, overlay, picture));
     svg.commit();
   }
   return kDone;

@@ -14,6 +14,7 @@
 #include "input.hpp"
 #include "json_lines.hpp"
 #include "output.hpp"
+#include "picture.hpp"
 #include "progress.hpp"
 #include "runner.hpp"
 
@@ -56,7 +57,10 @@ ExitStatus run(const RunOptions& options) {
   OutputFile dump(options.dump);
   OutputFile svg(options.svg);
   StreamWriter output(stream_beside({options.dump, options.svg}));
-  Runner runner(world, output);
+  // A script's y axis points up, as in a mathematician's plane.
+  const SvgOptions picture = svg_options(options.picture, world.domain(), title_of(options.script), false);
+  SvgOverlay overlay;
+  Runner runner(world, output, svg.wanted() ? &overlay : nullptr);
 
   const RunResult result = carry_out(script, options, runner);
   output.flush();
@@ -67,11 +71,7 @@ ExitStatus run(const RunOptions& options) {
   }
   if (!result.to_the_end) return result.status;
   if (dump.wanted()) dump.write(world.dump());
-  if (svg.wanted()) {
-    SvgOptions picture;
-    picture.title = title_of(options.script);
-    svg.write(to_svg(world, runner.paths(), picture));
-  }
+  if (svg.wanted()) svg.write(draw(world, overlay, picture));
   dump.commit();
   svg.commit();
   return result.status;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "json_lines.hpp"
+#include "picture.hpp"
 
 namespace waywright::command {
 
@@ -53,21 +54,21 @@ bool Runner::validate_after(const Operation& operation) {
 Outcome Runner::insert(const Operation& operation) {
   const Result<ItemId> inserted = world_.insert(operation.item.shape, operation.item.id);
   if (!inserted.ok()) return refuse(operation, inserted.error());
-  paths_.clear();
+  forget_queries();
   return Outcome::done;
 }
 
 Outcome Runner::remove(const Operation& operation) {
   const Result<void> removed = world_.remove(operation.item.id);
   if (!removed.ok()) return refuse(operation, removed.error());
-  paths_.clear();
+  forget_queries();
   return Outcome::done;
 }
 
 Outcome Runner::replace(const Operation& operation) {
   const Result<void> replaced = world_.replace(operation.item.id, operation.item.shape);
   if (!replaced.ok()) return refuse(operation, replaced.error());
-  paths_.clear();
+  forget_queries();
   return Outcome::done;
 }
 
@@ -75,6 +76,7 @@ Outcome Runner::locate(const Operation& operation) {
   const Result<void> located = world_.locate(operation.from, context_, location_);
   if (!located.ok()) return refuse(operation, located.error());
   output_.write_line(json_line(request_of(operation), location_));
+  if (overlay_ != nullptr) overlay_->places.push_back({operation.from, location_});
   return Outcome::done;
 }
 
@@ -82,6 +84,7 @@ Outcome Runner::cast_ray(const Operation& operation) {
   const Result<void> cast = world_.ray(operation.from, operation.to, hit_);
   if (!cast.ok()) return refuse(operation, cast.error());
   output_.write_line(json_line(request_of(operation), hit_));
+  if (overlay_ != nullptr) overlay_->rays.push_back({operation.from, operation.to, hit_});
   return Outcome::done;
 }
 
@@ -92,7 +95,7 @@ Outcome Runner::find_path(const Operation& operation) {
   const Result<void> searched = world_.find_path(query, context_, path);
   if (!searched.ok()) return refuse(operation, searched.error());
   output_.write_line(json_line(request_of(operation), path));
-  if (path.status == PathStatus::found) paths_.push_back(std::move(path));
+  if (overlay_ != nullptr) add_answer(*overlay_, query, std::move(path));
   return Outcome::done;
 }
 
@@ -100,6 +103,10 @@ Outcome Runner::check(const Operation& operation) {
   const Validation validation = world_.validate();
   output_.write_line(json_line(request_of(operation), validation));
   return validation.ok ? Outcome::done : Outcome::check_failed;
+}
+
+void Runner::forget_queries() {
+  if (overlay_ != nullptr) *overlay_ = {};
 }
 
 Outcome Runner::refuse(const Operation& operation, const Error& error) {

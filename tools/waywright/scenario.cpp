@@ -21,6 +21,7 @@
 #include "file_names.hpp"
 #include "input.hpp"
 #include "output.hpp"
+#include "picture.hpp"
 #include "progress.hpp"
 
 namespace waywright::command {
@@ -134,15 +135,16 @@ class ScenarioRun {
     }
   }
 
-  [[nodiscard]] std::vector<Path> paths_of(const std::vector<std::size_t>& chosen) const {
-    std::vector<Path> paths;
+  /// The chosen queries' answers, for a picture.
+  [[nodiscard]] SvgOverlay overlay_of(const std::vector<std::size_t>& chosen) const {
+    SvgOverlay overlay;
     QueryContext context;
     for (const std::size_t i : chosen) {
       Path path;
       ask(queries_[i], context, path);
-      if (path.status == PathStatus::found) paths.push_back(std::move(path));
+      add_answer(overlay, {queries_[i].start, queries_[i].goal}, std::move(path));
     }
-    return paths;
+    return overlay;
   }
 
   /// A line for each query, after a line of names.
@@ -244,6 +246,7 @@ ExitStatus scenario(const ScenarioOptions& options) {
   check_map(options, scene, queries);
   OutputFile csv(options.csv);
   OutputFile svg(options.svg);
+  const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.scenario), scene.y_down);
   const World world = build_world(scene, options.map);
 
   ScenarioRun run(options, world, std::move(queries));
@@ -253,11 +256,7 @@ ExitStatus scenario(const ScenarioOptions& options) {
   output.flush();
   if (csv.wanted()) csv.write(run.csv());
   if (svg.wanted()) {
-    SvgOptions picture;
-    picture.mesh = !options.no_mesh;
-    picture.y_down = scene.y_down;
-    picture.title = title_of(options.scenario);
-    svg.write(to_svg(world, run.paths_of(chosen), picture));
+    svg.write(draw(world, run.overlay_of(chosen), picture));
   }
   csv.commit();
   svg.commit();

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "io/svg_canvas.hpp"
+#include "io/svg_marks.hpp"
+#include "io/svg_overlay.hpp"
+#include "io/svg_world.hpp"
+
+namespace waywright::io {
+
+namespace {
+
+constexpr double kLeastRadius = 3.0;
+constexpr double kCharacter = 0.58;  // a letter's width, as a part of the font's size
+constexpr double kLabelGap = 8.0;
+
+Paint paint_of(const std::string& colour, Ink otherwise) { return {otherwise, colour}; }
+
+/// The value, in the range; the least for what is not a number.
+double within(double value, double least, double most) { return value >= least ? std::min(value, most) : least; }
+
+bool meets(const Box& box, const Point& centre, double radius) {
+  return centre.x + radius >= box.min.x && centre.x - radius <= box.max.x && centre.y + radius >= box.min.y &&
+         centre.y - radius <= box.max.y;
+}
+
+std::string draw_polyline(const SvgPolyline& line, const SvgFrame& frame, const Palette& palette) {
+  PathData data(frame);
+  data.add_chain(line.points);
+  if (data.empty()) return {};
+  const double width = within(line.width, 0.1, 60.0);
+  std::string out = "<path d=\"" + data.text() + "\"";
+  palette.append(out, {Ink::none}, paint_of(line.colour, Ink::caller));
+  append_attribute(out, "stroke-width", width);
+  if (line.dashed) {
+    std::string dashes;
+    append_pixels(dashes, width * 3.0);
+    append_attribute(out, "stroke-dasharray", dashes);
+  }
+  if (line.hint.empty()) return out + "/>\n";
+  out += '>';
+  append_hint(out, line.hint);
+  return out + "</path>\n";
+}
+
+std::string draw_disc(const SvgDisc& disc, const SvgFrame& frame, const Palette& palette) {
+  const Point centre = frame.to_picture(disc.centre);
+  const double radius = within(disc.radius * frame.scale(), kLeastRadius, 1e7);
+  if (!is_finite(centre) || !meets(frame.map(), centre, radius)) return {};
+  return disc_mark(palette, centre, radius, paint_of(disc.colour, Ink::caller), {Ink::page}, 1.5, disc.hint) + "\n";
+}
+
+std::string draw_label(const SvgLabel& label, const SvgFrame& frame, const Palette& palette) {
+  if (!contains(frame.shown(), label.at) || label.text.empty()) return {};
+  const double size = within(label.size, 4.0, 200.0);
+  TextMark text{frame.to_picture(label.at), "start", size, paint_of(label.colour, Ink::text)};
+  const double gap = kLabelGap + within(label.radius * frame.scale(), 0.0, 1e7);
+  const double room = gap + kCharacter * size * static_cast<double>(character_count(label.text));
+  const Box& map = frame.map();
+  const bool is_left = text.at.x + room > map.max.x && text.at.x - room >= map.min.x;
+  if (is_left) text.anchor = "end";
+  text.at.x += is_left ? -gap : gap;
+  text.at.y += 0.35 * size;
+  return text_mark(palette, text, label.text) + "\n";
+}
+
+}  // namespace
+
+OverlayDrawing draw_additions(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette) {
+  OverlayDrawing drawing;
+  drawing.clipped = "<g id=\"polylines\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  for (const SvgPolyline& line : overlay.polylines) drawing.clipped += draw_polyline(line, frame, palette);
+  drawing.clipped += "</g>\n<g id=\"discs\">\n";
+  for (const SvgDisc& disc : overlay.discs) drawing.clipped += draw_disc(disc, frame, palette);
+  drawing.clipped += "</g>\n";
+  if (!overlay.elements.empty()) drawing.clipped += "<g id=\"elements\">" + overlay.elements + "</g>\n";
+  drawing.whole = "<g id=\"labels\">\n";
+  for (const SvgLabel& label : overlay.labels) drawing.whole += draw_label(label, frame, palette);
+  drawing.whole += "</g>\n";
+  for (const SvgKey& key : overlay.keys) {
+    const Paint colour = paint_of(key.colour, Ink::caller);
+    drawing.entries.push_back({disc_mark(palette, {14.0, 8.0}, 6.0, colour, {Ink::none}, 0.0), key.text});
+  }
+  return drawing;
+}
+
+}  // namespace waywright::io

@@ -1,0 +1,77 @@
+#include "io/svg_clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "io/svg_canvas.hpp"
+
+namespace waywright::io {
+
+namespace {
+
+/// Narrows [from, to], the part of a segment that is left, to where start + t * step is between low and high.
+bool narrow(double start, double step, double low, double high, double& from, double& to) {
+  if (step == 0.0) return start >= low && start <= high;
+  const double to_low = (low - start) / step;
+  const double to_high = (high - start) / step;
+  from = std::max(from, std::min(to_low, to_high));
+  to = std::min(to, std::max(to_low, to_high));
+  return from <= to;
+}
+
+/// A side of the box: the half-plane sign * (x or y) <= limit.
+struct Side {
+  double Point::*axis;
+  double sign;
+  double limit;
+};
+
+double beyond(const Side& side, const Point& point) { return side.sign * point.*side.axis - side.limit; }
+
+/// Where the segment meets the side; a lies inside, b outside, or the other way round.
+Point crossing(const Side& side, const Point& a, const Point& b) {
+  const double at_a = beyond(side, a);
+  const double part = at_a / (at_a - beyond(side, b));
+  Point place{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
+  place.*side.axis = side.sign * side.limit;
+  return place;
+}
+
+void clip_to_side(const Side& side, const std::vector<Point>& ring, std::vector<Point>& clipped) {
+  clipped.clear();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& from = ring[i == 0 ? ring.size() - 1 : i - 1];
+    const Point& to = ring[i];
+    const bool is_inside = beyond(side, to) <= 0.0;
+    if (is_inside != (beyond(side, from) <= 0.0)) clipped.push_back(crossing(side, from, to));
+    if (is_inside) clipped.push_back(to);
+  }
+}
+
+}  // namespace
+
+bool clip_segment(const Box& box, Point& a, Point& b) {
+  const Point step{b.x - a.x, b.y - a.y};
+  if (!is_finite(a) || !is_finite(step)) return false;
+  double from = 0.0;
+  double to = 1.0;
+  if (!narrow(a.x, step.x, box.min.x, box.max.x, from, to)) return false;
+  if (!narrow(a.y, step.y, box.min.y, box.max.y, from, to)) return false;
+  const Point start = a;
+  if (from > 0.0) a = {start.x + from * step.x, start.y + from * step.y};
+  if (to < 1.0) b = {start.x + to * step.x, start.y + to * step.y};
+  return true;
+}
+
+void clip_ring(const Box& box, std::vector<Point>& ring, std::vector<Point>& scratch) {
+  std::erase_if(ring, [](const Point& point) { return !is_finite(point); });
+  for (const Side& side : {Side{&Point::x, -1.0, -box.min.x}, Side{&Point::x, 1.0, box.max.x},
+                           Side{&Point::y, -1.0, -box.min.y}, Side{&Point::y, 1.0, box.max.y}}) {
+    if (std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return beyond(side, point) <= 0.0; })) continue;
+    clip_to_side(side, ring, scratch);
+    ring.swap(scratch);
+  }
+}
+
+}  // namespace waywright::io

@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "base/number_text.hpp"
+#include "io/svg_canvas.hpp"
+#include "io/svg_marks.hpp"
+#include "io/svg_overlay.hpp"
+#include "io/svg_world.hpp"
+#include "io/text.hpp"
+
+namespace waywright::io {
+
+namespace {
+
+constexpr std::array<Ink, 4> kPathInks{Ink::path_1, Ink::path_2, Ink::path_3, Ink::path_4};
+constexpr std::size_t kMany = 12;          // from so many on, marks and lines are small
+constexpr std::size_t kMostHints = 50000;  // marks that have a text on hover
+
+std::string rounded(double value) {
+  std::array<char, 40> digits{};
+  return {digits.data(), base::write_rounded(digits.data(), digits.data() + digits.size(), value, 5)};
+}
+
+std::string path_label(const Path& path) { return "path, length " + rounded(path.length); }
+
+/// The status in words: `no path`.
+std::string words_of(PathStatus status) {
+  std::string words(to_string(status));
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
+/// The answers of World::locate that have a mark and a colour of their own.
+enum class PlaceKind : unsigned char { in_face, on_edge, on_vertex, covered };
+constexpr std::array<PlaceKind, 4> kPlaceKinds{PlaceKind::in_face, PlaceKind::on_edge, PlaceKind::on_vertex,
+                                               PlaceKind::covered};
+
+PlaceKind kind_of(const Location& location) {
+  if (!location.inside.empty()) return PlaceKind::covered;
+  if (location.at == Place::face) return PlaceKind::in_face;
+  return location.at == Place::edge ? PlaceKind::on_edge : PlaceKind::on_vertex;
+}
+
+Ink ink_of(PlaceKind kind) {
+  constexpr std::array<Ink, 4> kInks{Ink::in_face, Ink::on_edge, Ink::on_vertex, Ink::covered};
+  return kInks[static_cast<std::size_t>(kind)];
+}
+
+class QueryDrawer {
+ public:
+  QueryDrawer(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette)
+      : overlay_(overlay), frame_(frame), palette_(palette) {
+    const std::size_t count =
+        overlay.paths.size() + overlay.rays.size() + overlay.failed_paths.size() + overlay.places.size();
+    has_hints_ = count <= kMostHints;
+    const bool is_crowded = overlay.paths.size() + overlay.failed_paths.size() >= kMany;
+    path_width_ = is_crowded ? 2.0 : 4.5;
+    end_radius_ = is_crowded ? 4.0 : 8.0;
+    ray_part_ = overlay.rays.size() >= kMany ? 0.6 : 1.0;
+    place_part_ = overlay.places.size() >= 10 * kMany ? 0.6 : 1.0;
+  }
+
+  [[nodiscard]] OverlayDrawing draw() {
+    drawing_.clipped = "<g id=\"paths\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    drawing_.whole = "<g id=\"ends\">\n";
+    draw_paths();
+    open_groups("rays");
+    draw_rays();
+    open_groups("failed-paths");
+    draw_failed_paths();
+    drawing_.clipped += "</g>\n";
+    drawing_.whole += "</g>\n<g id=\"places\">\n";
+    draw_places();
+    drawing_.whole += "</g>\n";
+    return std::move(drawing_);
+  }
+
+ private:
+  void open_groups(const std::string& id) {
+    drawing_.clipped += "</g>\n<g id=\"" + id + "\" stroke-linecap=\"round\">\n";
+    drawing_.whole += "</g>\n<g id=\"" + id + "-ends\">\n";
+  }
+
+  /// A hint, or none where there are too many.
+  [[nodiscard]] std::string hint(std::string text) const { return has_hints_ ? std::move(text) : std::string(); }
+
+  [[nodiscard]] bool is_shown(const Point& place) const { return contains(frame_.shown(), place); }
+
+  void add_mark(const std::string& mark) { drawing_.whole += mark + "\n"; }
+
+  void add_stroke(const PathData& data, const Paint& colour, double width, std::string_view attributes = {}) {
+    drawing_.clipped += "<path d=\"" + data.text() + "\"";
+    palette_.append(drawing_.clipped, {Ink::none}, colour);
+    append_attribute(drawing_.clipped, "stroke-width", width);
+    drawing_.clipped += attributes;
+    drawing_.clipped += "/>";
+  }
+
+  /// A line with a rim of the page's colour.
+  void add_line(const PathData& data, const Paint& colour, double width, const std::string& about) {
+    if (data.empty()) return;
+    drawing_.clipped += "<g>";
+    if (!about.empty()) append_hint(drawing_.clipped, about);
+    add_stroke(data, {Ink::page}, width * 1.9);
+    add_stroke(data, colour, width);
+    drawing_.clipped += "</g>\n";
+  }
+
+  /// The line of a path and the marks at its ends; false where the picture shows nothing of it.
+  bool draw_path(const Path& path, const Paint& colour) {
+    PathData data(frame_);
+    data.add_chain(path.points);
+    add_line(data, colour, path_width_, hint(path_label(path)));
+    const Point& start = path.points.front();
+    const Point& goal = path.points.back();
+    if (is_shown(start)) {
+      add_mark(disc_mark(palette_, frame_.to_picture(start), end_radius_, {Ink::start}, {Ink::page}, 2.0,
+                         hint("start " + place_text(start))));
+    }
+    if (is_shown(goal)) {
+      add_mark(goal_mark(palette_, frame_.to_picture(goal), end_radius_, colour, hint("goal " + place_text(goal))));
+    }
+    return !data.empty() || is_shown(start);
+  }
+
+  void draw_paths() {
+    std::vector<LegendEntry> one_each;
+    std::size_t coloured = 0;
+    for (const Path& path : overlay_.paths) {
+      if (path.points.empty()) continue;
+      const Paint colour{kPathInks[coloured++ % kPathInks.size()]};
+      if (draw_path(path, colour)) one_each.push_back({line_sample(palette_, colour, 4.5), path_label(path)});
+    }
+    if (one_each.empty()) return;
+    if (one_each.size() > kPathInks.size()) {
+      one_each = {{line_sample(palette_, {kPathInks[0]}, 4.5), counted(one_each.size(), "path", "paths")}};
+    }
+    drawing_.entries.insert(drawing_.entries.end(), one_each.begin(), one_each.end());
+    const Point centre{14.0, 8.0};
+    drawing_.entries.push_back({disc_mark(palette_, centre, 7.0, {Ink::start}, {Ink::page}, 2.0), "start"});
+    drawing_.entries.push_back({goal_mark(palette_, centre, 6.5, {kPathInks[0]}), "goal"});
+  }
+
+  void draw_ray(const SvgRay& ray) {
+    const Paint colour{Ink::ray};
+    const Point& stop = ray.answer.hit ? ray.answer.at : ray.to;
+    std::string about = "ray from " + place_text(ray.from) + " to " + place_text(ray.to);
+    about += ray.answer.hit ? ", hits " + ids_text(ray.answer.items) + " at " + place_text(stop) : ", hits nothing";
+    PathData way(frame_);
+    way.add_segment(ray.from, stop);
+    add_line(way, colour, 2.2 * ray_part_, hint(about));
+    PathData rest(frame_);
+    if (ray.answer.hit && stop != ray.to) rest.add_segment(stop, ray.to);
+    if (!rest.empty()) add_stroke(rest, colour, 1.8 * ray_part_, R"( stroke-dasharray="0.1 5")");
+
+    const double radius = 4.0 * ray_part_;
+    if (is_shown(ray.to) && stop != ray.from) {
+      add_mark(disc_mark(palette_, frame_.to_picture(ray.to), radius, colour, {Ink::page}, 1.5,
+                         hint("end " + place_text(ray.to))));
+    }
+    if (is_shown(ray.from)) {
+      add_mark(disc_mark(palette_, frame_.to_picture(ray.from), radius, {Ink::page}, colour, 2.0 * ray_part_,
+                         hint("start " + place_text(ray.from))));
+    }
+    if (ray.answer.hit && is_shown(stop)) {
+      add_mark(cross_mark(palette_, frame_.to_picture(stop), 5.0 * ray_part_, colour,
+                          hint("hit " + place_text(stop) + ": " + ids_text(ray.answer.items))));
+    }
+  }
+
+  void draw_rays() {
+    std::size_t drawn = 0;
+    std::size_t hits = 0;
+    for (const SvgRay& ray : overlay_.rays) {
+      if (!is_finite(ray.from) || !is_finite(ray.to)) continue;
+      draw_ray(ray);
+      ++drawn;
+      hits += ray.answer.hit ? 1 : 0;
+    }
+    if (drawn == 0) return;
+    const Paint colour{Ink::ray};
+    const std::string sample = "<path d=\"M5 8H23\"" + palette_({Ink::none}, colour) + " stroke-width=\"2.2\"/>" +
+                               disc_mark(palette_, {5.0, 8.0}, 4.0, {Ink::page}, colour, 2.0) +
+                               disc_mark(palette_, {23.0, 8.0}, 4.0, colour, {Ink::none}, 0.0);
+    drawing_.entries.push_back({sample, counted(drawn, "ray", "rays")});
+    if (hits > 0) {
+      drawing_.entries.push_back({cross_mark(palette_, {14.0, 8.0}, 5.0, colour), counted(hits, "hit", "hits")});
+    }
+  }
+
+  /// The status beside the middle of the line, on the side that the line leaves free.
+  void add_status(const SvgFailedPath& failed) {
+    const Point middle{failed.start.x / 2.0 + failed.goal.x / 2.0, failed.start.y / 2.0 + failed.goal.y / 2.0};
+    if (!is_shown(middle)) return;
+    const Point start = frame_.to_picture(failed.start);
+    const Point goal = frame_.to_picture(failed.goal);
+    const Point step =
+        goal.x < start.x ? Point{start.x - goal.x, start.y - goal.y} : Point{goal.x - start.x, goal.y - start.y};
+    TextMark text{frame_.to_picture(middle), "start", 14.0, {Ink::failed}};
+    if (std::abs(step.y) < 0.15 * step.x) {
+      text.anchor = "middle";
+      text.at.y -= 12.0;
+    } else {
+      text.at.x += 10.0;
+      text.at.y += step.y > 0.0 ? -8.0 : 18.0;
+    }
+    add_mark(text_mark(palette_, text, words_of(failed.status)));
+  }
+
+  void draw_failed_path(const SvgFailedPath& failed) {
+    const Paint colour{Ink::failed};
+    const std::string reason = words_of(failed.status);
+    const std::string ends = " from " + place_text(failed.start) + " to " + place_text(failed.goal);
+    PathData data(frame_);
+    data.add_segment(failed.start, failed.goal);
+    const double width = path_width_ * 0.6;
+    if (!data.empty()) {
+      drawing_.clipped += "<g>";
+      if (has_hints_) append_hint(drawing_.clipped, reason + ends);
+      add_stroke(data, {Ink::page}, width * 1.9);
+      add_stroke(data, colour, width, R"( stroke-dasharray="7 7")");
+      drawing_.clipped += "</g>\n";
+    }
+    const double radius = end_radius_ * 0.85;
+    if (is_shown(failed.start)) {
+      add_mark(disc_mark(palette_, frame_.to_picture(failed.start), radius, {Ink::page}, colour, radius * 0.4,
+                         hint("start " + place_text(failed.start) + ": " + reason)));
+    }
+    if (is_shown(failed.goal)) {
+      add_mark(goal_mark(palette_, frame_.to_picture(failed.goal), end_radius_, colour,
+                         hint("goal " + place_text(failed.goal) + ": " + reason)));
+    }
+    const bool is_blocked = failed.status == PathStatus::start_blocked || failed.status == PathStatus::goal_blocked;
+    const Point& blocked = failed.status == PathStatus::start_blocked ? failed.start : failed.goal;
+    if (is_blocked && is_shown(blocked)) {
+      add_mark(cross_mark(palette_, frame_.to_picture(blocked), end_radius_ * 1.25, colour, hint(reason)));
+    }
+    if (overlay_.failed_paths.size() < kMany) add_status(failed);
+  }
+
+  void draw_failed_paths() {
+    constexpr std::array<PathStatus, 3> kFailures{PathStatus::no_path, PathStatus::start_blocked,
+                                                  PathStatus::goal_blocked};
+    std::array<std::size_t, kFailures.size()> counts{};
+    for (const SvgFailedPath& failed : overlay_.failed_paths) {
+      if (!is_finite(failed.start) || !is_finite(failed.goal)) continue;
+      draw_failed_path(failed);
+      for (std::size_t i = 0; i < kFailures.size(); ++i) counts[i] += failed.status == kFailures[i] ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < kFailures.size(); ++i) {
+      if (counts[i] == 0) continue;
+      const std::string sample = line_sample(palette_, {Ink::failed}, 2.7, R"( stroke-dasharray="7 6")");
+      const std::string label = counted(counts[i], "failed path", "failed paths") + ", " + words_of(kFailures[i]);
+      drawing_.entries.push_back({sample, label});
+    }
+  }
+
+  [[nodiscard]] std::string place_mark(Place at, const Point& pixels, const Paint& colour, const std::string& about) {
+    if (at == Place::edge) return square_mark(palette_, pixels, 5.0 * place_part_, colour, about);
+    if (at == Place::vertex) return diamond_mark(palette_, pixels, 7.0 * place_part_, colour, about);
+    return disc_mark(palette_, pixels, 5.5 * place_part_, colour, {Ink::page}, 1.5, about);
+  }
+
+  void draw_places() {
+    std::array<std::size_t, kPlaceKinds.size()> counts{};
+    for (const SvgPlace& place : overlay_.places) {
+      if (!is_shown(place.at)) continue;
+      const PlaceKind kind = kind_of(place.answer);
+      std::string about = place_text(place.at) + ": " + std::string(to_string(place.answer.at));
+      if (kind == PlaceKind::covered) about += ", inside " + ids_text(place.answer.inside);
+      add_mark(place_mark(place.answer.at, frame_.to_picture(place.at), {ink_of(kind)}, hint(about)));
+      ++counts[static_cast<std::size_t>(kind)];
+    }
+    add_place_entries(counts);
+  }
+
+  void add_place_entries(const std::array<std::size_t, kPlaceKinds.size()>& counts) {
+    constexpr std::array<std::string_view, 4> kWords{" in a face", " on an edge", " on a vertex", " in polygons"};
+    constexpr std::array<Place, 4> kShapes{Place::face, Place::edge, Place::vertex, Place::face};
+    for (const PlaceKind kind : kPlaceKinds) {
+      const auto i = static_cast<std::size_t>(kind);
+      if (counts[i] == 0) continue;
+      std::string label = counted(counts[i], "place", "places");
+      label += kWords[i];
+      drawing_.entries.push_back({place_mark(kShapes[i], {14.0, 8.0}, {ink_of(kind)}, {}), label});
+    }
+  }
+
+  const SvgOverlay& overlay_;
+  const SvgFrame& frame_;
+  const Palette& palette_;
+  OverlayDrawing drawing_;
+  bool has_hints_ = true;
+  double path_width_ = 0.0;
+  double end_radius_ = 0.0;
+  double ray_part_ = 1.0;    // of the size of rays' marks and lines
+  double place_part_ = 1.0;  // of the size of places' marks
+};
+
+}  // namespace
+
+OverlayDrawing draw_queries(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette) {
+  return QueryDrawer(overlay, frame, palette).draw();
+}
+
+}  // namespace waywright::io

@@ -1,0 +1,276 @@
+#include "io/svg_world.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "waywright/mesh_snapshot.hpp"
+
+#include "io/svg_canvas.hpp"
+#include "io/text.hpp"
+
+namespace waywright::io {
+
+namespace {
+
+// Beyond these a picture is too large for viewers, and too dense for eyes.
+constexpr std::size_t kMostHints = 50000;
+constexpr std::size_t kMostEdges = 300000;
+
+/// What the picture shows of the world, sorted by how it is drawn.
+struct Things {
+  std::vector<Item> solids;
+  std::vector<Item> walls;
+  std::vector<Item> dots;
+
+  [[nodiscard]] std::size_t count() const { return solids.size() + walls.size() + dots.size(); }
+};
+
+/// Line widths in pixels: bold where there is room, fine where the mesh is dense.
+struct Strokes {
+  double mesh = 0.0;
+  double solid = 0.0;
+  double wall = 0.0;
+  double dot = 0.0;
+};
+
+bool is_one_place(PointSpan ring) {
+  return std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return point == ring.front(); });
+}
+
+void sort_item(Item item, Things& things) {
+  if (item.shape.kind == ItemKind::polygon) {
+    things.solids.push_back(std::move(item));
+  } else if (is_one_place(item.shape.rings.front())) {
+    things.dots.push_back(std::move(item));
+  } else {
+    things.walls.push_back(std::move(item));
+  }
+}
+
+Things things_of(const World& world, const SvgOptions& options) {
+  Things things;
+  if (!options.crop) {
+    for (Item& item : world.items()) sort_item(std::move(item), things);
+    return things;
+  }
+  const Result<std::vector<ItemId>> ids = world.items_in(*options.crop);
+  if (!ids.ok()) return things;
+  for (const ItemId id : *ids) {
+    Result<Shape> shape = world.shape(id);
+    if (shape.ok()) sort_item({id, *std::move(shape)}, things);
+  }
+  return things;
+}
+
+Strokes strokes_for(const World& world, double scale) {
+  const Box& domain = world.domain();
+  const double area = (domain.max.x - domain.min.x) * (domain.max.y - domain.min.y);
+  const double spacing = std::sqrt(area / static_cast<double>(world.vertex_count())) * scale;
+  Strokes strokes;
+  strokes.mesh = std::clamp(spacing / 24.0, 0.12, 0.8);
+  strokes.solid = std::clamp(spacing / 14.0, 0.2, 1.5);
+  strokes.wall = std::clamp(spacing / 7.0, 0.6, 3.2);
+  strokes.dot = std::clamp(spacing / 7.0, 0.6, 3.2);
+  return strokes;
+}
+
+bool is_constrained(const MeshSnapshot& mesh, const std::array<std::uint32_t, 2>& edge) {
+  const auto found =
+      std::lower_bound(mesh.constraints.begin(), mesh.constraints.end(), edge,
+                       [](const MeshSnapshot::ConstrainedEdge& a, const auto& b) { return a.vertices < b; });
+  return found != mesh.constraints.end() && found->vertices == edge;
+}
+
+/// How the mesh came out.
+struct MeshDrawing {
+  std::string elements;
+  bool is_too_large = false;
+};
+
+class WorldDrawer {
+ public:
+  WorldDrawer(const World& world, const SvgFrame& frame, const SvgOptions& options, const Palette& palette)
+      : world_(world),
+        frame_(frame),
+        options_(options),
+        palette_(palette),
+        things_(things_of(world, options)),
+        strokes_(strokes_for(world, frame.scale())),
+        has_hints_(options.ids && things_.count() <= kMostHints) {}
+
+  [[nodiscard]] WorldDrawing draw() const {
+    WorldDrawing drawing;
+    const MeshDrawing mesh = draw_mesh();
+    drawing.elements = draw_ground() + mesh.elements + draw_solids() + draw_walls() + draw_dots() + draw_border();
+    drawing.entries = entries(mesh.is_too_large);
+    return drawing;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Point> domain_ring() const {
+    const Box& domain = world_.domain();
+    return {domain.min, {domain.max.x, domain.min.y}, domain.max, {domain.min.x, domain.max.y}};
+  }
+
+  [[nodiscard]] std::string domain_element(std::string_view id, const std::string& style) const {
+    PathData data(frame_);
+    data.add_ring(domain_ring());
+    return "<path id=\"" + std::string(id) + "\"" + style + " d=\"" + data.text() + "\"/>\n";
+  }
+
+  [[nodiscard]] std::string draw_ground() const {
+    return domain_element("ground", palette_({Ink::ground}, {Ink::none}));
+  }
+
+  [[nodiscard]] std::string draw_border() const {
+    return domain_element("domain", palette_({Ink::none}, {Ink::wall}) + " stroke-width=\"2\"");
+  }
+
+  /// The opening of a group of strokes.
+  [[nodiscard]] std::string open_group(std::string_view id, Ink fill, Ink stroke, double stroke_width) const {
+    std::string out = "<g";
+    append_attribute(out, "id", id);
+    palette_.append(out, {fill}, {stroke});
+    append_attribute(out, "stroke-width", stroke_width);
+    return out + R"( stroke-linecap="round" stroke-linejoin="round")";
+  }
+
+  [[nodiscard]] MeshDrawing draw_mesh() const {
+    if (!options_.mesh) return {};
+    if (!options_.crop && world_.triangle_count() * 3 / 2 > kMostEdges) return {{}, true};
+    const MeshSnapshot mesh = world_.snapshot();
+    PathData data(frame_);
+    std::size_t edge_count = 0;
+    for (const auto& triangle : mesh.triangles) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::array<std::uint32_t, 2> edge{triangle[corner], triangle[(corner + 1) % 3]};
+        // Both neighbours name a free edge, each the other way round: the rising one is drawn.
+        if (edge[0] > edge[1] || is_constrained(mesh, edge)) continue;
+        const std::size_t length_before = data.text().size();
+        data.add_segment(mesh.vertices[edge[0]], mesh.vertices[edge[1]]);
+        if (data.text().size() > length_before && ++edge_count > kMostEdges) return {{}, true};
+      }
+    }
+    return {open_group("mesh", Ink::none, Ink::mesh, strokes_.mesh) + "><path d=\"" + data.text() + "\"/></g>\n",
+            false};
+  }
+
+  void append_item(std::string& out, const PathData& data, std::string_view kind, ItemId id) const {
+    out += "<path d=\"" + data.text();
+    if (!has_hints_) {
+      out += "\"/>\n";
+      return;
+    }
+    out += "\">";
+    append_hint(out, with_number(kind, id.value, ""));
+    out += "</path>\n";
+  }
+
+  [[nodiscard]] std::string draw_solids() const {
+    std::string out = open_group("solids", Ink::solid, Ink::solid_edge, strokes_.solid) + " fill-rule=\"evenodd\">\n";
+    for (const Item& item : things_.solids) {
+      PathData data(frame_);
+      for (const PointSpan ring : item.shape.rings) data.add_ring(ring);
+      if (!data.empty()) append_item(out, data, "polygon ", item.id);
+    }
+    return out + "</g>\n";
+  }
+
+  /// One element for each wall or, where none has its id, one for all, which takes far less room.
+  [[nodiscard]] std::string draw_walls() const {
+    std::string out = open_group("walls", Ink::none, Ink::wall, strokes_.wall) + ">\n";
+    PathData all(frame_);
+    for (const Item& item : things_.walls) {
+      const PointSpan chain = item.shape.rings.front();
+      if (!has_hints_) {
+        all.add_chain(chain);
+        continue;
+      }
+      PathData data(frame_);
+      data.add_chain(chain);
+      const bool is_segment = item.shape.kind == ItemKind::segment;
+      if (!data.empty()) append_item(out, data, is_segment ? "segment " : "polyline ", item.id);
+    }
+    if (!all.empty()) append_item(out, all, {}, {});
+    return out + "</g>\n";
+  }
+
+  [[nodiscard]] std::string draw_dots() const {
+    if (!has_hints_) return draw_dots_as_one();
+    std::string out = "<g id=\"points\"" + palette_({Ink::point}, {Ink::none}) + ">\n";
+    for (const Item& item : things_.dots) {
+      std::string dot = circle(frame_.to_picture(item.shape.rings.front().front()), strokes_.dot);
+      dot.erase(dot.size() - 2);  // the element's end, `/>`
+      out += dot + '>';
+      append_hint(out, with_number(std::string(to_string(item.shape.kind)) + " ", item.id.value, ""));
+      out += "</circle>\n";
+    }
+    return out + "</g>\n";
+  }
+
+  [[nodiscard]] std::string draw_dots_as_one() const {
+    PathData all(frame_);
+    for (const Item& item : things_.dots) all.add_dot(item.shape.rings.front().front());
+    std::string out = open_group("points", Ink::none, Ink::point, 2.0 * strokes_.dot) + ">\n";
+    if (!all.empty()) append_item(out, all, {}, {});
+    return out + "</g>\n";
+  }
+
+  [[nodiscard]] std::string solid_sample() const {
+    return "<path d=\"M3 4L12 1L26 3L25 15L7 15Z\" stroke-width=\"1.5\" stroke-linejoin=\"round\"" +
+           palette_({Ink::solid}, {Ink::solid_edge}) + "/>";
+  }
+
+  [[nodiscard]] std::string dot_sample() const {
+    return "<g" + palette_({Ink::point}, {Ink::none}) + ">" + circle({14.0, 8.0}, 3.2) + "</g>";
+  }
+
+  /// How many triangles there are; of a part of the world, how many would have to be counted.
+  [[nodiscard]] std::string mesh_label(bool is_too_large) const {
+    const std::string label = options_.crop ? "mesh" : counted(world_.triangle_count(), "triangle", "triangles");
+    return is_too_large ? label + ", too many edges to draw" : label;
+  }
+
+  [[nodiscard]] std::vector<LegendEntry> entries(bool is_too_large) const {
+    std::vector<LegendEntry> entries;
+    const auto add = [&](std::size_t count, std::string sample, std::string_view one, std::string_view many) {
+      if (count > 0) entries.push_back({std::move(sample), counted(count, one, many)});
+    };
+    add(things_.solids.size(), solid_sample(), "solid", "solids");
+    add(things_.walls.size(), line_sample(palette_, {Ink::wall}, 3.2), "wall", "walls");
+    add(things_.dots.size(), dot_sample(), "point", "points");
+    if (options_.mesh) entries.push_back({line_sample(palette_, {Ink::mesh}, 1.2), mesh_label(is_too_large)});
+    return entries;
+  }
+
+  const World& world_;
+  const SvgFrame& frame_;
+  const SvgOptions& options_;
+  const Palette& palette_;
+  Things things_;
+  Strokes strokes_;
+  bool has_hints_;
+};
+
+}  // namespace
+
+std::string line_sample(const Palette& palette, const Paint& colour, double stroke_width, std::string_view attributes) {
+  std::string out = "<path d=\"M1 8H27\" stroke-linecap=\"round\"";
+  palette.append(out, {Ink::none}, colour);
+  append_attribute(out, "stroke-width", stroke_width);
+  out += attributes;
+  return out + "/>";
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return with_number("", count, " ") + std::string(count == 1 ? one : many);
+}
+
+WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options, const Palette& palette) {
+  return WorldDrawer(world, frame, options, palette).draw();
+}
+
+}  // namespace waywright::io

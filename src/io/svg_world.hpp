@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waywright/item.hpp"
+#include "waywright/svg.hpp"
+#include "waywright/world.hpp"
+
+#include "io/svg_legend.hpp"
+#include "io/svg_theme.hpp"
+
+namespace waywright::io {
+
+/// The world's part of a picture, and of its legend.
+struct WorldDrawing {
+  std::string elements;
+  std::vector<LegendEntry> entries;
+};
+
+/// A line for a legend.
+[[nodiscard]] std::string line_sample(const Palette& palette, const Paint& colour, double stroke_width,
+                                      std::string_view attributes = {});
+
+/// `1 wall`, `2 walls`.
+[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
+[[nodiscard]] WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options,
+                                      const Palette& palette);
+
+}  // namespace waywright::io
