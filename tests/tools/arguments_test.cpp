@@ -70,8 +70,14 @@ INSTANTIATE_TEST_SUITE_P(
         Arguments{"convert", "WORLD"}, Arguments{"convert", "WORLD", "NEW.png"}, Arguments{"convert", "WORLD", "NEW"},
         Arguments{"convert", "WORLD", "LOST.wws"}, Arguments{"convert", "WORLD", "LOST.svg"},
         Arguments{"convert", "NEW.wws", "NEW.svg"}, Arguments{"convert", "NEW.txt", "NEW.wws"},
-        Arguments{"convert", "WORLD", "NEW.wws", "NEW.svg"}, Arguments{"scenario"}, Arguments{"scenario", "WORLD"},
-        Arguments{"scenario", "WORLD", "NEW.scen"}, Arguments{"scenario", "NEW.wws", "WORLD"}));
+        Arguments{"convert", "WORLD", "NEW.wws", "NEW.svg"}, Arguments{"run", "WORLD", "--crop", "0", "0", "1", "1"},
+        Arguments{"run", "WORLD", "--theme", "dark"}, Arguments{"run", "WORLD", "--svg", "NEW", "--theme", "grey"},
+        Arguments{"run", "WORLD", "--svg", "NEW", "--crop", "0", "0", "1"},
+        Arguments{"run", "WORLD", "--svg", "NEW", "--crop", "0", "0", "0", "1"},
+        Arguments{"convert", "WORLD", "NEW.wws", "--crop", "0", "0", "1", "1"},
+        Arguments{"convert", "WORLD", "NEW.svg", "--crop", "0", "0", "1", "nan"}, Arguments{"scenario"},
+        Arguments{"scenario", "WORLD"}, Arguments{"scenario", "WORLD", "NEW.scen"},
+        Arguments{"scenario", "NEW.wws", "WORLD"}));
 
 /// The arguments, of which WORLD is a good script's file, and what the command says then.
 struct Message {

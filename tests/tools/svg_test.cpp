@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <gmock/gmock.h>
-#include <regex>
-#include <sstream>
+#include <cstddef>
+#include <cstdio>
+#include <locale>
 #include <string>
 #include <vector>
 
@@ -13,38 +13,12 @@
 #include "waywright/world.hpp"
 
 #include "tools/command.hpp"
+#include "tools/svg_outline.hpp"
 
 namespace waywright::test {
 namespace {
 
 using nlohmann::json;
-
-/// What a picture holds, as an XML parser that knows nothing of us sees it: how many elements each group has, the
-/// legend's labels, the title, and all numbers' range. Null where the picture is not well-formed.
-json outline(const std::string& svg) {
-  static const char* const kScript =
-      "import json, re, sys, xml.etree.ElementTree as tree\n"
-      "root = tree.fromstring(sys.stdin.buffer.read())\n"
-      "name = lambda e: e.tag.split('}')[1]\n"
-      "groups = {e.get('id'): e for e in root if name(e) == 'g'}\n"
-      "texts = {e.get('id'): e.text for e in root if name(e) == 'text'}\n"
-      "data = [n for e in root.iter() for n in re.findall(r'[-+.\\w]+', re.sub('[MLZ]', ' ', e.get('d', '')))\n"
-      "        if e.get('d') and not e.get('d').endswith('H27')]\n"
-      "print(json.dumps({'groups': {k: len(g) for k, g in groups.items()},\n"
-      "  'solids': [e.get('d').count('Z') for e in groups['solids']],\n"
-      "  'labels': [e.text for e in groups['legend'].iter() if name(e) == 'text'],\n"
-      "  'mesh': sum(e.get('d').count('M') for e in groups['mesh']) if 'mesh' in groups else 0,\n"
-      "  'title': texts.get('title'), 'numbers': [float(n) for n in data],\n"
-      "  'size': [float(root.get('width')), float(root.get('height'))]}))\n";
-  const auto result = run_program("python3", {"-c", kScript}, svg);
-  return result.status == 0 ? json::parse(result.out) : json(result.err);
-}
-
-void put(World& world, ItemKind kind, const std::vector<std::vector<Point>>& rings) {
-  ASSERT_TRUE(world.insert({kind, rings}).ok());
-}
-
-World make_world(const Box& domain) { return World::create(domain).value(); }
 
 TEST(ToSvg, DrawsEachThingOnceInItsGroup) {
   World world = make_world({{0, 0}, {10, 10}});
@@ -55,14 +29,10 @@ TEST(ToSvg, DrawsEachThingOnceInItsGroup) {
   put(world, ItemKind::polyline, {{{6, 1}, {7, 2}, {8, 1}}});
   put(world, ItemKind::point, {{{9, 9}}});
   put(world, ItemKind::segment, {{{9, 5}, {9, 5}}});
-  Path path;
-  path.status = PathStatus::found;
-  path.length = 12.345678;
-  path.points = {{0.5, 0.5}, {0.5, 6}, {5, 6}};
+  const Path path = path_through({{0.5, 0.5}, {0.5, 6}, {5, 6}}, 12.345678);
   const Path none;
 
-  const json drawn = outline(to_svg(world, {path, none}, {}));
-  ASSERT_TRUE(drawn.is_object()) << drawn;
+  const json drawn = drawing_of(world, {.paths = {path, none}});
   EXPECT_EQ(drawn["groups"]["solids"], 2);
   EXPECT_EQ(drawn["solids"], json::parse("[2,1]"));
   EXPECT_EQ(drawn["groups"]["walls"], 2);
@@ -72,7 +42,7 @@ TEST(ToSvg, DrawsEachThingOnceInItsGroup) {
   EXPECT_EQ(drawn["title"], nullptr);
   const std::string triangles = std::to_string(world.triangle_count()) + " triangles";
   EXPECT_EQ(drawn["labels"],
-            json({"2 solids", "2 walls", "2 points", triangles, "path, length 12.346", "start", "goal"}));
+            json({"2 solids", "2 walls", "2 points", triangles, "path, length 12.346", "start", "goal", "1", "y up"}));
 }
 
 TEST(ToSvg, FillsEachPolygonByItsRule) {
@@ -98,52 +68,218 @@ TEST(ToSvg, DrawsEveryFreeEdgeOnceAndNoneWithoutMesh) {
   put(world, ItemKind::point, {{{2, 3}}});
   put(world, ItemKind::segment, {{{4, 4}, {6, 9}}});
   // Seven vertices, four of them on the hull: 3 * 7 - 3 - 4 edges, of which the four sides and the wall are not free.
-  const json drawn = outline(to_svg(world, {}, {}));
-  ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["mesh"], 3 * 7 - 3 - 4 - 5);
+  EXPECT_EQ(drawing_of(world)["mesh"], 3 * 7 - 3 - 4 - 5);
 
-  SvgOptions bare;
-  bare.mesh = false;
-  const json without = outline(to_svg(world, {}, bare));
+  const json without = drawing_of(world, {}, bare_options());
   EXPECT_EQ(without["mesh"], 0);
   EXPECT_EQ(without["labels"], json({"1 wall", "1 point"}));
 }
 
-TEST(ToSvg, IsTheSameTextEveryTime) {
-  World world = make_world({{0, 0}, {10, 10}});
-  put(world, ItemKind::segment, {{{1, 1}, {9, 8}}});
-  World other = make_world({{0, 0}, {10, 10}});
-  put(other, ItemKind::segment, {{{1, 1}, {9, 8}}});
-  EXPECT_EQ(to_svg(world, {}, {}), to_svg(other, {}, {}));
+/// A decimal comma and digits in groups.
+class ForeignDigits : public std::numpunct<char> {
+  [[nodiscard]] char do_decimal_point() const override { return ','; }
+  [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(ToSvg, IsTheSameTextEveryTimeWhateverTheLocale) {
+  World world = make_world({{0, 0}, {1e4, 1e4}});
+  put(world, ItemKind::segment, {{{1.25, 1}, {9000, 8000}}});
+  World other = make_world({{0, 0}, {1e4, 1e4}});
+  put(other, ItemKind::segment, {{{1.25, 1}, {9000, 8000}}});
+  const SvgOverlay overlay{.paths = {path_through({{0.5, 0.5}, {1234.5, 6}}, 1234.5)},
+                           .places = {{{1234.25, 6000.5}, {}}}};
+  const std::string text = picture_of(world, overlay);
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new ForeignDigits));
+  EXPECT_EQ(picture_of(other, overlay), text);
+  std::locale::global(before);
 }
 
-TEST(ToSvg, EscapesTheTitle) {
-  const World world = make_world({{0, 0}, {1, 1}});
+TEST(ToSvg, ShowsPlacesWhereItsFrameSays) {
+  World world = make_world({{-10, 5}, {30, 25}});
+  const Point place{2, 9};
+  put(world, ItemKind::point, {{place}});
+  for (const bool y_down : {false, true}) {
+    for (const bool axes : {false, true}) {
+      SvgOptions options;
+      options.y_down = y_down;
+      options.axes = axes;
+      options.title = "title";
+      const SvgFrame frame = frame_of(world, options);
+      const json dot = elements_of(drawing_of(world, {}, options), "points", "circle").at(0);
+      EXPECT_NEAR(number_of(dot, "cx"), frame.to_picture(place).x, 0.006);
+      EXPECT_NEAR(number_of(dot, "cy"), frame.to_picture(place).y, 0.006);
+      // A third of the way along x, a fifth along y, from below or from above.
+      const Box& map = frame.map();
+      EXPECT_NEAR(frame.to_picture(place).x, map.min.x + 0.3 * (map.max.x - map.min.x), 1e-9);
+      EXPECT_NEAR(frame.to_picture(place).y, map.min.y + (y_down ? 0.2 : 0.8) * (map.max.y - map.min.y), 1e-9);
+      EXPECT_NEAR((map.max.x - map.min.x) / frame.scale(), 40.0, 1e-9);
+      EXPECT_NEAR(frame.to_world(frame.to_picture(place)).x, place.x, 1e-9);
+      EXPECT_NEAR(frame.to_world(frame.to_picture(place)).y, place.y, 1e-9);
+    }
+  }
+}
+
+TEST(ToSvg, HasTicksWhereTheirCoordinatesAre) {
+  World world = make_world({{-10, 5}, {30, 25}});
+  for (const bool y_down : {false, true}) {
+    SvgOptions options;
+    options.y_down = y_down;
+    const SvgFrame frame = frame_of(world, options);
+    const json drawn = drawing_of(world, {}, options);
+    int along_x = 0;
+    int along_y = 0;
+    for (const json& label : elements_of(drawn, "axes", "text")) {
+      const double value = std::stod(label["text"].get<std::string>());
+      if (number_of(label, "y") > frame.map().max.y) {
+        EXPECT_NEAR(number_of(label, "x"), frame.to_picture({value, 5}).x, 0.006);
+        ++along_x;
+      } else {
+        EXPECT_NEAR(number_of(label, "y"), frame.to_picture({-10, value}).y + 4.0, 0.006);
+        EXPECT_GE(number_of(label, "x"), 0);
+        ++along_y;
+      }
+    }
+    EXPECT_GE(along_x, 5);
+    EXPECT_GE(along_y, 4);
+    EXPECT_EQ(drawn["labels"].back(), y_down ? "y down" : "y up");
+  }
+  SvgOptions without;
+  without.axes = false;
+  EXPECT_TRUE(elements_of(drawing_of(world, {}, without), "axes", "text").empty());
+}
+
+TEST(ToSvg, HasAScaleBarAsLongAsItSays) {
+  for (const double size : {0.03, 1.0, 7.0, 512.0, 3e9}) {
+    const World world = make_world({{0, 0}, {size, size}});
+    const json drawn = drawing_of(world);
+    const std::string data = elements_of(drawn, "legend", "path").at(1)["d"];  // the first is the mesh's sample
+    const double pixels = std::stod(data.substr(data.find('L') + 1)) - 1.0;
+    const double length = std::stod(drawn["labels"].at(1).get<std::string>());
+    EXPECT_NEAR(pixels, length * frame_of(world, {}).scale(), 0.006);
+    EXPECT_LE(pixels, 120.0);
+    EXPECT_GE(pixels, 120.0 / 2.5 - 0.01);
+  }
+}
+
+TEST(ToSvg, HasTheIdOfEachItemOnHover) {
+  World world = make_world({{0, 0}, {10, 10}});
+  world.insert_polygon(std::vector<Point>{{1, 1}, {2, 1}, {1, 2}}, {7}).value();
+  world.insert_segment({3, 3}, {4, 4}, {ItemId::kLargest}).value();
+  world.insert_polyline(std::vector<Point>{{5, 3}, {6, 4}, {7, 3}}, {5}).value();
+  world.insert_point({8, 8}, {1}).value();
+  const json drawn = drawing_of(world);
+  using Hints = std::vector<std::string>;
+  EXPECT_EQ(hints_of(drawn, "solids"), Hints{"polygon 7"});
+  EXPECT_EQ(hints_of(drawn, "walls"), (Hints{"polyline 5", "segment 9223372036854775807"}));
+  EXPECT_EQ(hints_of(drawn, "points"), Hints{"point 1"});
   SvgOptions options;
-  options.title = "a<b> & \"c\" \xc3\xa9\x01\xff\xed\xa0\x80.";
-  const json drawn = outline(to_svg(world, {}, options));
+  options.ids = false;
+  const json without = drawing_of(world, {}, options);
+  EXPECT_EQ(hints_of(without, "solids"), Hints{});
+  EXPECT_EQ(without["groups"]["solids"], 1);
+  EXPECT_EQ(without["groups"]["points"], 1);
+}
+
+TEST(ToSvg, StaysSmallOfALargeWorld) {
+  World world = make_world({{0, 0}, {400, 400}});
+  std::vector<Point> points;
+  for (int x = 1; x < 350; ++x) {
+    for (int y = 1; y < 300; ++y) points.push_back({x + 0.25 * (y % 3), y + 0.2 * (x % 4)});
+  }
+  world.insert_points(points).value();
+  const std::string text = picture_of(world);
+  EXPECT_LT(text.size(), 25 * points.size());
+  const json drawn = outline(text);
   ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["title"], "a<b> & \"c\" \u00e9 ????.");
-}
+  EXPECT_EQ(drawn["groups"]["points"], 1);
+  EXPECT_EQ(hints_of(drawn, "points"), std::vector<std::string>{});
+  EXPECT_EQ(drawn["mesh"], 0);
+  EXPECT_EQ(drawn["labels"][1], std::to_string(world.triangle_count()) + " triangles, too many edges to draw");
+  const std::string dots = elements_of(drawn, "points", "path").at(0)["d"];
+  EXPECT_EQ(static_cast<std::size_t>(std::count(dots.begin(), dots.end(), 'M')), points.size());
 
-/// The centre of the only dot, in pixels.
-Point only_dot(const std::string& svg) {
-  const std::regex dot("<circle cx=\"([-0-9.]+)\" cy=\"([-0-9.]+)\" r=\"[-0-9.]+\"/>\n</g>");
-  std::smatch found;
-  if (!std::regex_search(svg, found, dot)) return {-1, -1};
-  return {std::stod(found[1]), std::stod(found[2])};
-}
-
-TEST(ToSvg, PointsYUpOrDown) {
-  World world = make_world({{0, 0}, {10, 10}});
-  put(world, ItemKind::point, {{{2, 9}}});
+  // A part of it is drawn in full.
   SvgOptions options;
-  const Point up = only_dot(to_svg(world, {}, options));
-  options.y_down = true;
-  const Point down = only_dot(to_svg(world, {}, options));
-  ASSERT_GT(up.x, 0);
-  EXPECT_EQ(up.x, down.x);
-  EXPECT_NEAR(down.y - up.y, 0.8 * (options.width - 40), 0.02);
+  options.crop = Box{{20, 30}, {40, 50}};
+  const std::string part = picture_of(world, {}, options);
+  EXPECT_LT(part.size(), 200000U);
+  const json shown = outline(part);
+  ASSERT_TRUE(shown.is_object()) << shown;
+  const auto expected = std::count_if(points.begin(), points.end(),
+                                      [](const Point& p) { return p.x >= 20 && p.x <= 40 && p.y >= 30 && p.y <= 50; });
+  EXPECT_EQ(shown["groups"]["points"], expected);
+  EXPECT_EQ(hints_of(shown, "points").size(), static_cast<std::size_t>(expected));
+  EXPECT_GT(shown["mesh"], 1000);
+}
+
+TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
+  World world = make_world({{0, 0}, {1000, 1000}});
+  world.insert_segment({0, 0}, {1000, 500}, {1}).value();    // through the box
+  world.insert_segment({0, 900}, {900, 1000}, {2}).value();  // beside it
+  world.insert_polygon(std::vector<Point>{{500, 200}, {900, 200}, {900, 900}, {500, 900}}, {3}).value();
+  world.insert_polygon(std::vector<Point>{{10, 10}, {20, 10}, {10, 20}}, {4}).value();
+  world.insert_point({505, 255}, {5}).value();
+  world.insert_point({600, 600}, {6}).value();
+  SvgOptions options;
+  options.crop = Box{{490, 230}, {520, 260}};
+  SvgOverlay overlay{.paths = {path_through({{0, 250}, {1000, 250}}), path_through({{0, 0}, {1, 1}})},
+                     .rays = {{{400, 400}, {420, 420}, {}}},
+                     .failed_paths = {{{1, 1}, {2, 2}, PathStatus::no_path}},
+                     .places = {{{700, 700}, {}}, {{500, 250}, {}}},
+                     .polylines = {{.points = {{0, 0}, {10, 0}}}},
+                     .discs = {{{900, 900}, 20, "", ""}, {{480, 240}, 15, "", ""}},
+                     .labels = {{.at = {900, 900}, .text = "outside"}, {.at = {500, 240}, .text = "inside"}}};
+  const json drawn = drawing_of(world, overlay, options);
+  EXPECT_EQ(hints_of(drawn, "walls"), std::vector<std::string>{"segment 1"});
+  EXPECT_EQ(hints_of(drawn, "solids"), std::vector<std::string>{"polygon 3"});
+  EXPECT_EQ(hints_of(drawn, "points"), std::vector<std::string>{"point 5"});
+  EXPECT_EQ(drawn["groups"]["paths"], 1);
+  EXPECT_EQ(drawn["groups"]["ends"], 0);
+  EXPECT_EQ(drawn["groups"]["rays"], 0);
+  EXPECT_EQ(drawn["groups"]["failed-paths"], 0);
+  EXPECT_EQ(drawn["groups"]["places"], 1);
+  EXPECT_EQ(drawn["groups"]["polylines"], 0);
+  EXPECT_EQ(drawn["groups"]["discs"], 1);
+  EXPECT_EQ(elements_of(drawn, "labels", "text").at(0)["text"], "inside");
+  for (const double number : drawn["numbers"]) {
+    EXPECT_GE(number, -65);
+    EXPECT_LE(number, 1300);
+  }
+
+  // The wall through the box keeps its place: at x = 500 it is at y = 250.
+  const SvgFrame frame = frame_of(world, options);
+  const std::string data = elements_of(drawn, "walls", "path").at(0)["d"];
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  ASSERT_EQ(std::sscanf(data.c_str(), "M%lf %lfL%lf %lf", &x0, &y0, &x1, &y1), 4) << data;
+  const Point middle = frame.to_picture({500, 250});
+  EXPECT_NEAR(y0 + (middle.x - x0) / (x1 - x0) * (y1 - y0), middle.y, 0.02);
+  EXPECT_LT(std::min(x0, x1), frame.map().min.x);
+  EXPECT_GT(std::max(x0, x1), frame.map().max.x);
+}
+
+TEST(ToSvg, RefusesABadCropBox) {
+  const World world = make_world({{0, 0}, {10, 10}});
+  const auto code_of = [&](const Box& crop) {
+    SvgOptions options;
+    options.crop = crop;
+    const Result<std::string> text = to_svg(world, {}, options);
+    const Result<SvgFrame> frame = svg_frame(world.domain(), options);
+    EXPECT_EQ(text.ok(), frame.ok());
+    if (text.ok()) return std::string("ok");
+    EXPECT_EQ(text.error().message, frame.error().message);
+    EXPECT_NE(text.error().message.find("the crop box, ("), std::string::npos);
+    return std::string(to_string(text.error().code));
+  };
+  EXPECT_EQ(code_of({{1, 1}, {2, 2}}), "ok");
+  EXPECT_EQ(code_of({{-5, -5}, {0.5, 99}}), "ok");
+  EXPECT_EQ(code_of({{2, 1}, {1, 2}}), "bad-domain");
+  EXPECT_EQ(code_of({{1, 2}, {2, 2}}), "bad-domain");
+  EXPECT_EQ(code_of({{10, 0}, {11, 1}}), "out-of-domain");
+  EXPECT_EQ(code_of({{0, -3}, {10, 0}}), "out-of-domain");
+  EXPECT_EQ(code_of({{0, std::nan("")}, {1, 1}}), "coordinate-range");
+  EXPECT_EQ(code_of({{0, 0}, {HUGE_VAL, 1}}), "coordinate-range");
+  EXPECT_EQ(code_of({{0, 0}, {1e-60, 1}}), "coordinate-range");
 }
 
 TEST(ToSvg, FitsAnyDomainIntoThePicture) {
@@ -153,8 +289,7 @@ TEST(ToSvg, FitsAnyDomainIntoThePicture) {
                             Box{{0, 0}, {tiny, huge}}, Box{{1e9, 1e9}, {1e9 + 1, 1e9 + 2}}}) {
     World world = make_world(domain);
     put(world, ItemKind::segment, {{domain.min, domain.max}});
-    const json drawn = outline(to_svg(world, {}, {}));
-    ASSERT_TRUE(drawn.is_object()) << drawn;
+    const json drawn = drawing_of(world);
     ASSERT_GE(drawn["numbers"].size(), 4U);
     EXPECT_LE(drawn["size"][1], 2000);
     const double largest = std::max(drawn["size"][0].get<double>(), drawn["size"][1].get<double>());
@@ -171,82 +306,21 @@ TEST(ToSvg, TakesAnyWidth) {
   for (const double width : {-5.0, 0.0, 1e300, std::nan(""), HUGE_VAL}) {
     SvgOptions options;
     options.width = width;
-    const json drawn = outline(to_svg(world, {}, options));
-    ASSERT_TRUE(drawn.is_object()) << drawn;
+    const json drawn = drawing_of(world, {}, options);
     EXPECT_GE(drawn["size"][0], 100) << width;
     EXPECT_LE(drawn["size"][0], 100000) << width;
   }
 }
 
-TEST(ToSvg, TakesPathsThatLeaveThePicture) {
+TEST(ToSvg, ShrinksALongTitleToOneLine) {
   const World world = make_world({{0, 0}, {1, 1}});
-  Path path;
-  path.status = PathStatus::found;
-  path.points = {{0, 0}, {1e300, -1e300}, {std::nan(""), HUGE_VAL}, {1, 1}};
-  const json drawn = outline(to_svg(world, {path}, {}));
-  ASSERT_TRUE(drawn.is_object()) << drawn;
-  for (const double number : drawn["numbers"]) EXPECT_LE(std::abs(number), 1e7);
-}
-
-TEST(ToSvg, CountsPathsWhereThereAreMoreThanColours) {
-  const World world = make_world({{0, 0}, {1, 1}});
-  Path path;
-  path.status = PathStatus::found;
-  path.length = 1.0;
-  path.points = {{0, 0}, {0, 1}};
-  const std::string four = to_svg(world, std::vector<Path>(4, path), {});
-  EXPECT_THAT(four, ::testing::HasSubstr("path, length 1<"));
-  EXPECT_THAT(four, ::testing::Not(::testing::HasSubstr("paths<")));
-  const std::string five = to_svg(world, std::vector<Path>(5, path), {});
-  EXPECT_THAT(five, ::testing::HasSubstr("5 paths<"));
-  EXPECT_THAT(five, ::testing::Not(::testing::HasSubstr("path, length")));
-}
-
-TEST(SvgFile, OfARunShowsTheFinalWorldAndThePathsFoundInIt) {
-  const TemporaryFolder folder;
-  const std::string picture = folder.file("world.svg");
-  const auto result = run_script(
-      "waywright 1\ndomain 0 0 10 10\npath 1 1 9 9 0\nsegment 1 5 0 5 6\n"
-      "path 2 3 8 3 0\npath 1 1 2 2 0\npoint 1 2 2\n",
-      {"--svg", picture});
-  EXPECT_EQ(result.status, 0);
-  const json drawn = outline(read_file(picture));
-  ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["groups"]["walls"], 1);
-  EXPECT_EQ(drawn["groups"]["paths"], 2);
-  EXPECT_THAT(read_file(picture), ::testing::HasSubstr("path, length 8.4853"));  // 6 sqrt(2)
-  EXPECT_THAT(read_file(picture), ::testing::HasSubstr("path, length 1.4142"));
-  EXPECT_EQ(drawn["title"], "standard input");
-  EXPECT_GT(drawn["mesh"], 0);
-}
-
-TEST(SvgFile, OfAPathIsTitledWithTheMapAndDrawnTheMapsWayUp) {
-  const TemporaryFolder folder;
-  const std::string map = folder.file("one & two.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n....\n....\n....\n");
-  const std::string picture = folder.file("a.svg");
-  const auto result = run_command({"path", map, "--from", "0", "3", "--to", "4", "0", "--svg", picture, "--no-mesh"});
-  EXPECT_EQ(result.status, 0);
-  const json drawn = outline(read_file(picture));
-  ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["title"], "one & two.map");
-  EXPECT_EQ(drawn["mesh"], 0);
-  EXPECT_EQ(drawn["groups"]["paths"], 1);
-  // The blocked cell is the uppermost thing: its smallest y is that of the whole map.
-  const auto numbers = drawn["numbers"].get<std::vector<double>>();
-  ASSERT_GE(numbers.size(), 8U);
-  EXPECT_LT(*std::min_element(numbers.begin(), numbers.begin() + 8), 100);
-}
-
-TEST(SvgFile, OfAConversionHoldsEveryItem) {
-  const TemporaryFolder folder;
-  const std::string map = folder.file("a.wws", "waywright 1\ndomain 0 0 9 9\npoint 1 1 1\npolygon 2 3 2 2 4 2 3 4\n");
-  const std::string picture = folder.file("a.svg");
-  EXPECT_EQ(run_command({"convert", map, picture}).status, 0);
-  const json drawn = outline(read_file(picture));
-  ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["groups"]["solids"], 1);
-  EXPECT_EQ(drawn["groups"]["points"], 1);
-  EXPECT_GT(drawn["mesh"], 0);
+  SvgOptions options;
+  options.title = "short";
+  EXPECT_EQ(number_of(elements_of(drawing_of(world, {}, options), "", "text").at(0), "font-size"), 22);
+  options.title.assign(120, 'm');
+  const json title = elements_of(drawing_of(world, {}, options), "", "text").at(0);
+  EXPECT_LT(number_of(title, "font-size") * 120 * 0.6, 1200);
+  EXPECT_GE(number_of(title, "font-size"), 11);
 }
 
 }  // namespace
