@@ -32,15 +32,15 @@ World make_world() {
   world.insert_polygon(std::vector<Point>{{16, 38}, {27, 34}, {32, 44}, {22, 52}}).value();
   world.insert_polygon(std::vector<Point>{{78, 8}, {88, 6}, {90, 16}, {80, 19}}).value();
   world.insert_polyline(std::vector<Point>{{20, 6}, {26, 14}, {24, 24}}).value();
-  world.insert_polyline(std::vector<Point>{{74, 50}, {84, 44}, {86, 32}}).value();
+  world.insert_polyline(std::vector<Point>{{70, 51}, {79, 48}, {82, 38}}).value();
   return world;
 }
 
 std::vector<Unit> make_units() {
-  return {{"Archers", {10, 14}, {92, 26}, 1.5, true},
-          {"Cavalry", {12, 46}, {72, 54}, 2.0, true},
-          {"Scouts", {56, 30}, {56, 30}, 1.2, false},
-          {"Siege tower", {93, 40}, {36, 30}, 2.6, false}};
+  return {{"Archers", {10, 14}, {72, 10}, 1.5, true},
+          {"Cavalry", {9, 46}, {72, 55}, 2.0, true},
+          {"Scouts", {54.5, 30}, {54.5, 30}, 1.2, false},
+          {"Siege tower", {92, 34}, {36, 30}, 2.6, false}};
 }
 
 /// A whole number as text: no locale puts anything between its digits.

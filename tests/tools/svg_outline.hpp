@@ -19,21 +19,23 @@ namespace waywright::test {
 using nlohmann::json;
 
 /// What a picture holds, as an XML parser that knows nothing of us sees it: how many elements each group has, every
-/// element with its group, attributes, text and hint, the legend's labels, the title, and all numbers of paths. A text
-/// where the picture is not well-formed.
+/// element with its group, attributes, text, hint and fill, the legend's labels, the title, and all numbers of paths. A
+/// text where the picture is not well-formed.
 inline json outline(const std::string& svg) {
   static const char* const kScript =
       "import json, re, sys, xml.etree.ElementTree as tree\n"
       "root = tree.fromstring(sys.stdin.buffer.read())\n"
       "name = lambda e: e.tag.split('}')[1]\n"
       "elements, groups = [], {}\n"
-      "def visit(e, group):\n"
+      "def visit(e, group, fill):\n"
+      "  fill = e.get('fill', fill)\n"
       "  hint = [c.text for c in e if name(c) == 'title']\n"
       "  elements.append({'tag': name(e), 'group': group, 'text': e.text, 'hint': hint[0] if hint else None, "
+      "'shown-fill': fill, "
       "**e.attrib})\n"
       "  if name(e) == 'g' and e.get('id'): group = e.get('id'); groups[group] = e\n"
-      "  for c in e: visit(c, group)\n"
-      "visit(root, '')\n"
+      "  for c in e: visit(c, group, fill)\n"
+      "visit(root, '', 'black')\n"
       "count = lambda g: sum(1 for c in g if name(c) != 'title')\n"
       "data = [n for e in elements if e['group'] != 'legend' for n in re.findall(r'[-+.\\w]+',\n"
       "        re.sub('h0|[MLZ]', ' ', e.get('d', '')))]\n"
