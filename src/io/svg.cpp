@@ -1,6 +1,7 @@
 #include "waywright/svg.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -41,17 +42,19 @@ std::string rectangle(const Box& box) {
   return out;
 }
 
-/// The title in letters small enough for one line, as far as these can be read.
+/// The title on one line: in smaller letters where it is long, and cut where these would be too small to read.
 std::string draw_title(const Layout& layout, const Palette& palette, const std::string& title) {
   if (title.empty()) return {};
   const double room = layout.width - layout.left - io::kPageMargin;
-  const auto characters = static_cast<double>(io::character_count(title));
+  const auto most = static_cast<std::size_t>(room / (kLeastTitleFont * kTitleCharacter));
+  const std::string shown = io::shortened(title, most);
+  const auto characters = static_cast<double>(io::character_count(shown));
   std::string out = R"(<text id="title" y="38" font-weight="600")";
   append_attribute(out, "x", layout.left);
   append_attribute(out, "font-size", std::clamp(room / (characters * kTitleCharacter), kLeastTitleFont, kTitleFont));
   palette.append(out, {Ink::text}, {Ink::none});
   out += '>';
-  append_escaped(out, title);
+  append_escaped(out, shown);
   return out + "</text>\n";
 }
 

@@ -57,7 +57,7 @@ std::string draw_axes(const Layout& layout, const Palette& palette) {
   for (const Tick& tick : layout.x_ticks) {
     const double x = layout.frame.to_picture({tick.place, origin.y}).x;
     append_line(marks, {x, map.max.y + 1.0}, {x, map.max.y + 1.0 + kTickLength});
-    const double half = static_cast<double>(tick.label.size()) * kTickCharacter / 2.0;
+    const double half = static_cast<double>(tick.label.size()) * kTickCharacter / 2.0 + 3.0;
     const double middle = std::max(std::min(x, layout.width - half), half);
     labels += label({middle, map.max.y + kTickLength + 14.0}, "middle", tick.label);
   }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "io/svg_clip.hpp"
 
@@ -13,6 +14,7 @@ namespace waywright::io {
 namespace {
 
 constexpr double kFarthest = 1e7;
+constexpr std::size_t kLong = 1000000;
 constexpr double kStrokeRoom = 64.0;  // more than half of the broadest stroke
 
 void append_integer(std::string& out, long long value) {
@@ -112,6 +114,14 @@ std::size_t character_count(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  if (character_count(text) <= most) return std::string(text);
+  std::size_t count = 0;
+  const auto end =
+      std::find_if(text.begin(), text.end(), [&](char c) { return !is_continuation(c) && ++count == most; });
+  return std::string(text.begin(), end) + "\xe2\x80\xa6";
+}
+
 bool is_finite(const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
 bool contains(const Box& box, const Point& point) {
@@ -168,6 +178,8 @@ void PathData::add_dot(const Point& place) {
   move_to(pixels);
   line_to(pixels);
 }
+
+std::string PathData::take_if_long() { return text_.size() < kLong ? std::string() : std::exchange(text_, {}); }
 
 void PathData::move_to(const Point& pixels) {
   has_line_ = false;

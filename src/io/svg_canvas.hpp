@@ -26,6 +26,9 @@ void append_hint(std::string& out, std::string_view text);
 /// The number of characters of a UTF-8 text.
 [[nodiscard]] std::size_t character_count(std::string_view text);
 
+/// The text or, if it has more than `most` characters, the first of them and `…`. Requires: `most` is 1 or more.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
+
 [[nodiscard]] bool is_finite(const Point& point);
 [[nodiscard]] bool contains(const Box& box, const Point& point);
 
@@ -44,6 +47,9 @@ class PathData {
   /// A point, for strokes with round ends.
   void add_dot(const Point& place);
   void add_segment(const Point& a, const Point& b);
+
+  /// The text so far, once it is long: XML readers refuse attributes of 10 MB. The rest begins anew. Empty before.
+  [[nodiscard]] std::string take_if_long();
 
   [[nodiscard]] bool empty() const { return text_.empty(); }
   [[nodiscard]] const std::string& text() const { return text_; }

@@ -16,6 +16,7 @@ namespace waywright::io {
 namespace {
 
 constexpr std::array<Ink, 4> kPathInks{Ink::path_1, Ink::path_2, Ink::path_3, Ink::path_4};
+constexpr std::size_t kMostStatuses = 4;   // written beside failed paths: more would hide one another
 constexpr std::size_t kMany = 12;          // from so many on, marks and lines are small
 constexpr std::size_t kMostHints = 50000;  // marks that have a text on hover
 
@@ -238,7 +239,7 @@ class QueryDrawer {
     if (is_blocked && is_shown(blocked)) {
       add_mark(cross_mark(palette_, frame_.to_picture(blocked), end_radius_ * 1.25, colour, hint(reason)));
     }
-    if (overlay_.failed_paths.size() < kMany) add_status(failed);
+    if (overlay_.failed_paths.size() <= kMostStatuses) add_status(failed);
   }
 
   void draw_failed_paths() {
@@ -258,10 +259,11 @@ class QueryDrawer {
     }
   }
 
-  [[nodiscard]] std::string place_mark(Place at, const Point& pixels, const Paint& colour, const std::string& about) {
-    if (at == Place::edge) return square_mark(palette_, pixels, 5.0 * place_part_, colour, about);
-    if (at == Place::vertex) return diamond_mark(palette_, pixels, 7.0 * place_part_, colour, about);
-    return disc_mark(palette_, pixels, 5.5 * place_part_, colour, {Ink::page}, 1.5, about);
+  [[nodiscard]] std::string place_mark(Place at, const Point& pixels, double part, const Paint& colour,
+                                       const std::string& about) const {
+    if (at == Place::edge) return square_mark(palette_, pixels, 5.0 * part, colour, about);
+    if (at == Place::vertex) return diamond_mark(palette_, pixels, 7.0 * part, colour, about);
+    return disc_mark(palette_, pixels, 5.5 * part, colour, {Ink::page}, 1.5, about);
   }
 
   void draw_places() {
@@ -271,7 +273,7 @@ class QueryDrawer {
       const PlaceKind kind = kind_of(place.answer);
       std::string about = place_text(place.at) + ": " + std::string(to_string(place.answer.at));
       if (kind == PlaceKind::covered) about += ", inside " + ids_text(place.answer.inside);
-      add_mark(place_mark(place.answer.at, frame_.to_picture(place.at), {ink_of(kind)}, hint(about)));
+      add_mark(place_mark(place.answer.at, frame_.to_picture(place.at), place_part_, {ink_of(kind)}, hint(about)));
       ++counts[static_cast<std::size_t>(kind)];
     }
     add_place_entries(counts);
@@ -285,7 +287,7 @@ class QueryDrawer {
       if (counts[i] == 0) continue;
       std::string label = counted(counts[i], "place", "places");
       label += kWords[i];
-      drawing_.entries.push_back({place_mark(kShapes[i], {14.0, 8.0}, {ink_of(kind)}, {}), label});
+      drawing_.entries.push_back({place_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
     }
   }
 

@@ -17,8 +17,9 @@ namespace {
 constexpr int kSmallestExponent = -50;
 constexpr int kLargestExponent = 32;
 constexpr std::array<std::int64_t, 3> kMantissas{1, 2, 5};
-constexpr double kFinest = 0x1p-48;  // a step, as a part of the largest coordinate: doubles can tell such ticks apart
-constexpr double kGap = 14.0;        // pixels between two labels
+constexpr double kFinest = 0x1p-48;    // a step, as a part of the largest coordinate: doubles can tell such ticks apart
+constexpr std::size_t kLongLabel = 8;  // so many characters are still easy to read
+constexpr double kGap = 14.0;          // pixels between two labels
 
 /// The number mantissa * 10^exponent.
 struct Decimal {
@@ -114,7 +115,7 @@ std::vector<Tick> ticks_between(double min, double max, const TickRoom& room) {
     const std::vector<Decimal> numbers = multiples_of(step, min, max);
     ticks = labelled(numbers, fixed);
     std::vector<Tick> shorter = labelled(numbers, scientific);
-    if (longest_label(shorter) < longest_label(ticks)) ticks.swap(shorter);
+    if (longest_label(ticks) > kLongLabel && longest_label(shorter) < longest_label(ticks)) ticks.swap(shorter);
     return ticks.size() < 2 || static_cast<double>(longest_label(ticks)) * room.pixels_per_character + kGap <= spacing;
   });
   return ticks;
@@ -127,9 +128,8 @@ Tick scale_bar_length(double most) {
     best = length;
     return false;
   });
-  const std::string long_form = fixed(best);
-  const std::string short_form = scientific(best);
-  return {nearest_double(best), short_form.size() < long_form.size() ? short_form : long_form};
+  const std::string label = fixed(best);
+  return {nearest_double(best), label.size() > kLongLabel ? scientific(best) : label};
 }
 
 }  // namespace waywright::io

@@ -20,7 +20,7 @@ struct TickRoom {
 };
 
 /// Round numbers from `min` to `max`: multiples of 1, 2 or 5 times a power of ten, as close as the room allows. Their
-/// labels are all in fixed notation, or all in scientific notation where that is shorter.
+/// labels are all in fixed notation, or all in scientific notation where the others are long and these are shorter.
 [[nodiscard]] std::vector<Tick> ticks_between(double min, double max, const TickRoom& room);
 
 /// The largest number of the form 1, 2 or 5 times a power of ten that is no more than `most`: the length of a scale

@@ -142,6 +142,7 @@ class WorldDrawer {
     if (!options_.mesh) return {};
     if (!options_.crop && world_.triangle_count() * 3 / 2 > kMostEdges) return {{}, true};
     const MeshSnapshot mesh = world_.snapshot();
+    std::string out = open_group("mesh", Ink::none, Ink::mesh, strokes_.mesh) + ">\n";
     PathData data(frame_);
     std::size_t edge_count = 0;
     for (const auto& triangle : mesh.triangles) {
@@ -152,10 +153,21 @@ class WorldDrawer {
         const std::size_t length_before = data.text().size();
         data.add_segment(mesh.vertices[edge[0]], mesh.vertices[edge[1]]);
         if (data.text().size() > length_before && ++edge_count > kMostEdges) return {{}, true};
+        append_long(out, data);
       }
     }
-    return {open_group("mesh", Ink::none, Ink::mesh, strokes_.mesh) + "><path d=\"" + data.text() + "\"/></g>\n",
-            false};
+    append_rest(out, data);
+    return {out + "</g>\n", false};
+  }
+
+  /// Ends an element for many things once it is long.
+  static void append_long(std::string& out, PathData& data) {
+    const std::string text = data.take_if_long();
+    if (!text.empty()) out += "<path d=\"" + text + "\"/>\n";
+  }
+
+  static void append_rest(std::string& out, const PathData& data) {
+    if (!data.empty()) out += "<path d=\"" + data.text() + "\"/>\n";
   }
 
   void append_item(std::string& out, const PathData& data, std::string_view kind, ItemId id) const {
@@ -179,7 +191,7 @@ class WorldDrawer {
     return out + "</g>\n";
   }
 
-  /// One element for each wall or, where none has its id, one for all, which takes far less room.
+  /// One element for each wall or, where none has its id, for many, which takes far less room.
   [[nodiscard]] std::string draw_walls() const {
     std::string out = open_group("walls", Ink::none, Ink::wall, strokes_.wall) + ">\n";
     PathData all(frame_);
@@ -187,6 +199,7 @@ class WorldDrawer {
       const PointSpan chain = item.shape.rings.front();
       if (!has_hints_) {
         all.add_chain(chain);
+        append_long(out, all);
         continue;
       }
       PathData data(frame_);
@@ -194,12 +207,12 @@ class WorldDrawer {
       const bool is_segment = item.shape.kind == ItemKind::segment;
       if (!data.empty()) append_item(out, data, is_segment ? "segment " : "polyline ", item.id);
     }
-    if (!all.empty()) append_item(out, all, {}, {});
+    append_rest(out, all);
     return out + "</g>\n";
   }
 
   [[nodiscard]] std::string draw_dots() const {
-    if (!has_hints_) return draw_dots_as_one();
+    if (!has_hints_) return draw_dots_together();
     std::string out = "<g id=\"points\"" + palette_({Ink::point}, {Ink::none}) + ">\n";
     for (const Item& item : things_.dots) {
       std::string dot = circle(frame_.to_picture(item.shape.rings.front().front()), strokes_.dot);
@@ -211,11 +224,15 @@ class WorldDrawer {
     return out + "</g>\n";
   }
 
-  [[nodiscard]] std::string draw_dots_as_one() const {
+  /// One element for many points.
+  [[nodiscard]] std::string draw_dots_together() const {
     PathData all(frame_);
-    for (const Item& item : things_.dots) all.add_dot(item.shape.rings.front().front());
     std::string out = open_group("points", Ink::none, Ink::point, 2.0 * strokes_.dot) + ">\n";
-    if (!all.empty()) append_item(out, all, {}, {});
+    for (const Item& item : things_.dots) {
+      all.add_dot(item.shape.rings.front().front());
+      append_long(out, all);
+    }
+    append_rest(out, all);
     return out + "</g>\n";
   }
 

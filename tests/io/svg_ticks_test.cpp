@@ -27,6 +27,8 @@ TEST(TicksBetween, AreRoundNumbers) {
   EXPECT_EQ(labels_between(0, 512, 2.2),
             (Labels{"0", "50", "100", "150", "200", "250", "300", "350", "400", "450", "500"}));
   EXPECT_EQ(labels_between(-0.5, 0.7, 400), (Labels{"-0.4", "-0.2", "0.0", "0.2", "0.4", "0.6"}));
+  EXPECT_EQ(labels_between(0, 1000, 0.4), (Labels{"0", "200", "400", "600", "800", "1000"}));
+  EXPECT_EQ(labels_between(0, 1e6, 2e-4), (Labels{"0", "500000", "1000000"}));
   EXPECT_EQ(labels_between(0.51, 0.59, 1000), Labels{});
 }
 
