@@ -1,0 +1,269 @@
+// Units that follow their paths while buildings come and go. docs/guides/moving_a_unit.md explains the pieces. The
+// program checks itself: its exit status says whether all was right.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <deque>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "waywright/waywright.hpp"
+
+namespace {
+
+using waywright::ItemId;
+using waywright::Path;
+using waywright::PathPosition;
+using waywright::PathQuery;
+using waywright::PathSearch;
+using waywright::PathStatus;
+using waywright::Point;
+using waywright::Precision;
+using waywright::QueryContext;
+using waywright::World;
+
+// ---- One unit ----
+
+struct Unit {
+  PathPosition position;  // position.at is where the unit stands, position.heading where it looks
+  Point goal;
+  Path path;
+};
+
+/// Whether there is a way to the goal.
+bool find_way(const World& world, QueryContext& context, Unit& unit) {
+  const PathQuery query{.start = unit.position.at, .goal = unit.goal};
+  world.find_path(query, context, unit.path).value();
+  if (unit.path.status != PathStatus::found) return false;
+  unit.position = unit.path.at(0);
+  return true;
+}
+
+/// Moves the unit by one tick. Returns whether it is at its goal.
+bool walk(Unit& unit, double step) {
+  unit.position = unit.path.advance(unit.position, step);
+  return unit.position.distance >= unit.path.length;
+}
+
+// ---- A unit that keeps its place as float ----
+
+struct FloatUnit {
+  float x = 0;
+  float y = 0;
+  Path path;
+  PathPosition position;
+};
+
+void walk(FloatUnit& unit, double step) {
+  unit.position = unit.path.advance(unit.position, step, Precision::float32);
+  unit.x = static_cast<float>(unit.position.at.x);  // exact
+  unit.y = static_cast<float>(unit.position.at.y);
+}
+
+// ---- Ends that are blocked ----
+
+/// As find_way, also for a unit or a goal inside a building. Both go to the nearest free place within `tolerance`.
+bool find_way_out(const World& world, QueryContext& context, Unit& unit, double tolerance) {
+  const PathQuery query{.start = unit.position.at, .goal = unit.goal, .end_tolerance = tolerance};
+  world.find_path(query, context, unit.path).value();
+  if (unit.path.status == PathStatus::start_blocked || unit.path.status == PathStatus::goal_blocked) {
+    for (const ItemId id : unit.path.blockers)
+      std::printf("item %ju is in the way\n", static_cast<std::uintmax_t>(id.value));
+  }
+  if (unit.path.status != PathStatus::found) return false;
+  if (unit.path.moved_goal) unit.goal = unit.path.moved_goal->to;
+  unit.position = unit.path.at(0);  // at moved_start->to, if the start was moved
+  return true;
+}
+
+// ---- A unit that was pushed off its path ----
+
+void return_to_path(const World& world, QueryContext& context, Unit& unit, const Point& pushed_to) {
+  const PathPosition nearest = unit.path.nearest(pushed_to);
+  unit.position.at = pushed_to;
+  if (world.is_clear(pushed_to, nearest.at, context).value()) {
+    unit.position = nearest;  // or let the unit walk there first
+  } else {
+    find_way(world, context, unit);
+  }
+}
+
+// ---- After buildings come and go ----
+
+/// Finds new ways for the units that a change since `before` blocks. `before` is World::version() before the change.
+std::size_t find_new_ways(const World& world, QueryContext& context, std::span<Unit> units, std::uint64_t before) {
+  std::size_t count = 0;
+  for (Unit& unit : units) {
+    if (!world.is_affected(unit.path.points, before)) continue;
+    const auto rest = std::span(unit.path.points).subspan(unit.position.segment);
+    if (world.is_clear(rest, context).value()) continue;
+    find_way(world, context, unit);
+    ++count;
+  }
+  return count;
+}
+
+// ---- Searches in slices ----
+
+/// Finds paths for units that wait for them, with a limit of work for each frame.
+class PathQueue {
+ public:
+  void ask(Unit& unit) { waiting_.push_back(&unit); }
+
+  /// Searches on, for some slices of 250 triangles. Returns whether all is done.
+  bool work(const World& world, int slices) {
+    for (; slices > 0 && !waiting_.empty(); --slices) {
+      Unit& unit = *waiting_.front();
+      if (!search_.is_running()) search_.begin(world, {.start = unit.position.at, .goal = unit.goal}).value();
+      if (!search_.step(250).value()) continue;
+      unit.path = search_.path();
+      if (unit.path.status == PathStatus::found) unit.position = unit.path.at(0);
+      waiting_.pop_front();
+    }
+    return waiting_.empty();
+  }
+
+ private:
+  PathSearch search_;
+  std::deque<Unit*> waiting_;
+};
+
+// ---- Many at once ----
+
+/// Finds ways for all units, on as many threads as there are contexts.
+void find_ways(const World& world, std::span<QueryContext> contexts, std::span<Unit> units) {
+  std::vector<PathQuery> queries;
+  for (const Unit& unit : units) queries.push_back({.start = unit.position.at, .goal = unit.goal});
+  std::vector<Path> paths;
+  world.find_paths(queries, contexts, paths).value();
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    units[i].path = std::move(paths[i]);
+    if (units[i].path.status == PathStatus::found) units[i].position = units[i].path.at(0);
+  }
+}
+
+// ---- The checks ----
+
+bool is_right = true;
+
+void expect(bool condition, const char* what) {
+  if (condition) return;
+  std::printf("wrong: %s\n", what);
+  is_right = false;
+}
+
+bool is_blocked(const World& world, const Point& place) {
+  const PathQuery query{.start = place, .goal = {1, 1}, .end_tolerance = 0};
+  return world.find_path(query).value().status == PathStatus::start_blocked;
+}
+
+/// A wedge, along one slanted side of which the path leads.
+World world_with_wedge() {
+  World world = World::create({{0, 0}, {100, 100}}).value();
+  world.insert_polygon(std::vector<Point>{{20, 0}, {80, 0}, {61, 47}, {33, 53}}, {1}).value();
+  return world;
+}
+
+void check_one_unit() {
+  const World world = world_with_wedge();
+  QueryContext context;
+  Unit unit{.position = {}, .goal = {95, 10}, .path = {}};
+  unit.position.at = {5, 10};
+  FloatUnit twin;
+  expect(find_way(world, context, unit), "there is a way");
+  twin.path = unit.path;
+  bool is_there = false;
+  for (int tick = 0; tick < 1000 && !is_there; ++tick) {
+    is_there = walk(unit, 0.3);
+    walk(twin, 0.3);
+    expect(!is_blocked(world, unit.position.at), "the unit stands on a free place");
+    expect(!is_blocked(world, {twin.x, twin.y}), "and so does the one in float");
+  }
+  expect(is_there && unit.position.at == unit.goal, "the unit gets to its goal");
+}
+
+/// Places on a path that a program computes and rounds by itself can lie inside a polygon, or beyond a wall that has no
+/// thickness. The library's own places never do.
+void check_places() {
+  const World with_wedge = world_with_wedge();
+  World with_fence = World::create({{0, 0}, {100, 100}}).value();
+  with_fence.insert_polyline(std::vector<Point>{{20, 5}, {33, 53}, {61, 47}, {80, 0}}, {1}).value();
+  const Path path = with_wedge.find_path({.start = {5, 10}, .goal = {95, 10}}).value();
+  const Point& a = path.points[1];
+  const Point& b = path.points[2];
+  const double before = path.nearest(a).distance;
+  const double length = path.nearest(b).distance - before;
+  int blocked_by_hand = 0;
+  int beyond_by_hand = 0;
+  for (int i = 1; i < 1000; ++i) {
+    const double share = i / 1000.0;
+    const Point by_hand{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    blocked_by_hand += is_blocked(with_wedge, by_hand) ? 1 : 0;
+    beyond_by_hand += with_fence.is_clear(std::vector<Point>{path.points[0], a, by_hand}).value() ? 0 : 1;
+    const Point place = path.at(before + share * length).at;
+    expect(!is_blocked(with_wedge, place), "a place from the library is free");
+    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, place}).value(),
+           "and on the right side of a fence");
+  }
+  std::printf("of 999 places computed by hand, %d lie inside a polygon, %d beyond a fence\n", blocked_by_hand,
+              beyond_by_hand);
+  expect(blocked_by_hand > 0 && beyond_by_hand > 0, "places computed by hand can be wrong");
+}
+
+void check_blocked_ends() {
+  World world = world_with_wedge();
+  QueryContext context;
+  Unit unit{.position = {}, .goal = {50, 20}, .path = {}};  // a goal inside the wedge
+  unit.position.at = {5, 10};
+  expect(!find_way(world, context, unit) && unit.path.blockers == std::vector<ItemId>{{1}}, "the goal is blocked");
+  expect(find_way_out(world, context, unit, 30) && !is_blocked(world, unit.goal), "a free goal is taken instead");
+
+  world.insert_polygon(std::vector<Point>{{1, 5}, {11, 5}, {11, 13}, {1, 13}}, {2}).value();  // on the unit
+  expect(find_way_out(world, context, unit, 30) && unit.position.at == Point{5, 13}, "the unit goes out of the house");
+
+  return_to_path(world, context, unit, {6, 15});
+  expect(unit.position.distance > 0 && world.is_clear({6, 15}, unit.position.at).value(),
+         "it goes on from the nearest");
+}
+
+void check_changes() {
+  World world = world_with_wedge();
+  std::vector<QueryContext> contexts(2);
+  std::vector<Unit> units(20);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    units[i].position.at = {2.0, 5.0 + 4.0 * static_cast<double>(i)};
+    units[i].goal = {98.0, 90.0 - 4.0 * static_cast<double>(i)};
+  }
+  find_ways(world, contexts, units);
+
+  PathQueue queue;
+  for (Unit& unit : units) queue.ask(unit);
+  std::vector<Path> before;
+  for (const Unit& unit : units) before.push_back(unit.path);
+  int frames = 1;
+  while (!queue.work(world, 4)) ++frames;
+  expect(frames == 5, "each of 20 searches takes a slice");
+  for (std::size_t i = 0; i < units.size(); ++i) expect(units[i].path.points == before[i].points, "the same paths");
+
+  const std::uint64_t version = world.version();
+  world.insert_segment({47, 53}, {47, 99}, {3}).value();  // leaves a gap at its upper end
+  expect(find_new_ways(world, contexts[0], units, version) > 0, "the wall blocks paths");
+  for (const Unit& unit : units) {
+    expect(unit.path.status == PathStatus::found && world.is_clear(unit.path.points).value(), "all paths are clear");
+  }
+  const std::uint64_t later = world.version();
+  world.insert_point({50, 1}, {4}).value();
+  expect(find_new_ways(world, contexts[0], units, later) == 0, "a point blocks nothing");
+}
+
+}  // namespace
+
+int main() {
+  check_one_unit();
+  check_places();
+  check_blocked_ends();
+  check_changes();
+  return is_right ? 0 : 1;
+}
