@@ -1,8 +1,9 @@
-// A small real-time strategy game without a player: units walk where they are sent, and buildings come and go in their
-// way. docs/guides/small_rts.md explains it piece by piece.
+// A small real-time strategy game that plays by itself: units walk where they are sent, and buildings come and go in
+// their way. docs/guides/small_rts.md explains it piece by piece.
 
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ using waywright::Box;
 using waywright::ItemId;
 using waywright::Path;
 using waywright::PathPosition;
+using waywright::PathQuery;
 using waywright::PathStatus;
 using waywright::Point;
 using waywright::World;
@@ -22,7 +24,7 @@ constexpr Box kMap{{0, 0}, {120, 60}};  // metres
 constexpr double kTick = 0.1;           // seconds
 constexpr double kSpeed = 6.0;          // metres per second
 constexpr double kBuildingSize = 16.0;  // metres, the largest
-constexpr int kAskEvery = 20;           // ticks
+constexpr std::size_t kAskEvery = 20;   // ticks
 
 struct Unit {
   PathPosition position;  // position.at is where the unit stands
@@ -51,10 +53,10 @@ class Game {
 
   /// Sends all units to places beside each other, around `goal`.
   void send_all(const Point& goal) {
-    double offset = -0.5 * static_cast<double>(units_.size() - 1);
+    double y = goal.y - static_cast<double>(units_.size() - 1);
     for (Unit& unit : units_) {
-      unit.goal = {goal.x, goal.y + 2 * offset};
-      offset += 1;
+      unit.goal = {goal.x, y};
+      y += 2;
       find_way(unit);
     }
   }
@@ -72,31 +74,28 @@ class Game {
     ask_again(before);
   }
 
-  void tick() {
-    ++tick_;
-    for (std::size_t i = 0; i < units_.size(); ++i) {
-      Unit& unit = units_[i];
-      if ((static_cast<std::size_t>(tick_) + i) % kAskEvery == 0) find_way(unit);
-      if (unit.path.status == PathStatus::found) {
+  void run(int ticks) {
+    for (const int end = tick_ + ticks; tick_ < end; ++tick_) {
+      for (std::size_t i = 0; i < units_.size(); ++i) {
+        Unit& unit = units_[i];
+        const bool asks = (static_cast<std::size_t>(tick_) + i) % kAskEvery == 0;
+        if (asks) find_way(unit);
+        if (unit.path.status != PathStatus::found) continue;
         unit.position = unit.path.advance(unit.position, kSpeed * kTick);
       }
     }
   }
 
-  /// The map in characters: `#` is a building or the river, a letter is a unit.
+  /// The map in characters of 2 x 4 metres: `#` is a building or the river, a letter is a unit.
   void print(const char* title) const {
-    constexpr double kWidth = 2;   // of a character, in metres
-    constexpr double kHeight = 4;  // of a line
     std::printf("%.1f s: %s\n", kTick * tick_, title);
-    for (double y = kMap.max.y - kHeight / 2; y > kMap.min.y; y -= kHeight) {
+    for (double y = kMap.max.y - 2; y > kMap.min.y; y -= 4) {
       std::string line;
-      for (double x = kMap.min.x + kWidth / 2; x < kMap.max.x; x += kWidth) {
+      for (double x = kMap.min.x + 1; x < kMap.max.x; x += 2) {
         char letter = world_.locate({x, y}).value().inside.empty() ? '.' : '#';
         for (std::size_t i = 0; i < units_.size(); ++i) {
           const Point at = units_[i].position.at;
-          const bool is_in_x = at.x >= x - kWidth / 2 && at.x < x + kWidth / 2;
-          const bool is_in_y = at.y >= y - kHeight / 2 && at.y < y + kHeight / 2;
-          if (is_in_x && is_in_y) letter = static_cast<char>('a' + i);
+          if (at.x >= x - 1 && at.x < x + 1 && at.y >= y - 2 && at.y < y + 2) letter = static_cast<char>('a' + i);
         }
         line += letter;
       }
@@ -106,18 +105,20 @@ class Game {
 
  private:
   void find_way(Unit& unit) {
-    world_
-        .find_path({.start = unit.position.at, .goal = unit.goal, .end_tolerance = kBuildingSize}, context_, unit.path)
-        .value();
-    if (unit.path.status == PathStatus::found) unit.position = unit.path.at(0);
+    const PathQuery query{.start = unit.position.at, .goal = unit.goal, .end_tolerance = kBuildingSize};
+    world_.find_path(query, context_, unit.path).value();
+    if (unit.path.status != PathStatus::found) return;
+    unit.position = unit.path.at(0);
+    if (unit.path.moved_start) std::printf("%.1f s: a unit steps aside\n", kTick * tick_);
   }
 
   /// After a change of the world: finds new ways for the units whose path is blocked now.
   void ask_again(std::uint64_t before) {
     int count = 0;
     for (Unit& unit : units_) {
-      if (!world_.is_affected(unit.path.points, before)) continue;
-      if (world_.is_clear(unit.path.points, context_).value()) continue;
+      if (unit.path.points.empty()) continue;
+      const auto ahead = std::span(unit.path.points).subspan(unit.position.segment);
+      if (!world_.is_affected(ahead, before) || world_.is_clear(ahead, context_).value()) continue;
       find_way(unit);
       ++count;
     }
@@ -136,16 +137,18 @@ int main() {
   Game game;
   for (const double y : {4.0, 8.0, 12.0, 16.0}) game.add_unit({8, y});
   game.send_all({112, 14});
-  for (int i = 0; i < 60; ++i) game.tick();
+  game.run(60);
   game.print("four units walk east, to the bridge in the south");
 
   const ItemId tower = game.build({{52, 8}, {60, 20}});
-  for (int i = 0; i < 80; ++i) game.tick();
+  game.run(12);
   game.print("a tower blocks the bridge, so they turn to the other one");
 
   game.destroy(tower);
-  game.build({{60, 40}, {70, 56}});
-  for (int i = 0; i < 120; ++i) game.tick();
-  game.print("the tower is gone, and now the other bridge is blocked");
-  return 0;
+  game.run(36);
+  game.print("the tower is gone, so they have turned back");
+
+  game.build({{56, 12}, {64, 16}});
+  game.run(180);
+  game.print("a house pushed them off the bridge, and all are there");
 }

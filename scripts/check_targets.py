@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Builds the library for every target that this machine has a compiler for, and compares what the targets compute.
 
-usage: check_targets.py [--only NAME]... [--no-command]
+usage: check_targets.py [--only NAME]... [--no-command] [--ticks N]
 
-Builds the library, the program tests/determinism and, where it can, the command; runs the two where it has an emulator;
-and compares their output, byte for byte, with what the native g++ gives: 200 worlds that change, with the paths through
-them, and world scripts. Prints a line for each step, then a table, and leaves all it builds in build/targets/. Exits 1
+Builds the library, the program tests/determinism, the game examples/lockstep_rts and, where it can, the command; runs
+these where it has an emulator; and compares their output, byte for byte, with what the native g++ gives: 200 worlds that
+change, with the paths through them; a game with rollback; and world scripts. Prints a line for each step, then a table, and leaves all it builds in build/targets/. Exits 1
 where a build fails or bytes differ. A target without its compiler is skipped, and so are comparisons without an emulator.
   --only NAME   build this target (and the native one); can be repeated
   --no-command  leave out the command
+  --ticks N     let the game run for N ticks (120); its acceptance test is 600
 WAYWRIGHT_JOBS limits how many compilers run at once.
 """
 
@@ -136,8 +137,9 @@ def make_prefix():
 
 
 class Build:
-    def __init__(self, target, with_command):
+    def __init__(self, target, with_command, ticks):
         self.target = target
+        self.ticks = ticks
         self.folder = FOLDER / target.name
         self.log = FOLDER / f"{target.name}.log"
         self.log.write_bytes(b"")
@@ -156,7 +158,7 @@ class Build:
                 "-DBoost_NO_BOOST_CMAKE=ON",
                 f"-DBoost_INCLUDE_DIR={prefix}/include",
             ]
-        switches = {"TESTS": "OFF", "EXAMPLES": "OFF", "TOOLS": "ON" if self.with_command else "OFF"}
+        switches = {"TESTS": "OFF", "EXAMPLES": "ON", "TOOLS": "ON" if self.with_command else "OFF"}
         run_into(
             self.log,
             ["cmake", "-S", ROOT, "-B", self.folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
@@ -166,7 +168,8 @@ class Build:
             + self.target.options,
             "cmake",
         )
-        targets = ["waywright", "waywright_print_meshes"] + (["waywright_command"] if self.with_command else [])
+        targets = ["waywright", "waywright_print_meshes", "lockstep_rts"]
+        targets += ["waywright_command"] if self.with_command else []
         jobs = os.environ.get("WAYWRIGHT_JOBS") or str(os.cpu_count())
         run_into(self.log, ["cmake", "--build", self.folder, "--parallel", jobs, "--target", *targets], "the build")
 
@@ -178,6 +181,9 @@ class Build:
 
     def worlds(self):
         return self.output("tests/determinism/waywright_print_meshes")
+
+    def game(self):
+        return self.output("examples/lockstep_rts", str(self.ticks))
 
     def answers(self):
         command = "tools/waywright/waywright"
@@ -196,8 +202,9 @@ class Build:
 
 
 class Check:
-    def __init__(self, with_command):
+    def __init__(self, with_command, ticks):
         self.with_command = with_command
+        self.ticks = ticks
         self.references = {}
         self.failed = False
 
@@ -210,28 +217,30 @@ class Check:
 
     def row(self, target, prefix):
         if not shutil.which(target.compiler):
-            return [f"skipped: no {target.compiler}"] + ["-"] * 3
-        build = Build(target, self.with_command)
+            return [f"skipped: no {target.compiler}"] + ["-"] * 4
+        build = Build(target, self.with_command, self.ticks)
         try:
             print(f"{target.name}: building", flush=True)
             build.build(prefix)
             parts = "library and command" if self.with_command else "library"
             if build.runner is None:
-                return [parts, f"no {target.runners[0][0]}", "not run", "not run"]
+                return [parts, f"no {target.runners[0][0]}", "not run", "not run", "not run"]
             print(f"{target.name}: running", flush=True)
             worlds = build.worlds()
             (FOLDER / f"{target.name}.worlds").write_bytes(worlds)
+            game = build.game()
+            (FOLDER / f"{target.name}.game").write_bytes(game)
             answers = self.compare("answers", build.answers()) if self.with_command else "not built"
             runner = Path(build.runner[0]).name if build.runner else "directly"
-            return [parts, runner, self.compare("worlds", worlds), answers]
+            return [parts, runner, self.compare("worlds", worlds), self.compare("game", game), answers]
         except Fault as fault:
             self.failed = True
             print(f"{target.name}: {fault}", file=sys.stderr)
-            return [f"FAILED: {fault}"] + ["-"] * 3
+            return [f"FAILED: {fault}"] + ["-"] * 4
 
 
 def print_table(rows):
-    rows = [["target", "what it is", "built", "run by", "200 worlds", "answers of the command"], *rows]
+    rows = [["target", "what it is", "built", "run by", "200 worlds", "lockstep game", "answers of the command"], *rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     rows.insert(1, ["-" * width for width in widths])
     for row in rows:
@@ -242,6 +251,7 @@ def main():
     parser = argparse.ArgumentParser(usage=__doc__.split("\n\n")[1].removeprefix("usage: "), add_help=True)
     parser.add_argument("--only", action="append", default=[], metavar="NAME")
     parser.add_argument("--no-command", action="store_true")
+    parser.add_argument("--ticks", type=int, default=120, metavar="N")
     arguments = parser.parse_args()
     names = [target.name for target in TARGETS]
     unknown = [name for name in arguments.only if name not in names]
@@ -254,7 +264,7 @@ def main():
     # Emscripten uses modules of Debian's packages, which only Debian's Node looks for by itself.
     os.environ.setdefault("NODE_PATH", "/usr/share/nodejs")
     prefix = make_prefix()
-    check = Check(not arguments.no_command)
+    check = Check(not arguments.no_command, arguments.ticks)
     rows = [[target.name, target.about, *check.row(target, prefix)] for target in wanted]
     print()
     print_table(rows)

@@ -17,9 +17,9 @@ namespace waywright {
 
 /// How a path is searched for.
 enum class PathAlgorithm : std::uint8_t {
-  ta,   ///< triangulation A* (Demyen and Buro 2006): A* over triangles, then the funnel; betters its path on request
-  tra,  ///< triangulation reduction A* (Demyen and Buro 2006): a good path for very little; for crowds
-  optimal,  ///< the shortest path there is (after Polyanya: Cui, Harabor and Grastien 2017)
+  ta,       ///< a quick first path that can be bettered (PathBudget): triangulation A* (Demyen and Buro 2006)
+  tra,      ///< a good path for very little time, for crowds: triangulation reduction A* (Demyen and Buro 2006)
+  optimal,  ///< the shortest path there is: after Polyanya (Cui, Harabor and Grastien 2017)
 };
 
 /// The algorithm as the world script names it: `ta`, `tra`, `optimal`.
