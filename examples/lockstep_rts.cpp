@@ -29,7 +29,6 @@ namespace {
 using waywright::Change;
 using waywright::Item;
 using waywright::ItemId;
-using waywright::ItemKind;
 using waywright::Path;
 using waywright::PathAlgorithm;
 using waywright::PathPosition;
@@ -37,6 +36,7 @@ using waywright::PathQuery;
 using waywright::PathStatus;
 using waywright::Point;
 using waywright::Precision;
+using waywright::Shape;
 using waywright::World;
 
 using Tick = std::uint64_t;
@@ -76,7 +76,7 @@ Point place_of(std::uint64_t number) {
 }
 
 /// A turned rectangle. The rotation comes from a rational point on the unit circle, so it needs neither sin nor cos.
-waywright::Shape building_at(const Point& centre, std::uint64_t number) {
+Shape building_at(const Point& centre, std::uint64_t number) {
   const double t = share_of(number);
   const double cosine = (1 - t * t) / (1 + t * t);
   const double sine = 2 * t / (1 + t * t);
@@ -88,7 +88,7 @@ waywright::Shape building_at(const Point& centre, std::uint64_t number) {
     const Point turned{corner.x * cosine - corner.y * sine, corner.x * sine + corner.y * cosine};
     ring.push_back({centre.x + rounded(turned.x), centre.y + rounded(turned.y)});
   }
-  return {ItemKind::polygon, {ring}};
+  return Shape::polygon(ring);
 }
 
 // ---- What players do ----
@@ -245,10 +245,11 @@ Machine::Machine(Tick ticks, const MachineOptions& options)
   std::vector<Item> rocks;
   for (std::size_t i = 0; i < kRocks; ++i) {
     const Point place = place_of(1000000 + i);
-    rocks.push_back({{kRockIds + i}, building_at(place, i)});
+    rocks.push_back({kRockIds + i, building_at(place, i)});
     // Every third rock is a fence instead: a wall without thickness.
-    const Point end{kMapSize / 2 + 0.8 * (place.x - kMapSize / 2), kMapSize / 2 + 0.9 * (place.y - kMapSize / 2)};
-    if (i % 3 == 0) rocks.back().shape = {ItemKind::segment, {{place, end}}};
+    const Point middle{kMapSize / 2, kMapSize / 2};
+    const Point end{middle.x + 0.8 * (place.x - middle.x), middle.y + 0.9 * (place.y - middle.y)};
+    if (i % 3 == 0) rocks.back().shape = Shape::segment(place, end);
   }
   world_.insert_all(rocks).value();
   for (std::size_t i = 0; i < kUnits; ++i) units_[i].position.at = units_[i].goal = place_of(2000000 + i);
@@ -322,12 +323,12 @@ void Machine::apply_buildings(Played& played) {
   std::vector<Change> changes;
   for (const Commands& commands : played.commands) {
     if (const auto& building = commands.building; building && !world_.contains(building->id)) {
-      changes.push_back({Change::Kind::insert, building->id, building->shape});
-      played.inverse.push_back({Change::Kind::remove, building->id, {}});
+      changes.push_back(Change::insert(building->shape, building->id));
+      played.inverse.push_back(Change::remove(building->id));
     }
     if (world_.contains(commands.destroyed)) {
-      changes.push_back({Change::Kind::remove, commands.destroyed, {}});
-      played.inverse.push_back({Change::Kind::insert, commands.destroyed, world_.shape(commands.destroyed).value()});
+      changes.push_back(Change::remove(commands.destroyed));
+      played.inverse.push_back(Change::insert(world_.shape(commands.destroyed).value(), commands.destroyed));
     }
   }
   std::reverse(played.inverse.begin(), played.inverse.end());

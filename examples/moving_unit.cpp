@@ -162,7 +162,7 @@ bool is_blocked(const World& world, const Point& place) {
 /// A wedge, along one slanted side of which the path leads.
 World world_with_wedge() {
   World world = World::create({{0, 0}, {100, 100}}).value();
-  world.insert_polygon(std::vector<Point>{{20, 0}, {80, 0}, {61, 47}, {33, 53}}, {1}).value();
+  world.insert_polygon({{20, 0}, {80, 0}, {61, 47}, {33, 53}}, 1).value();
   return world;
 }
 
@@ -189,7 +189,7 @@ void check_one_unit() {
 void check_places() {
   const World with_wedge = world_with_wedge();
   World with_fence = World::create({{0, 0}, {100, 100}}).value();
-  with_fence.insert_polyline(std::vector<Point>{{20, 5}, {33, 53}, {61, 47}, {80, 0}}, {1}).value();
+  with_fence.insert_polyline({{20, 5}, {33, 53}, {61, 47}, {80, 0}}, 1).value();
   const Path path = with_wedge.find_path({.start = {5, 10}, .goal = {95, 10}}).value();
   const Point& a = path.points[1];
   const Point& b = path.points[2];
@@ -217,10 +217,10 @@ void check_blocked_ends() {
   QueryContext context;
   Unit unit{.position = {}, .goal = {50, 20}, .path = {}};  // a goal inside the wedge
   unit.position.at = {5, 10};
-  expect(!find_way(world, context, unit) && unit.path.blockers == std::vector<ItemId>{{1}}, "the goal is blocked");
+  expect(!find_way(world, context, unit) && unit.path.blockers == std::vector<ItemId>{1}, "the goal is blocked");
   expect(find_way_out(world, context, unit, 30) && !is_blocked(world, unit.goal), "a free goal is taken instead");
 
-  world.insert_polygon(std::vector<Point>{{1, 5}, {11, 5}, {11, 13}, {1, 13}}, {2}).value();  // on the unit
+  world.insert_polygon({{1, 5}, {11, 5}, {11, 13}, {1, 13}}, 2).value();  // on the unit
   expect(find_way_out(world, context, unit, 30) && unit.position.at == Point{5, 13}, "the unit goes out of the house");
 
   return_to_path(world, context, unit, {6, 15});
@@ -248,13 +248,13 @@ void check_changes() {
   for (std::size_t i = 0; i < units.size(); ++i) expect(units[i].path.points == before[i].points, "the same paths");
 
   const std::uint64_t version = world.version();
-  world.insert_segment({47, 53}, {47, 99}, {3}).value();  // leaves a gap at its upper end
+  world.insert_segment({47, 53}, {47, 99}, 3).value();  // leaves a gap at its upper end
   expect(find_new_ways(world, contexts[0], units, version) > 0, "the wall blocks paths");
   for (const Unit& unit : units) {
     expect(unit.path.status == PathStatus::found && world.is_clear(unit.path.points).value(), "all paths are clear");
   }
   const std::uint64_t later = world.version();
-  world.insert_point({50, 1}, {4}).value();
+  world.insert_point({50, 1}, 4).value();
   expect(find_new_ways(world, contexts[0], units, later) == 0, "a point blocks nothing");
 }
 

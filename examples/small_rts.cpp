@@ -18,6 +18,7 @@ using waywright::PathPosition;
 using waywright::PathQuery;
 using waywright::PathStatus;
 using waywright::Point;
+using waywright::Shape;
 using waywright::World;
 
 constexpr Box kMap{{0, 0}, {120, 60}};  // metres
@@ -31,10 +32,6 @@ struct Unit {
   Point goal;
   Path path;
 };
-
-std::vector<Point> corners_of(const Box& box) {
-  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-}
 
 class Game {
  public:
@@ -63,7 +60,7 @@ class Game {
 
   ItemId build(const Box& box) {
     const std::uint64_t before = world_.version();
-    const ItemId id = world_.insert_polygon(corners_of(box)).value();
+    const ItemId id = world_.insert(Shape::rectangle(box)).value();
     ask_again(before);
     return id;
   }
