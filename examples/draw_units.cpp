@@ -29,10 +29,10 @@ World make_world() {
   const std::vector<std::vector<Point>> keep{{{42, 20}, {66, 18}, {70, 40}, {46, 44}},
                                              {{50, 25}, {61, 24}, {62, 35}, {52, 37}}};
   world.insert_polygon(keep).value();
-  world.insert_polygon(std::vector<Point>{{16, 38}, {27, 34}, {32, 44}, {22, 52}}).value();
-  world.insert_polygon(std::vector<Point>{{78, 8}, {88, 6}, {90, 16}, {80, 19}}).value();
-  world.insert_polyline(std::vector<Point>{{20, 6}, {26, 14}, {24, 24}}).value();
-  world.insert_polyline(std::vector<Point>{{70, 51}, {79, 48}, {82, 38}}).value();
+  world.insert_polygon({{16, 38}, {27, 34}, {32, 44}, {22, 52}}).value();
+  world.insert_polygon({{78, 8}, {88, 6}, {90, 16}, {80, 19}}).value();
+  world.insert_polyline({{20, 6}, {26, 14}, {24, 24}}).value();
+  world.insert_polyline({{70, 51}, {79, 48}, {82, 38}}).value();
   return world;
 }
 

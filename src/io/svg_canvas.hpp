@@ -42,7 +42,7 @@ class PathData {
 
   /// An open line through the points, or of those parts of it that are near the map.
   void add_chain(PointSpan points);
-  /// A closed line. Cut so that the inside of several rings, even-odd, stays the same on the map.
+  /// A closed line. Cut so that it turns around each place of the map as often as before.
   void add_ring(PointSpan points);
   /// A point, for strokes with round ends.
   void add_dot(const Point& place);

@@ -170,8 +170,9 @@ class WorldDrawer {
     if (!data.empty()) out += "<path d=\"" + data.text() + "\"/>\n";
   }
 
-  void append_item(std::string& out, const PathData& data, std::string_view kind, ItemId id) const {
-    out += "<path d=\"" + data.text();
+  void append_item(std::string& out, const PathData& data, std::string_view kind, ItemId id,
+                   std::string_view attributes = {}) const {
+    out += "<path" + std::string(attributes) + " d=\"" + data.text();
     if (!has_hints_) {
       out += "\"/>\n";
       return;
@@ -186,7 +187,8 @@ class WorldDrawer {
     for (const Item& item : things_.solids) {
       PathData data(frame_);
       for (const PointSpan ring : item.shape.rings) data.add_ring(ring);
-      if (!data.empty()) append_item(out, data, "polygon ", item.id);
+      const bool is_nonzero = item.shape.fill == FillRule::nonzero;
+      if (!data.empty()) append_item(out, data, "polygon ", item.id, is_nonzero ? " fill-rule=\"nonzero\"" : "");
     }
     return out + "</g>\n";
   }

@@ -70,7 +70,7 @@ inline double number_of(const json& element, const char* name) { return std::sto
 
 inline std::string picture_of(const World& world, const SvgOverlay& overlay = {}, const SvgOptions& options = {}) {
   Result<std::string> text = to_svg(world, overlay, options);
-  EXPECT_TRUE(text.ok()) << text.error().message;
+  EXPECT_TRUE(text.ok()) << text.error().message();
   return text.ok() ? *std::move(text) : std::string();
 }
 

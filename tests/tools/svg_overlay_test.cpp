@@ -80,7 +80,7 @@ TEST(ToSvg, MarksFailedPathsWithTheirStatus) {
 
 TEST(ToSvg, ColoursPlacesByTheirAnswer) {
   World world = make_world({{0, 0}, {10, 10}});
-  world.insert_polygon(std::vector<Point>{{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
+  world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
   world.insert_segment({6, 1}, {6, 9}, {2}).value();
   SvgOverlay overlay;
   for (const Point& place : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}, Point{4, 2}, Point{4, 4}}) {
@@ -104,7 +104,7 @@ TEST(ToSvg, ColoursPlacesByTheirAnswer) {
 TEST(ToSvg, ShortensLongListsOfIds) {
   World world = make_world({{0, 0}, {10, 10}});
   for (std::uint64_t id = 1; id <= 1000; ++id) {
-    world.insert_polygon(std::vector<Point>{{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {id}).value();
+    world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {id}).value();
   }
   const json drawn = drawing_of(world, {.places = {{{2, 2}, world.locate({2, 2}).value()}}});
   const std::string hint = hints_of(drawn, "places").at(0);

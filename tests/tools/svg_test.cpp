@@ -50,7 +50,7 @@ TEST(ToSvg, FillsEachPolygonByItsRule) {
   const auto drawn_by = [&](FillRule rule) {
     World world = make_world({{0, 0}, {10, 10}});
     EXPECT_TRUE(world.insert({ItemKind::polygon, {star}, rule}).ok());
-    return to_svg(world, {}, {});
+    return picture_of(world);
   };
   // The group's rule is even-odd; a path may have its own.
   const std::string attribute = " fill-rule=\"nonzero\"";
@@ -164,9 +164,9 @@ TEST(ToSvg, HasAScaleBarAsLongAsItSays) {
 
 TEST(ToSvg, HasTheIdOfEachItemOnHover) {
   World world = make_world({{0, 0}, {10, 10}});
-  world.insert_polygon(std::vector<Point>{{1, 1}, {2, 1}, {1, 2}}, {7}).value();
+  world.insert_polygon({{1, 1}, {2, 1}, {1, 2}}, {7}).value();
   world.insert_segment({3, 3}, {4, 4}, {ItemId::kLargest}).value();
-  world.insert_polyline(std::vector<Point>{{5, 3}, {6, 4}, {7, 3}}, {5}).value();
+  world.insert_polyline({{5, 3}, {6, 4}, {7, 3}}, {5}).value();
   world.insert_point({8, 8}, {1}).value();
   const json drawn = drawing_of(world);
   using Hints = std::vector<std::string>;
@@ -221,8 +221,8 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
   World world = make_world({{0, 0}, {1000, 1000}});
   world.insert_segment({0, 0}, {1000, 500}, {1}).value();    // through the box
   world.insert_segment({0, 900}, {900, 1000}, {2}).value();  // beside it
-  world.insert_polygon(std::vector<Point>{{500, 200}, {900, 200}, {900, 900}, {500, 900}}, {3}).value();
-  world.insert_polygon(std::vector<Point>{{10, 10}, {20, 10}, {10, 20}}, {4}).value();
+  world.insert_polygon({{500, 200}, {900, 200}, {900, 900}, {500, 900}}, {3}).value();
+  world.insert_polygon({{10, 10}, {20, 10}, {10, 20}}, {4}).value();
   world.insert_point({505, 255}, {5}).value();
   world.insert_point({600, 600}, {6}).value();
   SvgOptions options;
@@ -271,8 +271,8 @@ TEST(ToSvg, RefusesABadCropBox) {
     const Result<SvgFrame> frame = svg_frame(world.domain(), options);
     EXPECT_EQ(text.ok(), frame.ok());
     if (text.ok()) return std::string("ok");
-    EXPECT_EQ(text.error().message, frame.error().message);
-    EXPECT_NE(text.error().message.find("the crop box, ("), std::string::npos);
+    EXPECT_EQ(text.error().message(), frame.error().message());
+    EXPECT_NE(text.error().message().find("the crop box, ("), std::string::npos);
     return std::string(to_string(text.error().code));
   };
   EXPECT_EQ(code_of({{1, 1}, {2, 2}}), "ok");

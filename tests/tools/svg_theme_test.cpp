@@ -19,7 +19,7 @@ using nlohmann::json;
 /// A world and an overlay with everything that has a colour of the theme.
 json colourful(SvgTheme theme) {
   World world = make_world({{0, 0}, {10, 10}});
-  world.insert_polygon(std::vector<Point>{{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
+  world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
   world.insert_segment({6, 1}, {6, 9}, {2}).value();
   world.insert_point({9, 9}).value();
   SvgOverlay overlay{.paths = std::vector<Path>(4, path_through({{5, 5}, {6, 5}})),
