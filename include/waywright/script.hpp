@@ -14,18 +14,31 @@
 namespace waywright {
 
 /// What a line of a world script asks for.
-enum class OperationKind : std::uint8_t { insert, remove, replace, locate, ray, disc, nearest, path, check, hash };
+enum class OperationKind : std::uint8_t {
+  insert,
+  remove,
+  replace,
+  locate,
+  ray,
+  disc,
+  nearest,
+  path,
+  check,
+  hash,
+  clear
+};
 
 /// One line of a world script. Numbers are as read: whether they lie in range, or in the domain, is for the world to
 /// say.
 struct Operation {
   OperationKind kind = OperationKind::check;
   std::uint32_t line = 0;                  ///< from 1
-  Item item;                               ///< of an insertion or replacement; of a removal its id alone
+  Item item;                               ///< of an insertion or replacement; of a removal its id, of clear its points
   Point from;                              ///< of locate, ray, disc, nearest and path
   Point to;                                ///< of ray and path
   double radius = 0.0;                     ///< of disc, nearest and path
   std::optional<PathAlgorithm> algorithm;  ///< of path, where the line names one
+  std::optional<double> end_tolerance;     ///< of path, where the line gives one
 };
 
 /// The word that the script's line begins with: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...

@@ -255,7 +255,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
   /// How far a path query may move a blocked end if it does not say: 2^-20, about a millionth, of the largest
-  /// coordinate of the domain. It allows for places computed in steps of `float` arithmetic. Cost: none.
+  /// coordinate of the domain. It allows for places computed in steps of `float` arithmetic. In a domain that is much
+  /// larger than what it holds, give queries a tolerance of their own. Cost: none.
   [[nodiscard]] double default_end_tolerance() const;
 
   /// Whether a point agent can walk along a polyline: the question that find_path answers with such a polyline. It may

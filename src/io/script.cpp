@@ -34,7 +34,8 @@ constexpr std::array kGrammars{
     Grammar{"ray", "ray X1 Y1 X2 Y2", OperationKind::ray},
     Grammar{"disc", "disc X Y RADIUS", OperationKind::disc},
     Grammar{"nearest", "nearest X Y RADIUS", OperationKind::nearest},
-    Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM]", OperationKind::path},
+    Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM] [tolerance DISTANCE]", OperationKind::path},
+    Grammar{"clear", "clear N X1 Y1 ... XN YN", OperationKind::clear},
     Grammar{"check", "check", OperationKind::check},
     Grammar{"hash", "hash", OperationKind::hash},
 };
@@ -65,7 +66,7 @@ class ScriptParser {
   bool read_ring(Rings& rings);
   bool read_ring(std::string_view count_word, Rings& rings);
   bool read_points(std::uint64_t count, Rings& rings);
-  bool read_algorithm(Operation& operation);
+  bool read_path_options(Operation& operation);
 
   /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
   bool next_line(std::string_view& word);
@@ -218,7 +219,9 @@ bool ScriptParser::read_operation(Operation& operation, const Grammar& grammar) 
     case OperationKind::nearest:
       return point(operation.from) && number(operation.radius);
     case OperationKind::path:
-      return point(operation.from) && point(operation.to) && number(operation.radius) && read_algorithm(operation);
+      return point(operation.from) && point(operation.to) && number(operation.radius) && read_path_options(operation);
+    case OperationKind::clear:
+      return read_ring(operation.item.shape.rings);
     case OperationKind::check:
     case OperationKind::hash:
       break;
@@ -287,12 +290,14 @@ bool ScriptParser::read_points(std::uint64_t count, Rings& rings) {
   return true;
 }
 
-bool ScriptParser::read_algorithm(Operation& operation) {
+bool ScriptParser::read_path_options(Operation& operation) {
   std::string_view word;
   if (!words_.next(word)) return true;
   operation.algorithm = path_algorithm(word);
-  if (!operation.algorithm) return fail("'optimal', 'ta' or 'tra'", word);
-  return true;
+  if (operation.algorithm && !words_.next(word)) return true;
+  if (word != "tolerance")
+    return fail(operation.algorithm ? "'tolerance'" : "'optimal', 'ta', 'tra' or 'tolerance'", word);
+  return number(operation.end_tolerance.emplace());
 }
 
 /// Whether a world over `domain` takes the shape.

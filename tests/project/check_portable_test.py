@@ -37,7 +37,7 @@ BAD = [
 GOOD = [
     ("src/base/compiler.hpp", "__builtin_prefetch(address);"),
     ("include/waywright/export.hpp", "#define WAYWRIGHT_API __attribute__((visibility(\"default\")))"),
-    ("tools/waywright/system.cpp", "#include <unistd.h>"),
+    ("tools/waywright/platform.cpp", "#include <unistd.h>"),
     ("src/mesh/mesh.hpp", "// __builtin_prefetch is in base"),
     ("src/mesh/mesh.hpp", 'say("a long way, __int128");'),
     ("src/mesh/mesh.hpp", "/* __int128\n__GNUC__ */ int x;"),

@@ -47,7 +47,9 @@ World moved_world(const Scene& scene, Movement move) {
 }
 
 Path find(const World& world, const Ends& ends, PathAlgorithm algorithm, Movement move) {
-  return world.find_path({move(ends.start), move(ends.goal), 0.0, algorithm}).value();
+  PathQuery query{move(ends.start), move(ends.goal), 0.0, algorithm};
+  query.end_tolerance = 0.0;  // a moved end is a rounded place, which need not lie as symmetrically
+  return world.find_path(query).value();
 }
 
 /// By how much equal lengths may differ in doubles: by the rounding of sums and of the corners' coordinates.

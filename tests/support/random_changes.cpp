@@ -120,7 +120,8 @@ class ChangeMaker {
     const Shape& other = pool_.items[random_.below(pool_.items.size())].shape;
     ring[random_.below(ring.size())] = other.rings[0][random_.below(other.rings[0].size())];
     const bool is_even_odd = shape.fill == FillRule::even_odd;
-    if (rules_.chance(30)) shape.fill = is_even_odd ? FillRule::nonzero : FillRule::even_odd;
+    if (rules_.chance(30) && shape.kind == ItemKind::polygon)
+      shape.fill = is_even_odd ? FillRule::nonzero : FillRule::even_odd;
     return shape;
   }
 

@@ -111,9 +111,9 @@ TEST(RunCommand, SaysWhyThereIsNoPath) {
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out, R"({"line":5,"op":"path","found":false,"reason":"no-path"})"
                         "\n"
-                        R"({"line":6,"op":"path","found":false,"reason":"start-blocked"})"
+                        R"({"line":6,"op":"path","found":false,"reason":"start-blocked","items":[2]})"
                         "\n"
-                        R"({"line":7,"op":"path","found":false,"reason":"goal-blocked"})"
+                        R"({"line":7,"op":"path","found":false,"reason":"goal-blocked","items":[2]})"
                         "\n");
 }
 
@@ -182,10 +182,38 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 2 1e300 0", "path", "coordinate-range"}, Refusal{"path 1 1 2 1 -1", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 0.5", "path", "not-supported"}, Refusal{"remove 9", "remove", "unknown-id"},
+        Refusal{"path 1 1 2 1 0 tolerance -1", "path", "bad-distance"},
+        Refusal{"path 1 1 2 1 0 ta tolerance nan", "path", "bad-distance"},
+        Refusal{"clear 2 1 1 12 1", "clear", "out-of-domain"}, Refusal{"clear 1 nan 1", "clear", "coordinate-range"},
         Refusal{"ray 1 1 2 12", "ray", "out-of-domain"}, Refusal{"ray -1 1 2 2", "ray", "out-of-domain"},
         Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
         Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
         Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+
+// 2^-20 of the domain's largest coordinate is 0.0000095.
+TEST(RunCommand, MovesAnEndThatIsBlockedByRoundingAndSaysSo) {
+  const std::string square = kHead + "polygon 7 4 4 4 8 4 8 8 4 8\n";
+  const auto answer = [&](const std::string& query) { return json_lines(run_script(square + query).out).at(0); };
+  EXPECT_EQ(answer("path 4.000001 6 3 6 0\n"),
+            json::parse(R"({"line":4,"op":"path","found":true,"length":1,"pieces":[{"line":[4,6,3,6]}],)"
+                        R"("moved_start":[[4.000001,6],[4,6]]})"));
+  EXPECT_EQ(answer("path 3 6 4.000001 6 0 ta\n").at("moved_goal"), json::parse("[[4.000001,6],[4,6]]"));
+  EXPECT_EQ(answer("path 4.5 6 3 6 0\n"),
+            json::parse(R"({"line":4,"op":"path","found":false,"reason":"start-blocked","items":[7]})"));
+  EXPECT_EQ(answer("path 4.5 6 3 6 0 tolerance 0.5\n").at("moved_start"), json::parse("[[4.5,6],[4,6]]"));
+  EXPECT_EQ(answer("path 4.000001 6 3 6 0 optimal tolerance 0\n").at("reason"), "start-blocked");
+}
+
+TEST(RunCommand, TellsWhetherAWayIsClear) {
+  const auto result = run_script(kHead + "polygon 7 4 4 4 8 4 8 8 4 8\nclear 3 1 1 4 4 4 9\nclear 2 1 1 9 9\n");
+  EXPECT_EQ(result.out,
+            "{\"line\":4,\"op\":\"clear\",\"clear\":true}\n{\"line\":5,\"op\":\"clear\",\"clear\":false}\n");
+  for (const char* wrong :
+       {"clear", "clear 0", "clear 2 1 1 2", "clear 1 1 1 1", "path 1 1 2 2 0 best", "path 1 1 2 2 0 tolerance",
+        "path 1 1 2 2 0 ta tolerance x", "path 1 1 2 2 0 tolerance 1 ta"}) {
+    EXPECT_EQ(run_script(kHead + wrong + "\n").status, 2) << wrong;
+  }
+}
 
 TEST(RunCommand, RemovesItemsAndFreesTheirIds) {
   const auto result = run_script(kHead +

@@ -133,7 +133,8 @@ TEST(SvgFile, OfABadCropBoxSaysWhatIsWrong) {
             "less than that of its second\n");
   EXPECT_EQ(error_of({"10", "1", "12", "5"}),
             "waywright: --crop: the crop box, (10, 1) to (12, 5), shows nothing of the domain, (0, 0) to (9, 9)\n");
-  EXPECT_EQ(error_of({"1", "1", "12", "five"}), "waywright: --crop: 'five' is not a number that fits a double\n");
+  EXPECT_EQ(error_of({"1", "1", "12", "five"}),
+            "waywright: --crop: 'five' is not a decimal number such as -1.5 or 2e3\n");
 }
 
 }  // namespace

@@ -34,6 +34,15 @@ void append_point(std::string& out, const Point& point) {
   fmt::format_to(std::back_inserter(out), "{},{}", without_sign_of_zero(point.x), without_sign_of_zero(point.y));
 }
 
+void append_moved(std::string& out, std::string_view name, const std::optional<MovedEnd>& moved) {
+  if (!moved) return;
+  fmt::format_to(std::back_inserter(out), R"(,"{}":[[)", name);
+  append_point(out, moved->from);
+  out += "],[";
+  append_point(out, moved->to);
+  out += "]]";
+}
+
 }  // namespace
 
 std::string json_line(const Request& request, const Location& location) {
@@ -50,7 +59,13 @@ std::string json_line(const Request& request, const Location& location) {
 
 std::string json_line(const Request& request, const Path& path) {
   if (path.status != PathStatus::found) {
-    return opening(request) + fmt::format(R"(,"found":false,"reason":"{}"}})", to_string(path.status));
+    std::string out = opening(request) + fmt::format(R"(,"found":false,"reason":"{}")", to_string(path.status));
+    if (path.status != PathStatus::no_path) {
+      out += R"(,"items":[)";
+      append_ids(out, path.blockers);
+      out += ']';
+    }
+    return out + '}';
   }
   std::string out = opening(request) + fmt::format(R"(,"found":true,"length":{},"pieces":[)", path.length);
   for (std::size_t i = 1; i < path.points.size(); ++i) {
@@ -60,7 +75,10 @@ std::string json_line(const Request& request, const Path& path) {
     append_point(out, path.points[i]);
     out += "]}";
   }
-  return out + "]}";
+  out += ']';
+  append_moved(out, "moved_start", path.moved_start);
+  append_moved(out, "moved_goal", path.moved_goal);
+  return out + '}';
 }
 
 std::string json_line(const Request& request, const RayHit& hit) {
@@ -70,6 +88,10 @@ std::string json_line(const Request& request, const RayHit& hit) {
   out += R"(],"items":[)";
   append_ids(out, hit.items);
   return out + "]}";
+}
+
+std::string json_line(const Request& request, bool is_clear) {
+  return opening(request) + fmt::format(R"(,"clear":{}}})", is_clear);
 }
 
 std::string json_line(const Request& request, const Validation& validation) {

@@ -24,6 +24,7 @@ struct Request {
 [[nodiscard]] std::string json_line(const Request& request, const Location& location);
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
 [[nodiscard]] std::string json_line(const Request& request, const RayHit& hit);
+[[nodiscard]] std::string json_line(const Request& request, bool is_clear);
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);

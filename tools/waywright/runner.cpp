@@ -38,6 +38,8 @@ Outcome Runner::carry_out(const Operation& operation) {
       return Outcome::done;
     case OperationKind::ray:
       return cast_ray(operation);
+    case OperationKind::clear:
+      return test_clear(operation);
     case OperationKind::disc:
     case OperationKind::nearest:
       break;
@@ -89,13 +91,20 @@ Outcome Runner::cast_ray(const Operation& operation) {
 }
 
 Outcome Runner::find_path(const Operation& operation) {
-  const PathQuery query{operation.from, operation.to, operation.radius,
-                        operation.algorithm.value_or(PathAlgorithm::optimal)};
+  PathQuery query{operation.from, operation.to, operation.radius, operation.algorithm.value_or(PathAlgorithm::optimal)};
+  query.end_tolerance = operation.end_tolerance;
   Path path;
   const Result<void> searched = world_.find_path(query, context_, path);
   if (!searched.ok()) return refuse(operation, searched.error());
   output_.write_line(json_line(request_of(operation), path));
   if (overlay_ != nullptr) add_answer(*overlay_, query, std::move(path));
+  return Outcome::done;
+}
+
+Outcome Runner::test_clear(const Operation& operation) {
+  const Result<bool> is_clear = world_.is_clear(operation.item.shape.rings.points(), context_);
+  if (!is_clear.ok()) return refuse(operation, is_clear.error());
+  output_.write_line(json_line(request_of(operation), *is_clear));
   return Outcome::done;
 }
 

@@ -32,6 +32,7 @@ class Runner {
   Outcome locate(const Operation& operation);
   Outcome cast_ray(const Operation& operation);
   Outcome find_path(const Operation& operation);
+  Outcome test_clear(const Operation& operation);
   Outcome check(const Operation& operation);
   void forget_queries();
   Outcome refuse(const Operation& operation, const Error& error);
