@@ -42,29 +42,38 @@ Sign side_of(const Point& a, const Point& b, const Point& c) {
   return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
 }
 
-/// The direction in which the path turns first when it is followed from a segment's end, or last before its start:
-/// positive to the left. Zero if it does not turn.
-Sign turn_after(const std::vector<Point>& points, std::size_t segment) {
+/// A turn of the path: where it is, and in which direction; zero if there is none.
+struct Turn {
+  std::size_t corner = 0;
+  Sign direction = Sign::zero;
+};
+
+/// The first turn at or after the end of a segment, and the last at or before its start. Corners on the segment's line
+/// are no turns.
+Turn turn_after(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment + 2; i < points.size(); ++i) {
-    const Sign turn = side_of(points[segment], points[segment + 1], points[i]);
-    if (turn != Sign::zero) return turn;
+    const Sign direction = side_of(points[segment], points[segment + 1], points[i]);
+    if (direction != Sign::zero) return {i - 1, direction};
   }
-  return Sign::zero;
+  return {};
 }
-Sign turn_before(const std::vector<Point>& points, std::size_t segment) {
+Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment; i-- > 0;) {
-    const Sign turn = side_of(points[i], points[segment], points[segment + 1]);
-    if (turn != Sign::zero) return turn;
+    const Sign direction = side_of(points[i], points[segment], points[segment + 1]);
+    if (direction != Sign::zero) return {i + 1, direction};
   }
-  return Sign::zero;
+  return {};
 }
 
-/// A path turns around walls, so those that it touches lie on the side that it turns to. This is the other side:
-/// positive on the left of the segment, zero if nothing is known.
-Sign free_side(const std::vector<Point>& points, std::size_t segment, bool is_near_start) {
-  const Sign before = turn_before(points, segment);
-  const Sign after = turn_after(points, segment);
-  const Sign turn = before == Sign::zero || (!is_near_start && after != Sign::zero) ? after : before;
+/// A path turns around walls, so those that it touches lie on the side that it turns to, above all near the turn. This
+/// is the other side: positive on the left of the segment, zero if nothing is known.
+Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& place) {
+  const Turn before = turn_before(points, segment);
+  const Turn after = turn_after(points, segment);
+  const bool counts_after =
+      before.direction == Sign::zero ||
+      (after.direction != Sign::zero && distance(place, points[after.corner]) < distance(place, points[before.corner]));
+  const Sign turn = counts_after ? after.direction : before.direction;
   if (turn == Sign::zero) return Sign::zero;
   return turn == Sign::positive ? Sign::negative : Sign::positive;
 }
@@ -104,7 +113,7 @@ PathPosition position_on(const std::vector<Point>& points, std::size_t segment, 
     return position;
   }
   const Point place{fitted(exact_place.x, precision), fitted(exact_place.y, precision)};
-  position.at = on_free_side(a, b, place, free_side(points, segment, 2.0 * along < length), precision);
+  position.at = on_free_side(a, b, place, free_side(points, segment, place), precision);
   return position;
 }
 

@@ -113,9 +113,11 @@ struct WAYWRIGHT_API Path {
   std::vector<ItemId> blockers;
 
   /// The position at `distance` from the start, along the path. A smaller distance than 0 gives the start, a larger one
-  /// than the length gives the goal. The place lies on the path, or next to it on the side that the path's turns keep
-  /// free of walls; so a query may start there. Its coordinates fit into the precision without further rounding.
-  /// Requires: `points` is not empty. Cost: linear in the corners before the position.
+  /// than the length gives the goal. A query may start there: the place lies on the path or, where it must be rounded,
+  /// next to it on the side that the nearer turn of the path keeps free of walls. (Only if walls without thickness lie
+  /// along one straight piece on both of its sides can the place fall on the far side of one of them.) The coordinates
+  /// fit into the precision without further rounding. Requires: `points` is not empty. Cost: linear in the corners
+  /// before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// The position `step` farther on than `from`, which this path gave. What moves a unit each tick. Requires: `points`
   /// is not empty, and has not changed since. Cost: linear in the corners that the step passes; of a negative step,
