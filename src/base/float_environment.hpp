@@ -87,7 +87,7 @@ class FloatEnvironment {
 #endif
 
   bool is_switched_ = false;
-  std::uint64_t before_ = 0;
+  [[maybe_unused]] std::uint64_t before_ = 0;
 };
 
 }  // namespace waywright::base
