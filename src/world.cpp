@@ -406,10 +406,15 @@ Result<void> World::items_at(Point point, QueryContext& context, std::vector<Ite
   return {};
 }
 
+// Makes only the scratch that it needs: a whole context would cost more than the query.
 Result<std::vector<ItemId>> World::items_at(Point point) const {
-  QueryContext context;
+  const base::FloatEnvironment environment;
+  if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
+  path::KeptCover cover;
+  cover.use(impl_->kept_abstraction());
+  constraint::ItemQueryScratch scratch;
   std::vector<ItemId> items;
-  if (auto done = items_at(point, context, items); !done) return done.error();
+  constraint::items_at(impl_->triangulation, cover, point, scratch, items);
   return items;
 }
 
