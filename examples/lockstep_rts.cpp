@@ -39,7 +39,7 @@ using waywright::Precision;
 using waywright::Shape;
 using waywright::World;
 
-using Tick = std::uint64_t;
+using Tick = std::size_t;
 
 constexpr std::size_t kPlayers = 5;     // each places or destroys one building at every tick
 constexpr std::size_t kUnits = 300;     // unit i belongs to player i % kPlayers
@@ -111,7 +111,7 @@ struct Commands {
 
 /// The game names its items by itself: ids that a world hands out depend on what happened to that world before, and a
 /// rollback is part of that.
-ItemId building_id(std::size_t player, Tick tick) { return {(player + 1) << 32 | (tick + 1)}; }
+ItemId building_id(std::size_t player, Tick tick) { return {std::uint64_t{player + 1} << 32 | (tick + 1)}; }
 
 std::uint64_t number_of(std::size_t player, Tick tick) { return mixed(player * 1000003 + tick) >> 8; }
 
@@ -134,7 +134,8 @@ Commands commands_of(std::size_t player, Tick tick) {
   }
   for (std::uint64_t i = 0; (tick + player) % 4 == 0 && i < 2; ++i) {
     const std::uint64_t number = number_of(player, tick) + i;
-    commands.orders.push_back({kPlayers * (number % (kUnits / kPlayers)) + player, place_of(number)});
+    const auto rank = static_cast<std::size_t>(number % (kUnits / kPlayers));
+    commands.orders.push_back({kPlayers * rank + player, place_of(number)});
   }
   return commands;
 }
@@ -409,7 +410,7 @@ void Machine::take_hash() {
 Tick delay_of(std::size_t machine, std::size_t player, Tick tick) {
   if (machine == player) return 0;
   constexpr std::array<Tick, 3> kShortest = {1, 3, 6};
-  return kShortest[machine] + number_of(machine * kPlayers + player, tick) % 3;
+  return kShortest[machine] + static_cast<Tick>(number_of(machine * kPlayers + player, tick) % 3);
 }
 
 /// Gives a machine the packets that arrive at `now`.
@@ -424,7 +425,7 @@ void deliver(Machine& machine, std::size_t index, Tick now, Tick ticks) {
 bool is_same(const Machine& machine, const Machine& reference) {
   for (Tick tick = machine.first_tick(); tick < machine.hashes().size(); ++tick) {
     if (machine.hashes()[tick] == reference.hashes()[tick]) continue;
-    std::printf("tick %" PRIu64 ": the machines differ\n", tick);
+    std::printf("tick %zu: the machines differ\n", tick);
     return false;
   }
   return machine.is_right() && machine.world().validate().ok;
@@ -432,15 +433,14 @@ bool is_same(const Machine& machine, const Machine& reference) {
 
 void print(const char* name, const Machine& machine) {
   const Counts& counts = machine.counts();
-  std::printf("%s: %zu ticks played, %zu rollbacks of up to %" PRIu64 " ticks, %zu paths, %zu blocked, %zu moved\n",
-              name, counts.ticks, counts.rollbacks, counts.longest_rollback, counts.paths, counts.blocked,
-              counts.moved);
+  std::printf("%s: %zu ticks played, %zu rollbacks of up to %zu ticks, %zu paths, %zu blocked, %zu moved\n", name,
+              counts.ticks, counts.rollbacks, counts.longest_rollback, counts.paths, counts.blocked, counts.moved);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Tick ticks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 600;
+  const Tick ticks = argc > 1 ? static_cast<Tick>(std::strtoull(argv[1], nullptr, 10)) : 600;
   // The server waits for all packets, so it never goes back. It also differs in all that should make no difference.
   Machine server(ticks, {.threads = 2, .asks_is_affected = false});
   std::vector<Machine> machines;
@@ -479,7 +479,7 @@ int main(int argc, char** argv) {
     for (const std::uint8_t byte : hash.mesh.bytes) all = mixed(all ^ byte);
     all = mixed(all ^ hash.units);
   }
-  std::printf("tick %" PRIu64 ": %zu items %s, mesh %s, units %016" PRIx64 ", all ticks %016" PRIx64 "\n", ticks,
+  std::printf("tick %zu: %zu items %s, mesh %s, units %016" PRIx64 ", all ticks %016" PRIx64 "\n", ticks,
               server.world().item_count(), to_string(server.world().items_hash()).c_str(),
               to_string(server.world().mesh_hash()).c_str(), server.hashes().back().units, all);
   std::puts(is_right ? "all machines agree" : "MACHINES DIFFER");

@@ -60,7 +60,7 @@ class SlotSet {
   /// Where the number is, or the gap for it. Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithm L.
   [[nodiscard]] std::size_t place_of(std::uint32_t number) const {
     const std::size_t mask = table_.size() - 1;
-    std::size_t at = mix(number) & mask;
+    std::size_t at = static_cast<std::size_t>(mix(number)) & mask;
     while (table_[at] != kEmpty && table_[at] != number) at = (at + 1) & mask;
     return at;
   }
