@@ -78,7 +78,16 @@ Sign free_side(const std::vector<Point>& points, std::size_t segment, const Poin
   return turn == Sign::positive ? Sign::negative : Sign::positive;
 }
 
-/// The place next to `place` that does not lie on the wrong side of the line from `a` to `b`.
+/// A coordinate that lies `step` from `value` in the direction of `way`, or at least the next one in that direction.
+double moved_coordinate(double value, double way, double step, Precision precision) {
+  if (way == 0.0) return value;
+  const double moved = fitted(value + std::copysign(step, way), precision);
+  return (moved - value) * way > 0.0 ? moved : next_coordinate(value, way, precision);
+}
+
+/// A place next to `place` that does not lie on the wrong side of the line from `a` to `b`. The steps begin with the
+/// rounding error of a place between `a` and `b`, which next to 0 is far larger than the distance of neighbouring
+/// doubles.
 Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
   const auto is_right = [&](const Point& p) {
     const Sign own = side_of(a, b, p);
@@ -87,13 +96,13 @@ Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side
   if (side == Sign::zero || is_right(place)) return place;
   const double sign = side == Sign::positive ? 1.0 : -1.0;
   const Point way{-sign * (b.y - a.y), sign * (b.x - a.x)};
-  Point reached = place;
-  for (;;) {
-    const Point next{next_coordinate(reached.x, way.x, precision), next_coordinate(reached.y, way.y, precision)};
-    for (const Point& candidate : {Point{next.x, reached.y}, Point{reached.x, next.y}, next}) {
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  for (double step = largest * 0x1p-52;; step *= 2.0) {
+    const Point next{moved_coordinate(place.x, way.x, step, precision),
+                     moved_coordinate(place.y, way.y, step, precision)};
+    for (const Point& candidate : {Point{next.x, place.y}, Point{place.x, next.y}, next}) {
       if (is_right(candidate)) return candidate;
     }
-    reached = next;
   }
 }
 
@@ -124,7 +133,8 @@ PathPosition Path::at(double distance, Precision precision) const { return advan
 PathPosition Path::advance(const PathPosition& from, double step, Precision precision) const {
   const base::FloatEnvironment environment;
   WAYWRIGHT_ASSERT(!points.empty(), "Path::advance: the path has no points");
-  const double total = std::max(from.distance + step, 0.0);
+  const double asked = from.distance + step;
+  const double total = asked > 0.0 ? asked : 0.0;  // of NaN, 0
   const bool goes_on = total >= from.before && from.segment + 1 < points.size();
   std::size_t segment = goes_on ? from.segment : 0;
   double before = goes_on ? from.before : 0.0;

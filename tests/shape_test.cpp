@@ -181,5 +181,19 @@ TEST(World, AppliesChangesByName) {
   EXPECT_EQ(world.apply({}).value(), std::vector<ItemId>());
 }
 
+TEST(Rings, MovedFromAreNone) {
+  Rings rings{{{1, 1}, {5, 1}, {5, 5}}, {{2, 2}, {3, 2}, {3, 3}}};
+  const Rings taken = std::move(rings);
+  EXPECT_EQ(taken.size(), 2U);
+  EXPECT_TRUE(rings.empty());  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(rings, Rings{});
+  rings = taken;
+  Rings other;
+  other = std::move(rings);
+  EXPECT_EQ(other, taken);
+  rings.push_back(taken[1]);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(rings.size(), 1U);
+}
+
 }  // namespace
 }  // namespace waywright::test

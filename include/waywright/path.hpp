@@ -116,8 +116,9 @@ struct WAYWRIGHT_API Path {
   /// than the length gives the goal. A query may start there: the place lies on the path or, where it must be rounded,
   /// next to it on the side that the nearer turn of the path keeps free of walls. (Only if walls without thickness lie
   /// along one straight piece on both of its sides can the place fall on the far side of one of them.) The coordinates
-  /// fit into the precision without further rounding. Requires: `points` is not empty. Cost: linear in the corners
-  /// before the position.
+  /// fit into the precision without further rounding; so, if a side of the domain is no float, a place on it can come
+  /// to lie beyond it with Precision::float32. NaN counts as 0. Requires: `points` is not empty. Cost: linear in the
+  /// corners before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// The position `step` farther on than `from`, which this path gave. What moves a unit each tick. Requires: `points`
   /// is not empty, and has not changed since. Cost: linear in the corners that the step passes; of a negative step,
@@ -125,7 +126,7 @@ struct WAYWRIGHT_API Path {
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
   /// The position on the path that is nearest to `place`; of several, the first. For a unit that was pushed off its
-  /// path. Requires: `points` is not empty. Cost: linear in the corners.
+  /// path, which should lie in the domain. Requires: `points` is not empty. Cost: linear in the corners.
   [[nodiscard]] PathPosition nearest(const Point& place, Precision precision = Precision::float64) const;
 };
 

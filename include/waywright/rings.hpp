@@ -33,6 +33,24 @@ class Rings {
 
   /// No ring.
   Rings() = default;
+  Rings(const Rings&) = default;
+  Rings& operator=(const Rings&) = default;
+  /// What has been moved from has no rings.
+  Rings(Rings&& other) noexcept
+      : ring_count_(std::exchange(other.ring_count_, 0)),
+        points_(std::move(other.points_)),
+        later_begins_(std::move(other.later_begins_)) {
+    other.clear();
+  }
+  Rings& operator=(Rings&& other) noexcept {
+    if (this == &other) return *this;
+    ring_count_ = std::exchange(other.ring_count_, 0);
+    points_ = std::move(other.points_);
+    later_begins_ = std::move(other.later_begins_);
+    other.clear();
+    return *this;
+  }
+  ~Rings() = default;
   /// Several rings.
   Rings(std::initializer_list<PointSpan> rings) { append_all(rings); }
   template <class List>

@@ -223,8 +223,9 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const;
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
 
-  /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both. An end that
-  /// lies strictly inside a polygon, but no farther from a free place than PathQuery::end_tolerance, is moved there:
+  /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both. An end
+  /// that polygons cover on all sides, so that no way leads from there, is moved if a free place is no farther than
+  /// PathQuery::end_tolerance:
   /// to the nearest free place, among those that are joined with the other end if the world keeps its abstraction and
   /// there are any. If walls part the ends, an end that lies beside a wall by no more than rounding
   /// (default_end_tolerance() at most) is moved to its other side, if this joins the ends; this, too, takes a world

@@ -88,6 +88,30 @@ TEST(PathPosition, LiesOnTheSideThatTurnsKeepFree) {
   }
 }
 
+// Next to 0 the doubles lie far closer together than the error of a place on a long piece.
+TEST(PathPosition, IsFoundNextToTheOriginAtOnce) {
+  World world = World::create({{-50, -50}, {50, 50}}).value();
+  world.insert_segment({-50, 20.1}, {10.3, 20.1}).value();
+  const Path path = world.find_path({{-10.3, -20.099999}, {-40, 40}}).value();
+  const double half = std::hypot(path.points.at(1).x - path.points[0].x, path.points[1].y - path.points[0].y) / 2;
+  const Path hand_made = path_of({{-0.3, -0.7}, {0.30000000000000004, 0.7}, {5, 0.7}});
+  for (const Precision precision : {Precision::float64, Precision::float32}) {
+    for (const double offset : {0.0, 1e-3, 1e-5, 1e-9, 1e-14, -1e-5, -1e-14}) {
+      const PathPosition position = path.at(half - offset, precision);
+      EXPECT_LT(std::hypot(position.at.x, position.at.y), 0.01);
+      EXPECT_TRUE(world.find_path({position.at, {-40, 40}}).ok());
+      const PathPosition other = hand_made.at(std::hypot(0.3, 0.7) - offset, precision);
+      EXPECT_LT(std::hypot(other.at.x, other.at.y), 0.01);
+    }
+  }
+}
+
+TEST(PathPosition, AtADistanceThatIsNoNumberIsTheStart) {
+  const double nan = std::nan("");
+  expect_position(kCorner.at(nan), {0, 0}, {1, 0}, 0, 0);
+  expect_position(kCorner.advance(kCorner.at(5), nan, Precision::float32), {0, 0}, {1, 0}, 0, 0);
+}
+
 // The wall has no thickness, reaches from border to border, and its other side holds no way to the goal.
 TEST(PathPosition, StaysOnItsSideOfAThinWall) {
   World world = World::create({{0, 0}, {64, 64}}).value();
