@@ -14,13 +14,20 @@ void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto add = [&](mesh::Face f) { entries_.push_back({version_ + 1, f}); };
   mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
+    if (entries_.size() > kLongest) return;
     add(f);
     if (!mesh.is_alive(f)) return;
     for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
       if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
-      mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) { add(mesh::face(around)); });
+      mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) {
+        if (entries_.size() <= kLongest) add(mesh::face(around));
+      });
     }
   });
+  if (entries_.size() > kLongest) {
+    entries_.clear();
+    return note_everything();
+  }
   if (entries_.capacity() - entries_.size() < kSpare) entries_.reserve(2 * entries_.size() + kSpare);
 }
 

@@ -20,6 +20,15 @@ class ZeroedArray {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);
 
  public:
+  ZeroedArray() = default;
+  ZeroedArray(ZeroedArray&& other) noexcept
+      : values_(std::move(other.values_)), size_(std::exchange(other.size_, std::size_t{0})) {}
+  ZeroedArray& operator=(ZeroedArray&& other) noexcept {
+    values_ = std::move(other.values_);
+    size_ = std::exchange(other.size_, std::size_t{0});
+    return *this;
+  }
+
   /// Makes room for the values of indices below `count`. Values that were there stay.
   void cover(std::size_t count) {
     if (count > size_) [[unlikely]]

@@ -102,6 +102,7 @@ std::optional<PathStatus> Ends::set_goal(const Point& goal) {
 
 /// How the search ends where the straight way is not free and there is nothing to search.
 std::optional<PathStatus> Ends::known_status() {
+  std::swap(tried_, crossed_);
   crossed_.clear();
   const bool is_start_blocked = start_faces_.empty() && cover_.is_strictly_inside(*triangulation_, start_place_);
   if (is_start_blocked) return PathStatus::start_blocked;

@@ -54,6 +54,9 @@ class Ends {
   }
   /// The edges that the straight way crosses, in the faces before them. Requires: it is free.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& crossed() const { return crossed_; }
+  /// The edges that the straight way crosses before it meets a wall or a vertex. Requires: it is not free.
+  [[nodiscard]] const std::vector<mesh::HalfEdge>& tried() const { return tried_; }
+  [[nodiscard]] bool has_moved() const { return moved_start_ || moved_goal_; }
 
  private:
   class StraightWay;
@@ -87,6 +90,7 @@ class Ends {
   std::vector<mesh::HalfEdge> start_faces_;
   std::vector<mesh::HalfEdge> goal_faces_;
   std::vector<mesh::HalfEdge> crossed_;
+  std::vector<mesh::HalfEdge> tried_;
   KeptCover cover_;
   FreePlaces free_places_;
 };

@@ -65,11 +65,17 @@ void Finder::begin(const Triangulation& triangulation, const Abstraction* abstra
   }
 }
 
+/// Notes what the ends were found from. Where that is not known face by face, every change counts: if there is nothing
+/// to search, if an end was moved, and for `tra`, which has not begun to search.
 void Finder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
-  if (is_done_) return looked_at_->look_at_all();  // what was looked at on the straight way is not known
+  if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();
   for (const mesh::HalfEdge h : ends_.start_faces()) looked_at_->look(mesh::face(h));
   for (const mesh::HalfEdge h : ends_.goal_faces()) looked_at_->look(mesh::face(h));
+  for (const mesh::HalfEdge h : ends_.tried()) {
+    looked_at_->look(mesh::face(h));
+    looked_at_->look(mesh::face(triangulation_->topology().twin(h)));
+  }
 }
 
 void Finder::cover_mesh() {

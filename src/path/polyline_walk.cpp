@@ -95,9 +95,8 @@ void PolylineWalk::walk_piece(const View& target) {
     ascends_ = order < 0;
     wedges_.clear();
     waiting_.assign(1, start);
-    while (!waiting_.empty()) {
-      const State state = waiting_.back();
-      waiting_.pop_back();
+    for (std::size_t next = 0; next < waiting_.size(); ++next) {
+      const State state = waiting_[next];
       leave(state);
     }
   }
@@ -234,7 +233,9 @@ void PolylineWalk::add_arrived(const State& state) {
 /// Comes to the origin of `outgoing` through its face: the end of the piece, or a place to go on from.
 void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
   const HalfEdge wedge = first_of_wedge(outgoing);
-  if (std::find(wedges_.begin(), wedges_.end(), wedge) != wedges_.end()) return;
+  // The agent comes to the vertices in their order on the line, to each at most once on each side of it.
+  const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));
+  if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
   const View place = view(mesh_->origin(outgoing));
   if (geometry().order(place, line_.to) == 0) return arrive(Spot::vertex, wedge);

@@ -181,6 +181,43 @@ TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
   EXPECT_EQ(search.path().points.size(), 3U);
 }
 
+// The search has not looked at the faces beside the wall that parts its ends; only the straight way has come there.
+TEST(PathSearch, NoticesThatTheStraightWayHasBecomeFree) {
+  for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
+    World world = World::create({{0, 0}, {100, 100}}).value();
+    for (double x = 5; x < 80; x += 5) world.insert_point({x, 45}).value();
+    const ItemId wall = world.insert_segment({80, 40}, {80, 60}).value();
+    const PathQuery query{{1, 50}, {99, 50}, 0.0, algorithm};
+    PathSearch search;
+    ASSERT_TRUE(search.begin(world, query).ok());
+    world.remove(wall).value();
+    while (!search.step(1).value()) {
+    }
+    expect_equal(search.path(), world.find_path(query).value());
+  }
+}
+
+// What an end was moved by has gone, so another free place is nearer now.
+TEST(PathSearch, NoticesThatAnEndWouldBeMovedElsewhere) {
+  World world = World::create({{-100, -100}, {1100, 1100}}, {.keep_abstraction = false}).value();
+  const std::vector<std::vector<Point>> ring = {{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}},
+                                                {{400, 400}, {600, 400}, {600, 600}, {400, 600}}};
+  world.insert_polygon(ring).value();
+  const ItemId filling =
+      world.insert_polygon(std::vector<Point>{{399, 399}, {601, 399}, {601, 601}, {399, 601}}).value();
+  for (double x = 20; x < 1000; x += 20) world.insert_point({x, 300}).value();
+  for (double y = -90; y < 1090; y += 40) world.insert_segment({-50, y}, {-20, y}).value();
+  PathQuery query{{300, 500}, {-90, -90}};
+  query.end_tolerance = 1e9;
+  PathSearch search;
+  ASSERT_TRUE(search.begin(world, query).ok());
+  world.remove(filling).value();
+  while (!search.step(1).value()) {
+  }
+  EXPECT_EQ(search.path().moved_start, world.find_path(query).value().moved_start);
+  EXPECT_EQ(search.path().status, world.find_path(query).value().status);
+}
+
 TEST(PathSearch, NoticesThatAnEmptyWorldHasBeenFilled) {
   World filled = World::create({{0, 0}, {10, 10}}).value();
   PathSearch search;
