@@ -54,6 +54,11 @@ class ChangeLog {
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
+  /// Gives back spare memory; the entries stay. Requires: no operation is under way.
+  void shrink_to_fit() {
+    memory::shrink(entries_);
+    memory::release(boxes_);
+  }
 
  private:
   /// The items of one operation beyond these share the last box.

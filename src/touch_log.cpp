@@ -43,6 +43,14 @@ void TouchLog::note_abstraction(const path::Abstraction& abstraction) {
   if (!is_told) note_everything();
 }
 
+void TouchLog::shrink_to_fit() {
+  if (searches_.load(std::memory_order_relaxed) == 0) {
+    entries_.clear();
+    complete_since_ = version_;
+  }
+  memory::shrink(entries_);
+}
+
 bool TouchLog::has_touched(const path::LookedAt& looked_at, std::uint64_t since) const {
   if (since < complete_since_) return true;
   const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };

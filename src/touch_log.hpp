@@ -9,6 +9,7 @@
 #include "constraint/exact_triangulation.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "path/abstraction.hpp"
+#include "memory/count.hpp"
 #include "path/looked_at.hpp"
 
 namespace waywright {
@@ -39,6 +40,10 @@ class TouchLog {
 
   /// Whether an operation after the version `since` has touched a face that a search has looked at.
   [[nodiscard]] bool has_touched(const path::LookedAt& looked_at, std::uint64_t since) const;
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_); }
+  /// Gives back spare memory. The notes stay while a search runs.
+  void shrink_to_fit();
 
  private:
   /// A log that is longer starts anew, and all searches do, too.

@@ -364,8 +364,9 @@ std::size_t World::triangle_count() const {
 
 Result<void> World::locate(Point point, QueryContext& context, Location& location) const {
   const base::FloatEnvironment environment;
-  if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
-  const constraint::ExactTriangulation& triangulation = impl_->triangulation;
+  const Impl& impl = *impl_;
+  const constraint::ExactTriangulation& triangulation = impl.triangulation;
+  if (auto error = find_point_error(triangulation.domain(), point, 0, "the point")) return *std::move(error);
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   const locate::Located place = delaunay.locate(point);
@@ -382,7 +383,7 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   }
   location.inside.clear();
   path::KeptCover& cover = context.scratch_->cover;
-  cover.use(impl_->kept_abstraction());
+  cover.use(impl.kept_abstraction());
   for (const std::uint32_t item : cover.of_place(triangulation, place)) {
     location.inside.push_back(triangulation.items().id(item));
   }
@@ -469,12 +470,21 @@ Result<std::vector<ItemId>> World::items_in(const Box& box) const {
 
 MemoryUse World::memory() const {
   MemoryUse use;
-  use.spare = sizeof(Impl);
+  use.spare = sizeof(Impl) + sizeof(TouchLog);
   impl_->triangulation.count_memory(use);
   impl_->change_log.count_memory(use);
+  impl_->touch_log->count_memory(use);
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
   return use;
+}
+
+void World::shrink_to_fit() {
+  impl_->triangulation.shrink_to_fit();
+  if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
+  impl_->change_log.shrink_to_fit();
+  impl_->touch_log->shrink_to_fit();
+  memory::release(impl_->outline.corners, impl_->outline.ring_ends);
 }
 
 Validation World::validate() const {

@@ -36,9 +36,9 @@ std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance
   return Error{ErrorCode::bad_distance, "the end tolerance is negative or not a number", {}, 0};
 }
 
-std::optional<Error> find_query_error(const World& world, bool keeps_abstraction, const PathQuery& query) {
-  if (auto error = find_point_error(world.domain(), query.start, 0, "the start")) return error;
-  if (auto error = find_point_error(world.domain(), query.goal, 1, "the goal")) return error;
+std::optional<Error> find_query_error(const Box& domain, bool keeps_abstraction, const PathQuery& query) {
+  if (auto error = find_point_error(domain, query.start, 0, "the start")) return error;
+  if (auto error = find_point_error(domain, query.goal, 1, "the goal")) return error;
   if (auto error = find_radius_error(query.radius)) return error;
   if (auto error = find_tolerance_error(query.end_tolerance)) return error;
   if (query.algorithm == PathAlgorithm::tra && !keeps_abstraction) {
@@ -51,9 +51,13 @@ std::optional<Error> find_query_error(const World& world, bool keeps_abstraction
 
 Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
   const base::FloatEnvironment environment;
-  if (auto error = find_query_error(*this, impl_->abstraction.has_value(), query)) return *std::move(error);
+  const Impl& impl = *impl_;
+  const path::Abstraction* const abstraction = impl.kept_abstraction();
+  if (auto error = find_query_error(impl.triangulation.domain(), abstraction != nullptr, query)) {
+    return *std::move(error);
+  }
   path::Finder& finder = context.scratch_->finder;
-  finder.begin(impl_->triangulation, impl_->kept_abstraction(), query, path);
+  finder.begin(impl.triangulation, abstraction, query, path);
   finder.step(kToTheEnd, path);
   return {};
 }
@@ -70,7 +74,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
                                std::vector<Path>& paths, JobSystem* jobs) const {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (auto error = find_query_error(*this, impl_->abstraction.has_value(), queries[i])) {
+    if (auto error = find_query_error(domain(), impl_->abstraction.has_value(), queries[i])) {
       error->index = i;
       error->words.list = "query";
       return *std::move(error);
@@ -216,7 +220,7 @@ PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   const base::FloatEnvironment environment;
   cancel();
-  if (auto error = find_query_error(world, world.impl_->abstraction.has_value(), query)) return *std::move(error);
+  if (auto error = find_query_error(world.domain(), world.impl_->abstraction.has_value(), query)) return *std::move(error);
   impl_->query = query;
   impl_->restarts = 0;
   impl_->world = &*world.impl_;

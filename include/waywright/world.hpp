@@ -295,6 +295,10 @@ class WAYWRIGHT_API World {
   /// The memory that the world holds, by what it is for. What the allocator adds to each piece isn't counted.
   /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
+  /// Gives back most of the memory that memory() calls spare. Call it after a level has been loaded or many items have
+  /// been removed, if memory is short: the next operations allocate their scratch again. No answer and no hash depends
+  /// on it. Cost: linear in the mesh; for a moment, an array more.
+  void shrink_to_fit();
 
   /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the
   /// empty circle and its ties on every free edge, what is kept for paths against a rebuild. Cost: linear in the mesh,

@@ -91,6 +91,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
   void count_memory(MemoryUse& use) const;
+  /// Gives back spare memory. Requires: no operation is under way.
+  void shrink_to_fit();
 
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;

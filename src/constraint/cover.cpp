@@ -117,7 +117,9 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
 
 std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
   std::int32_t turns = 0;
-  go_out(triangulation, h, [&](mesh::HalfEdge edge) { turns += turns_across(triangulation, edge, polygon); });
+  with_winding(triangulation, polygon, [&](const auto& winding) {
+    go_out(triangulation, h, [&](mesh::HalfEdge edge) { turns += winding.across(edge); });
+  });
   return turns;
 }
 

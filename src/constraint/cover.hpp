@@ -54,8 +54,8 @@ class Cover {
 void faces_at(const ExactTriangulation& triangulation, const locate::Located& place,
               std::vector<mesh::HalfEdge>& faces);
 
-/// The polygon's winding number around the face of `h`; of an even-odd polygon only its parity counts. Found on the way
-/// that Cover::of_face goes.
+/// The polygon's winding number around the face of `h`; of an even-odd polygon only its parity counts. The function
+/// crosses the same edges as Cover::of_face.
 [[nodiscard]] std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h,
                                         std::uint32_t polygon);
 

@@ -126,6 +126,12 @@ class ItemTable {
     ids_.count_memory(use, &MemoryUse::items);
     memory::count_spare(use, log_);
   }
+  /// Gives back spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit() {
+    memory::shrink(items_, sides_, index_);
+    ids_.shrink_to_fit();
+    memory::release(log_);
+  }
 
  private:
   static constexpr std::uint32_t kEmpty = 0;  ///< in the index, where the domain never is

@@ -40,6 +40,16 @@ void ConstrainedTriangulation<Geometry>::count_memory(MemoryUse& use) const {
 }
 
 template <class Geometry>
+void ConstrainedTriangulation<Geometry>::shrink_to_fit() {
+  begin();  // empties all logs
+  triangulation_.shrink_to_fit();
+  items_.shrink_to_fit();
+  uses_.shrink_to_fit();
+  memory::shrink(corner_uses_);
+  memory::release(corner_uses_log_, crossed_, touched_, outline_.corners, outline_.ring_ends);
+}
+
+template <class Geometry>
 void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses uses) {
   corner_uses_log_.emplace_back(v, corner_uses_[number(v)]);
   corner_uses_[number(v)] = uses;

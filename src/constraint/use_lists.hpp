@@ -50,6 +50,11 @@ class UseLists {
     memory::count(use, part, nodes_);
     memory::count_spare(use, log_);
   }
+  /// Gives back spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit() {
+    memory::shrink(nodes_);
+    memory::release(log_);
+  }
 
  private:
   static constexpr std::uint32_t kNode = 0x80000000;

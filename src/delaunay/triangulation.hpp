@@ -141,6 +141,8 @@ class Triangulation {
   [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
 
   void count_memory(MemoryUse& use) const;
+  /// Gives back spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit();
 
  private:
   using Triangle = mesh::TriangleMesh::Triangle;

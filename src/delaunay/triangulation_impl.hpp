@@ -72,6 +72,15 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
 }
 
 template <class Geometry>
+void Triangulation<Geometry>::shrink_to_fit() {
+  mesh_.shrink_to_fit();
+  if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
+  sectors_.shrink_to_fit();
+  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_, triangles_,
+                  left_chain_, right_chain_, dangling_, cavity_, corners_);
+}
+
+template <class Geometry>
 void Triangulation<Geometry>::roll_back() {
   mesh_.roll_back();
   geometry_.roll_back();

@@ -118,6 +118,12 @@ class Geometry {
     memory::count(use, &MemoryUse::crossings, crossings_);
     memory::count_spare(use, free_crossings_, left_crossings_, log_);
   }
+  /// Gives back spare memory, but not that of `free_crossings_`, which roll_back() needs. Requires: nothing has changed
+  /// since begin().
+  void shrink_to_fit() {
+    memory::shrink(places_, crossing_of_, crossings_);
+    memory::release(left_crossings_, log_);
+  }
 
  private:
   static constexpr std::uint32_t kExplicit = 0xffffffff;

@@ -70,6 +70,7 @@ class Sectors {
   void divide(const Point& point, std::size_t vertex_count);
 
   void count_memory(MemoryUse& use) const { memory::count(use, &MemoryUse::sectors, sectors_); }
+  void shrink_to_fit() { memory::shrink(sectors_); }
 
  private:
   /// What a sector remembers; with kDivided set, where its four quarters start, in the curve's order.

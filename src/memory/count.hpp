@@ -20,4 +20,16 @@ void count_spare(MemoryUse& use, const Vectors&... vectors) {
   use.spare += ((vectors.capacity() * sizeof(typename Vectors::value_type)) + ...);
 }
 
+/// Gives back what vectors have ready to grow into. Keeps it if there is no memory for the smaller array.
+template <class... Vectors>
+void shrink(Vectors&... vectors) {
+  (vectors.shrink_to_fit(), ...);
+}
+
+/// Empties vectors and gives back all their memory.
+template <class... Vectors>
+void release(Vectors&... vectors) noexcept {
+  ((vectors = Vectors()), ...);
+}
+
 }  // namespace waywright::memory

@@ -43,6 +43,8 @@ class Pages {
     memory::count(use, part, pages_);
     use.*part += page_count_ * sizeof(Page);
   }
+  /// Gives back what the table of pages has ready to grow into. Pages stay.
+  void shrink_to_fit() { memory::shrink(pages_); }
 
  private:
   static constexpr std::size_t kPageSize = 1024;

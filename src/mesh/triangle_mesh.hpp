@@ -184,6 +184,12 @@ class TriangleMesh {
     labels_.count_memory(use, &MemoryUse::walls);
     memory::count_spare(use, log_, saved_faces_);
   }
+  /// Gives back spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit() {
+    memory::shrink(corners_, outgoing_);
+    labels_.shrink_to_fit();
+    memory::release(log_, saved_faces_);
+  }
 
  private:
   static constexpr std::uint32_t kFixed = 0x80000000;

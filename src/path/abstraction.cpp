@@ -141,4 +141,13 @@ void Abstraction::count_memory(MemoryUse& use) const {
   memory::count_spare(use, inserted_, removed_, gone_, made_, common_);
 }
 
+void Abstraction::shrink_to_fit() {
+  components_.begin();  // empties the logs
+  core_.begin();
+  components_.shrink_to_fit();
+  core_.shrink_to_fit();
+  memory::shrink(is_touched_);
+  memory::release(inserted_, removed_, gone_, made_, common_);
+}
+
 }  // namespace waywright::path

@@ -51,6 +51,8 @@ class Abstraction {
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
 
   void count_memory(MemoryUse& use) const;
+  /// Gives back spare memory. Requires: no update is under way.
+  void shrink_to_fit();
 
  private:
   class Guard;

@@ -33,29 +33,28 @@ std::size_t first_corner(const constraint::ExactTriangulation& triangulation, st
 /// Goes along the edges of one side of a polygon and calls visit(face) for each face that the polygon covers at an edge
 /// on which its winding number changes. `h` starts at the side's first corner, `turns` is the winding number around its
 /// face; both are then so for the side's last corner.
-template <class Visit>
-void visit_inner_faces(const constraint::ExactTriangulation& triangulation, std::uint32_t slot, HalfEdge& h,
-                       std::int32_t& turns, Visit&& visit) {
+template <class Winding, class Visit>
+void visit_inner_faces(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::uint32_t slot,
+                       HalfEdge& h, std::int32_t& turns, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  const constraint::ItemTable& items = triangulation.items();
-  const Side side = items.side(slot);
+  const Side side = triangulation.items().side(slot);
   HalfEdge came = mesh::kNoHalfEdge;
   while (mesh.origin(h) != side.to) {
     HalfEdge on = mesh::kNoHalfEdge;
     std::int32_t turns_on = 0;
     const HalfEdge start = h;
-    std::int32_t change = constraint::turns_across(triangulation, h, side.item);
+    std::int32_t change = winding.across(h);
     do {
       if (change != 0) {
-        if (items.covers(side.item, turns)) visit(mesh::face(h));
-        if (items.covers(side.item, turns - change)) visit(mesh::face(mesh.twin(h)));
+        if (winding.covers(turns)) visit(mesh::face(h));
+        if (winding.covers(turns - change)) visit(mesh::face(mesh.twin(h)));
       }
       if (h != came && triangulation.uses().contains(mesh.label(h), slot)) {
         on = h;
         turns_on = turns;
       }
       h = mesh.next_around(h);
-      change = constraint::turns_across(triangulation, h, side.item);
+      change = winding.across(h);
       turns += change;
     } while (h != start);
     came = mesh.twin(on);
@@ -166,12 +165,16 @@ Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, st
       polygons_.push_back(side.item);
     }
   });
-  constraint::keep_each_if(polygons_, [&](std::uint32_t polygon, std::size_t count) {
-    if (triangulation.items().fill(polygon) == FillRule::even_odd) return count % 2 == 1;
-    const bool is_here = neighbour != kNone && covers_.contains(records_[neighbour].cover, polygon);
-    if (!turns_change(triangulation, h, polygon)) return is_here;
-    return !is_here || turns_around(triangulation, triangulation.topology().twin(h), polygon) != 0;
-  });
+  if (!triangulation.items().has_nonzero_polygons()) {
+    constraint::keep_odd(polygons_);
+  } else {
+    constraint::keep_each_if(polygons_, [&](std::uint32_t polygon, std::size_t count) {
+      if (triangulation.items().fill(polygon) == FillRule::even_odd) return count % 2 == 1;
+      const bool is_here = neighbour != kNone && covers_.contains(records_[neighbour].cover, polygon);
+      if (!constraint::Winding<FillRule::nonzero>(triangulation, polygon).changes_across(h)) return is_here;
+      return !is_here || turns_around(triangulation, triangulation.topology().twin(h), polygon) != 0;
+    });
+  }
   Uses cover = UseLists::kNone;
   for (const std::uint32_t polygon : polygons_) cover = covers_.add(cover, polygon);
   return cover;
@@ -179,6 +182,11 @@ Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, st
 
 /// Adds a polygon to what it covers: the faces between its sides.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon) {
+  constraint::with_winding(triangulation, polygon, [&](const auto& winding) { cover_with(triangulation, winding); });
+}
+
+template <class Winding>
+void Components::cover_with(const Triangulation& triangulation, const Winding& winding) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const std::uint32_t flood = next_mark_++;
   stack_.clear();
@@ -190,6 +198,7 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
     const Label label = labels_[number(f)];
     if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);
   };
+  const std::uint32_t polygon = winding.polygon();
   triangulation.items().outline(polygon, outline_);
   sides_.clear();
   triangulation.items().for_each_side(polygon, [&](std::uint32_t slot) { sides_.push_back(slot); });
@@ -200,10 +209,10 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
     const std::size_t first = first_corner(triangulation, {outline_.corners.data() + ring_begin, count});
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
     // To the right of that half-edge nothing of the ring is left. With other rings the ring may lie within them.
-    std::int32_t turns = outline_.ring_ends.size() == 1 ? turns_across(triangulation, h, polygon)
+    std::int32_t turns = outline_.ring_ends.size() == 1 ? winding.across(h)
                                                         : turns_around(triangulation, h, polygon);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
-      visit_inner_faces(triangulation, sides_[sides_begin + (first + i) % count], h, turns, visit);
+      visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, turns, visit);
     }
     ring_begin = ring_end;
     sides_begin += count > 1 ? count : 0;
@@ -213,7 +222,7 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
     stack_.pop_back();
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * number(f) + side};
-      if (!turns_change(triangulation, h, polygon)) visit(mesh::face(mesh.twin(h)));
+      if (!winding.changes_across(h)) visit(mesh::face(mesh.twin(h)));
     }
   }
   constraint::keep_one_of_each(flooded_);

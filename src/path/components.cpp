@@ -346,4 +346,12 @@ void Components::count_memory(MemoryUse& use) const {
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
+void Components::shrink_to_fit() {
+  memory::shrink(labels_, records_);
+  marks_.shrink_to_fit();
+  covers_.shrink_to_fit();
+  memory::release(label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_,
+                  parted_, stack_, flooded_, reached_, around_, sides_, polygons_);
+}
+
 }  // namespace waywright::path

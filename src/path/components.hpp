@@ -77,6 +77,8 @@ class Components {
   void roll_back();
 
   void count_memory(MemoryUse& use) const;
+  /// Gives back spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit();
 
  private:
   using Uses = constraint::Uses;
@@ -164,6 +166,8 @@ class Components {
                                   std::span<const std::uint32_t> inserted);
   [[nodiscard]] mesh::HalfEdge outer_half_edge(const Triangulation& triangulation, mesh::Vertex v);
   void cover_with(const Triangulation& triangulation, std::uint32_t polygon);
+  template <class Winding>
+  void cover_with(const Triangulation& triangulation, const Winding& winding);
   void set_cover(Label component, Uses cover);
 
   std::vector<Label> labels_;  ///< by face

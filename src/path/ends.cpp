@@ -67,7 +67,7 @@ double default_end_tolerance(const Box& domain) {
 }
 
 void Ends::set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
-                     double tolerance) {
+                     const std::optional<double>& tolerance) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
   cover_.use(abstraction);
@@ -144,8 +144,8 @@ bool Ends::move_blocked_ends() {
 /// If walls part the ends: an end may lie on the wrong side of a wall by no more than rounding. Moves it to the other
 /// side then. Returns whether it did.
 bool Ends::move_end_across_wall() {
-  if (abstraction_ == nullptr || !(tolerance_ > 0.0) || are_joined(abstraction_->components())) return false;
-  const double rounding = std::min(tolerance_, default_end_tolerance(triangulation_->domain()));
+  if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_joined(abstraction_->components())) return false;
+  const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));
   if (may_start_move_) {
     if (const auto found = find_joined_place(start_, start_place_, goal_faces_, rounding)) {
       move_start_to(*found);
@@ -178,11 +178,12 @@ void Ends::move_goal_to(const Point& place) {
 /// The free place nearest to an end, among those that are joined with the other end if there are any.
 std::optional<Point> Ends::find_free_place(const Point& end, const locate::Located& place,
                                            const std::vector<HalfEdge>& other_faces) {
-  if (!(tolerance_ > 0.0)) return std::nullopt;
+  const double limit = tolerance();
+  if (!(limit > 0.0)) return std::nullopt;
   if (abstraction_ != nullptr && !other_faces.empty()) {
-    if (const auto found = find_joined_place(end, place, other_faces, tolerance_)) return found;
+    if (const auto found = find_joined_place(end, place, other_faces, limit)) return found;
   }
-  return free_places_.nearest(*triangulation_, cover_, end, place, tolerance_, {});
+  return free_places_.nearest(*triangulation_, cover_, end, place, limit, {});
 }
 
 std::optional<Point> Ends::find_joined_place(const Point& end, const locate::Located& place,
@@ -190,10 +191,9 @@ std::optional<Point> Ends::find_joined_place(const Point& end, const locate::Loc
   return free_places_.nearest(*triangulation_, cover_, end, place, limit, {&abstraction_->components(), &other_faces});
 }
 
-void Ends::write_ends(PathStatus status, Path& path) {
+void Ends::write_moved_and_blocked(PathStatus status, Path& path) {
   path.moved_start = moved_start_;
   path.moved_goal = moved_goal_;
-  path.blockers.clear();
   const bool is_start = status == PathStatus::start_blocked;
   if (!is_start && status != PathStatus::goal_blocked) return;
   for (const std::uint32_t slot : cover_.strictly_covering(*triangulation_, is_start ? start_place_ : goal_place_)) {

@@ -23,17 +23,21 @@ class Ends {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Finds the start, with the help of an abstraction if there is one; both must stay as they are. `tolerance` says how
-  /// far blocked ends may be moved. Requires: the start lies in the domain, `tolerance` is not negative.
+  /// far blocked ends may be moved; the default is default_end_tolerance(). Requires: the start lies in the domain,
+  /// `tolerance` is not negative.
   void set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
-                 double tolerance);
+                 const std::optional<double>& tolerance);
   /// Moves the start right away if it is blocked, whatever the goal is. For searches with many goals.
   void free_start();
   /// Finds the goal. Returns how the search ends where there is nothing to search: the straight way is free, or an end
   /// is blocked or walled in. Requires: the goal lies in the domain.
   std::optional<PathStatus> set_goal(const Point& goal);
 
-  /// Writes which ends were moved and, if `status` says that an end is blocked, by which polygons.
-  void write_ends(PathStatus status, Path& path);
+  /// Writes which ends were moved and, if `status` says that an end is blocked, by which polygons. Requires: `path`
+  /// names none yet.
+  void write_ends(PathStatus status, Path& path) {
+    if (status != PathStatus::found || has_moved()) write_moved_and_blocked(status, path);
+  }
 
   /// The places that the path leads from and to: where the ends were moved to, if they were.
   [[nodiscard]] const Point& start() const { return start_; }
@@ -62,6 +66,10 @@ class Ends {
   class StraightWay;
 
   [[nodiscard]] bool sees_goal();
+  [[nodiscard]] double tolerance() const {
+    return tolerance_ ? *tolerance_ : default_end_tolerance(triangulation_->domain());
+  }
+  void write_moved_and_blocked(PathStatus status, Path& path);
   void find_start_faces();
   void find_goal_faces();
   [[nodiscard]] std::optional<PathStatus> known_status();
@@ -80,7 +88,7 @@ class Ends {
   const Abstraction* abstraction_ = nullptr;  ///< or null
   Point start_;
   Point goal_;
-  double tolerance_ = 0.0;
+  std::optional<double> tolerance_;
   locate::Located start_place_;
   locate::Located goal_place_;
   bool is_start_known_ = false;  ///< whether `start_faces_` is

@@ -31,10 +31,6 @@ void clear(Path& path) {
   path.blockers.clear();
 }
 
-double tolerance_of(const std::optional<double>& asked, const Finder::Triangulation& triangulation) {
-  return asked ? *asked : default_end_tolerance(triangulation.domain());
-}
-
 }  // namespace
 
 void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
@@ -45,7 +41,7 @@ void Finder::begin(const Triangulation& triangulation, const Abstraction* abstra
   query_ = query;
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
   clear(path);
-  ends_.set_start(triangulation, abstraction, query.start, tolerance_of(query.end_tolerance, triangulation));
+  ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
   const std::optional<PathStatus> known = ends_.set_goal(query.goal);
   ends_.write_ends(known.value_or(PathStatus::no_path), path);
   is_searched_ = !known.has_value();
@@ -160,7 +156,7 @@ void Finder::find_all(const Triangulation& triangulation, const Abstraction* abs
   paths.resize(query.goals.size());
   searched_.clear();
   std::size_t expansions = 0;
-  ends_.set_start(triangulation, abstraction, query.start, tolerance_of(query.end_tolerance, triangulation));
+  ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
   ends_.free_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     clear(paths[i]);

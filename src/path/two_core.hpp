@@ -88,6 +88,11 @@ class TwoCore {
     memory::count(use, &MemoryUse::abstraction, states_);
     memory::count_spare(use, log_, loose_);
   }
+  /// Gives back spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit() {
+    memory::shrink(states_);
+    memory::release(log_, loose_);
+  }
 
  private:
   // A face's state: a bit for each half-edge that is a way in the core; the side towards the core; whether it is core.

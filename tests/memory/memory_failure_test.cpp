@@ -57,11 +57,15 @@ struct Reference {
   std::size_t allocations = 0;
 };
 
-Reference undisturbed(const Script& script) {
+/// What comes before each operation.
+enum class Before { nothing, shrink_to_fit };
+
+Reference undisturbed(const Script& script, Before before_each = Before::nothing) {
   Reference reference;
   World world = World::create(script.domain).value();
   reference.dumps.push_back(world.dump());
   for (const std::vector<Change>& changes : script.operations) {
+    if (before_each == Before::shrink_to_fit) world.shrink_to_fit();
     const std::size_t before = allocation_count();
     EXPECT_TRUE(world.apply(changes).ok());
     reference.allocations += allocation_count() - before;
@@ -94,35 +98,42 @@ bool apply_with_failure(World& world, const std::vector<Change>& changes, std::s
   return is_through && is_accepted;
 }
 
+/// Run again for every n, the n-th allocation failing: that operation has then changed nothing, and the same operation
+/// asked for once more, and all later ones, do what they do undisturbed.
+void expect_nothing_changes_on_failure(Flavour flavour, std::uint64_t seed, Before before_each) {
+  const Script script = random_script(flavour, seed);
+  const Reference reference = undisturbed(script, before_each);
+  ASSERT_GT(reference.allocations, 100U);
+  std::size_t failures = 0;
+  for (std::size_t n = 1; n <= reference.allocations; ++n) {
+    World world = World::create(script.domain).value();
+    std::size_t left = n;
+    for (std::size_t i = 0; i < script.operations.size(); ++i) {
+      if (before_each == Before::shrink_to_fit) world.shrink_to_fit();
+      if (apply_with_failure(world, script.operations[i], left)) continue;
+      ++failures;
+      ASSERT_EQ(world.dump(), reference.dumps[i]) << "seed " << seed << ", allocation " << n << ", operation " << i;
+      const Validation validation = world.validate();
+      ASSERT_TRUE(validation.ok) << validation.fault << " at seed " << seed << ", allocation " << n;
+      ASSERT_TRUE(world.apply(script.operations[i]).ok());
+      ASSERT_EQ(world.dump(), reference.dumps[i + 1]) << "the second time, after allocation " << n << " failed";
+    }
+    ASSERT_EQ(world.dump(), reference.dumps.back());
+  }
+  EXPECT_EQ(failures, reference.allocations);
+}
+
 class MemoryFailure : public testing::TestWithParam<Flavour> {};
 
 INSTANTIATE_TEST_SUITE_P(Flavours, MemoryFailure, testing::ValuesIn(kFlavours),
                          [](const auto& flavour) { return std::string(to_string(flavour.param)); });
 
-// Run again for every n, the n-th allocation failing: that operation has then changed nothing, and the same operation
-// asked for once more, and all later ones, do what they do undisturbed.
 TEST_P(MemoryFailure, AnywhereInAnOperationChangesNothing) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const Script script = random_script(GetParam(), seed);
-    const Reference reference = undisturbed(script);
-    ASSERT_GT(reference.allocations, 100U);
-    std::size_t failures = 0;
-    for (std::size_t n = 1; n <= reference.allocations; ++n) {
-      World world = World::create(script.domain).value();
-      std::size_t left = n;
-      for (std::size_t i = 0; i < script.operations.size(); ++i) {
-        if (apply_with_failure(world, script.operations[i], left)) continue;
-        ++failures;
-        ASSERT_EQ(world.dump(), reference.dumps[i]) << "seed " << seed << ", allocation " << n << ", operation " << i;
-        const Validation validation = world.validate();
-        ASSERT_TRUE(validation.ok) << validation.fault << " at seed " << seed << ", allocation " << n;
-        ASSERT_TRUE(world.apply(script.operations[i]).ok());
-        ASSERT_EQ(world.dump(), reference.dumps[i + 1]) << "the second time, after allocation " << n << " failed";
-      }
-      ASSERT_EQ(world.dump(), reference.dumps.back());
-    }
-    EXPECT_EQ(failures, reference.allocations);
-  }
+  for (std::uint64_t seed = 0; seed < 4; ++seed) expect_nothing_changes_on_failure(GetParam(), seed, Before::nothing);
+}
+
+TEST_P(MemoryFailure, AfterShrinkingChangesNothing) {
+  expect_nothing_changes_on_failure(GetParam(), 4, Before::shrink_to_fit);
 }
 
 // Nothing that a search through the components had written down comes in the way of another, much later one.

@@ -59,6 +59,24 @@ TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
   }
 }
 
+// What stays is the world itself, and the boxes of the last changes: 2,048 of 40 bytes and as many again at most.
+TEST(MemoryUse, ShrinkingLeavesLittleSpare) {
+  const std::vector<Item> walls = random_walls(kCount / 10);
+  const std::ptrdiff_t before = live_bytes();
+  World world = World::create(kBox).value();
+  world.insert_all(walls).value();
+  for (std::size_t i = 0; i < walls.size(); i += 2) world.remove(walls[i].id).value();
+  const MeshHash hash = world.mesh_hash();
+  ASSERT_GT(world.memory().spare, 150'000U);
+  world.shrink_to_fit();
+  EXPECT_LE(world.memory().spare, 4096U * 40 + 20'000);
+  expect_all_told(world, before);
+  EXPECT_EQ(world.mesh_hash(), hash);
+  EXPECT_TRUE(world.validate().ok);
+  for (std::size_t i = 0; i < walls.size(); i += 2) world.insert(walls[i].shape, walls[i].id).value();
+  EXPECT_TRUE(world.validate().ok);
+}
+
 // A vertex takes its place (16), a half-edge (4) and a list of items (4), its two faces 48, its item 8, and sectors
 // from 4 to 8 and a little where they are crowded; ids that count up take nothing, and nor do labels.
 TEST(MemoryUse, APointOfManyTakesLessThanNinetyTwoBytes) {
