@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "constraint/exact_triangulation.hpp"
+#include "memory/count.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "path/abstraction.hpp"
-#include "memory/count.hpp"
 #include "path/looked_at.hpp"
 
 namespace waywright {

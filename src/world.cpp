@@ -392,9 +392,9 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
 }
 
 Result<Location> World::locate(Point point) const {
-  QueryContext context;
+  const SpareContext::Loan context = impl_->spare_context.borrow();
   Location location;
-  if (auto done = locate(point, context, location); !done) return done.error();
+  if (auto done = locate(point, *context, location); !done) return done.error();
   return location;
 }
 
@@ -407,15 +407,10 @@ Result<void> World::items_at(Point point, QueryContext& context, std::vector<Ite
   return {};
 }
 
-// Makes only the scratch that it needs: a whole context would cost more than the query.
 Result<std::vector<ItemId>> World::items_at(Point point) const {
-  const base::FloatEnvironment environment;
-  if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
-  path::KeptCover cover;
-  cover.use(impl_->kept_abstraction());
-  constraint::ItemQueryScratch scratch;
+  const SpareContext::Loan context = impl_->spare_context.borrow();
   std::vector<ItemId> items;
-  constraint::items_at(impl_->triangulation, cover, point, scratch, items);
+  if (auto done = items_at(point, *context, items); !done) return done.error();
   return items;
 }
 
@@ -427,9 +422,9 @@ Result<void> World::items_crossed(Point from, Point to, QueryContext& context, s
 }
 
 Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) const {
-  QueryContext context;
+  const SpareContext::Loan context = impl_->spare_context.borrow();
   std::vector<CrossedItem> items;
-  if (auto done = items_crossed(from, to, context, items); !done) return done.error();
+  if (auto done = items_crossed(from, to, *context, items); !done) return done.error();
   return items;
 }
 
@@ -462,9 +457,9 @@ Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<
 }
 
 Result<std::vector<ItemId>> World::items_in(const Box& box) const {
-  QueryContext context;
+  const SpareContext::Loan context = impl_->spare_context.borrow();
   std::vector<ItemId> items;
-  if (auto done = items_in(box, context, items); !done) return done.error();
+  if (auto done = items_in(box, *context, items); !done) return done.error();
   return items;
 }
 
@@ -484,6 +479,7 @@ void World::shrink_to_fit() {
   if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
   impl_->change_log.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
+  impl_->spare_context.release();
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);
 }
 

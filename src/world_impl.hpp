@@ -10,6 +10,7 @@
 #include "change_log.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "path/abstraction.hpp"
+#include "spare_context.hpp"
 #include "touch_log.hpp"
 
 namespace waywright {
@@ -37,6 +38,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
   ChangeLog change_log;
   constraint::Outline outline;  ///< scratch
+  SpareContext spare_context;
 };
 
 /// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.

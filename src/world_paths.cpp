@@ -63,9 +63,9 @@ Result<void> World::find_path(const PathQuery& query, QueryContext& context, Pat
 }
 
 Result<Path> World::find_path(const PathQuery& query) const {
-  QueryContext context;
+  const SpareContext::Loan context = impl_->spare_context.borrow();
   Path path;
-  if (auto done = find_path(query, context, path); !done) return done.error();
+  if (auto done = find_path(query, *context, path); !done) return done.error();
   return path;
 }
 
@@ -113,9 +113,9 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
 }
 
 Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) const {
-  QueryContext context;
+  const SpareContext::Loan context = impl_->spare_context.borrow();
   std::vector<Path> paths;
-  if (auto done = find_paths_from(query, context, paths); !done) return done.error();
+  if (auto done = find_paths_from(query, *context, paths); !done) return done.error();
   return paths;
 }
 
@@ -134,8 +134,8 @@ Result<bool> World::is_clear(std::span<const Point> points, QueryContext& contex
 }
 
 Result<bool> World::is_clear(std::span<const Point> points) const {
-  QueryContext context;
-  return is_clear(points, context);
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  return is_clear(points, *context);
 }
 
 Result<bool> World::is_clear(const Point& from, const Point& to, QueryContext& context) const {
@@ -144,8 +144,8 @@ Result<bool> World::is_clear(const Point& from, const Point& to, QueryContext& c
 }
 
 Result<bool> World::is_clear(const Point& from, const Point& to) const {
-  QueryContext context;
-  return is_clear(from, to, context);
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  return is_clear(from, to, *context);
 }
 
 bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
@@ -220,7 +220,8 @@ PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   const base::FloatEnvironment environment;
   cancel();
-  if (auto error = find_query_error(world.domain(), world.impl_->abstraction.has_value(), query)) return *std::move(error);
+  if (auto error = find_query_error(world.domain(), world.impl_->abstraction.has_value(), query))
+    return *std::move(error);
   impl_->query = query;
   impl_->restarts = 0;
   impl_->world = &*world.impl_;

@@ -292,12 +292,14 @@ class WAYWRIGHT_API World {
   /// Goes up by one with every operation that is carried out, and with no other. Cost: none.
   [[nodiscard]] std::uint64_t version() const;
 
-  /// The memory that the world holds, by what it is for. What the allocator adds to each piece isn't counted.
-  /// Cost: O(1).
+  /// The memory that the world holds, by what it is for. It does not count what the allocator adds to each piece, nor
+  /// the context that the world keeps once a query without a context has been made: about 16 bytes for each face, as
+  /// much as a QueryContext of yours. Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
-  /// Gives back most of the memory that memory() calls spare. Call it after a level has been loaded or many items have
-  /// been removed, if memory is short: the next operations allocate their scratch again. No answer and no hash depends
-  /// on it. Cost: linear in the mesh; for a moment, an array more.
+  /// Gives back most of the memory that memory() calls spare, and the world's own context for queries. Call it if
+  /// memory is short, after a level has been loaded or many items have been removed. The next operations allocate their
+  /// scratch again. No answer and no hash depends on it. Cost: linear in the mesh; for a moment, the memory of one more
+  /// array.
   void shrink_to_fit();
 
   /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the

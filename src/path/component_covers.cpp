@@ -209,8 +209,7 @@ void Components::cover_with(const Triangulation& triangulation, const Winding& w
     const std::size_t first = first_corner(triangulation, {outline_.corners.data() + ring_begin, count});
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
     // To the right of that half-edge nothing of the ring is left. With other rings the ring may lie within them.
-    std::int32_t turns = outline_.ring_ends.size() == 1 ? winding.across(h)
-                                                        : turns_around(triangulation, h, polygon);
+    std::int32_t turns = outline_.ring_ends.size() == 1 ? winding.across(h) : turns_around(triangulation, h, polygon);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
       visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, turns, visit);
     }

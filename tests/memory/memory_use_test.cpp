@@ -97,5 +97,35 @@ TEST(MemoryUse, PathsTakeLessThanElevenBytesMore) {
   EXPECT_LE(world.memory().abstraction, 12 * kCount);
 }
 
+// The arrays of a context have room for each half-edge of the mesh. A world keeps one context, so that a query which
+// brings none neither makes these arrays nor clears them.
+TEST(MemoryUse, AQueryWithoutAContextAllocatesOnlyItsAnswer) {
+  World world = World::create(kBox).value();
+  world.insert_points(random_points(kCount)).value();
+  world.insert_segment({0.5, 0.495}, {0.5, 0.505}).value();
+  for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
+    PathQuery query;
+    query.start = {0.499, 0.5};
+    query.goal = {0.501, 0.5};
+    query.algorithm = algorithm;
+    Path path = world.find_path(query).value();
+    ASSERT_GE(path.points.size(), 3U);
+    const std::size_t before = allocation_count();
+    path = world.find_path(query).value();
+    EXPECT_LE(allocation_count() - before, 6U) << to_string(algorithm);  // the answer's points, as they grow
+  }
+}
+
+TEST(MemoryUse, ShrinkingGivesBackTheContextThatTheWorldKeeps) {
+  World world = World::create(kBox).value();
+  world.insert_points(random_points(kCount)).value();
+  world.shrink_to_fit();
+  const std::ptrdiff_t before = live_allocations();
+  ASSERT_EQ(world.find_path({.start = {0.1, 0.1}, .goal = {0.9, 0.9}}).value().status, PathStatus::found);
+  EXPECT_GT(live_allocations(), before);
+  world.shrink_to_fit();
+  EXPECT_EQ(live_allocations(), before);
+}
+
 }  // namespace
 }  // namespace waywright::test

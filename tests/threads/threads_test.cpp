@@ -30,6 +30,7 @@ Answers ask(const World& world, const std::vector<Point>& places) {
     answers.inside.push_back(location.inside);
     world.find_path({places[i - 1], places[i]}, context, path).value();
     answers.paths.push_back(path.points);
+    answers.paths.push_back(world.find_path({places[i], places[i - 1]}).value().points);  // by the world's own context
     answers.inside.push_back(world.items_in({places[i], places[i]}).value());
   }
   return answers;
