@@ -1,48 +1,65 @@
 #!/usr/bin/env python3
-"""Refuses an include that points up the layers, or out of them.
+"""Refuses an include that points up the rooms, or out of them, and headers that include each other.
 
 usage: check_layers.py [ROOT]
 
-Prints `FILE:LINE: what is wrong` for each such include and exits 1; exits 0 when there is none.
+Prints `FILE:LINE: what is wrong` for each such include and exits 1; exits 0 when there is none. A room is a folder. The
+table ROOMS says for each what it may include; there are no exceptions from it.
 """
 
 import re
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
-# Each layer of src/, and the layers it may include besides itself.
-LAYERS = {
-    "base": set(),
-    "memory": {"base"},
-    "exact": {"base", "memory"},
-    "mesh": {"base", "memory"},
-    "locate": {"base", "memory", "exact", "mesh"},
-    "delaunay": {"base", "memory", "exact", "mesh", "locate"},
-    "constraint": {"base", "memory", "exact", "mesh", "locate", "delaunay"},
-    "path": {"base", "memory", "exact", "mesh", "locate", "delaunay", "constraint"},
-    "io": {"base", "exact", "mesh", "locate", "delaunay", "constraint"},
+# Public headers that name single values. The other public headers stand on the whole library.
+VALUES = frozenset({"point.hpp", "id.hpp", "error.hpp", "memory_use.hpp"})
+ALL = None  # every public header, or any library
+
+
+@dataclass(frozen=True)
+class Room:
+    rooms: frozenset  # the rooms that it may include besides itself
+    public: frozenset = frozenset()  # the public headers that it may include; ALL for any
+    libraries: tuple = ()  # of headers between <>, besides the standard library: how their paths start; ALL for any
+
+
+def room(rooms, public=frozenset(), libraries=()):
+    return Room(frozenset(rooms), None if public is ALL else frozenset(public), libraries)
+
+
+BOOST = ("boost/",)
+NUMBERS = {"base", "memory"}
+TRIANGULATION = NUMBERS | {"threads", "exact", "mesh", "locate", "delaunay"}
+NAVIGATION = TRIANGULATION | {"constraint"}
+WORLD = NAVIGATION | {"text", "nav", "path"}
+
+# By folder; a file is in the room of the longest folder that it lies in.
+ROOMS = {
+    "include/waywright": room([], ALL),
+    "src/base": room([], libraries=ALL),
+    "src/memory": room(["base"], {"memory_use.hpp"}),
+    "src/text": room(["base"], VALUES),
+    "src/threads": room(["base"], {"job_system.hpp"}),
+    "src/exact": room(NUMBERS, VALUES | {"predicate_counts.hpp"}, BOOST),
+    "src/mesh": room(NUMBERS, {"id.hpp", "error.hpp", "memory_use.hpp"}),
+    "src/locate": room(NUMBERS | {"threads", "exact", "mesh"}, VALUES),
+    "src/delaunay": room(TRIANGULATION - {"delaunay"}, VALUES),
+    "src/constraint": room(TRIANGULATION | {"text"}, VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"}),
+    "src/nav": room(NAVIGATION, VALUES | {"item.hpp"}),
+    "src/path": room(NAVIGATION | {"nav"}, VALUES | {"item.hpp", "path.hpp"}, BOOST),
+    "src/world": room(WORLD, ALL),
+    "src/io": room(["base", "text"], ALL),
+    "tools": room(["base"], ALL, ALL),
+    "examples": room([], ALL),
+    "bench": room(NAVIGATION | {"text"}, ALL, ALL),
+    "tests": room(WORLD | {"world", "io", "oracle"}, ALL, ALL),
+    "tests/oracle": room([], libraries=ALL),
 }
 
-# Public headers that name single values; all layers but `mesh` may use those of what lies below them. The other public
-# headers stand on the whole library.
-VALUES = {"point.hpp", "id.hpp", "error.hpp", "memory_use.hpp"}
-PUBLIC = {
-    "base": set(),
-    "memory": {"memory_use.hpp"},
-    "exact": VALUES | {"predicate_counts.hpp"},
-    "mesh": {"id.hpp", "error.hpp", "memory_use.hpp"},
-    "locate": VALUES | {"job_system.hpp"},
-    "delaunay": VALUES,
-    "constraint": VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"},
-    "path": VALUES | {"item.hpp", "path.hpp"},
-    "io": None,
-}
-
-# What the benchmarks may look into, to compare arithmetics.
-BENCH_LAYERS = {"base", "exact", "mesh", "locate", "delaunay", "constraint"}
-
-SOURCE_SUFFIXES = {".cpp", ".hpp", ".h", ".ipp"}
-CHECKED_FOLDERS = ["include", "src", "tools", "examples", "bench", "tests"]
+FOLDERS = ("include", "src", "tools", "examples", "bench", "tests")
+HEADERS = {".hpp", ".inl", ".h"}
+SUFFIXES = HEADERS | {".cpp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>|(\S+))')
 
 
@@ -60,98 +77,89 @@ def is_standard(path):
     return re.fullmatch(r"[a-z_]+", path) is not None
 
 
+def room_of(file):
+    """The folder of ROOMS that a file, relative to the root, lies in, or None."""
+    folders = [folder.as_posix() for folder in file.parents if folder.as_posix() in ROOMS]
+    return folders[0] if folders else None
+
+
 class Checker:
     def __init__(self, root):
         self.root = root
+        self.edges = {}  # of each header, the headers of its room that it includes
+
+    def find(self, file, path):
+        """The file that an include between quotes names, relative to the root, or None."""
+        part = file.parts[0]
+        for folder in (file.parent, Path(part), Path("src"), Path("include")):
+            if (self.root / folder / path).is_file():
+                return folder / path
+        return None
 
     def fault(self, file, path, quoted):
         """Says what is wrong with an include in `file` (relative to the root), or returns None."""
+        here = room_of(file)
         if path is None:
             return "an include by macro cannot be checked"
         if ".." in Path(path).parts:
             return f"'{path}': write includes from an include root, without '..'"
-        head, *rest = Path(path).parts
-        part = file.parts[0]
-        if head == "waywright" and rest:
-            return self.public_fault(file, Path(*rest).as_posix())
-        if head in LAYERS and (self.root / "src" / path).is_file():
-            return self.layer_fault(file, head)
+        target = self.find(file, path)
+        if target is None:
+            return self.library_fault(here, path, quoted)
+        there = room_of(target)
+        if there is None:
+            return f"'{path}' is in no room that this check knows"
+        if there == "include/waywright":
+            allowed = ROOMS[here].public
+            if allowed is not None and target.name not in allowed:
+                return f"{here} does not know waywright/{target.name}"
+            if here == there:
+                self.edges.setdefault(file, set()).add(target)
+            return None
+        if not quoted:
+            return f"<{path}>: write the project's own headers between quotes"
+        if there != here and Path(there).name not in ROOMS[here].rooms and not there.startswith(f"{here}/"):
+            return f"{here} may not include {there}"
+        if there == here and file.suffix in HEADERS and target.suffix in HEADERS:
+            self.edges.setdefault(file, set()).add(target)
+        return None
+
+    def library_fault(self, here, path, quoted):
         if quoted:
-            return self.own_fault(file, path)
-        if is_standard(path):
+            return f'"{path}": there is no such file'
+        libraries = ROOMS[here].libraries
+        if is_standard(path) or libraries is None or path.startswith(libraries or "//"):
             return None
-        if part == "include":
-            return f"<{path}>: public headers include the standard library and one another only"
-        if file.parts[:2] == ("src", "base"):
-            return None  # what depends on the compiler may include the compiler's own headers
-        if part == "src" and head != "boost":
-            return f"<{path}>: the library uses the standard library and Boost only"
-        if part in ("tools", "examples") and head == "boost":
-            return f"<{path}>: Boost is the library's private matter"
-        return None
+        return f"<{path}>: {here} may not include this library"
 
-    def public_fault(self, file, header):
-        part = file.parts[0]
-        if is_oracle(file):
-            return "the oracle shares nothing with the library; only its adapter knows both"
-        if part != "src" or len(file.parts) == 2:
-            return None
-        allowed = PUBLIC.get(file.parts[1])
-        if allowed is None or header in allowed:
-            return None
-        return f"{file.parts[1]} does not know waywright/{header}"
-
-    def layer_fault(self, file, layer):
-        part = file.parts[0]
-        if part == "include":
-            return f"a public header includes {layer}, which is private"
-        if part == "tools" and layer == "base":
-            return None
-        if part in ("tools", "examples"):
-            return f"{part} use the public headers only, not {layer}"
-        if part == "bench" and layer not in BENCH_LAYERS:
-            return f"bench may not look into {layer}"
-        if part == "tests":
-            return "the oracle shares nothing with the library" if is_oracle(file) else None
-        if part == "src" and len(file.parts) > 2:
-            own = file.parts[1]
-            if layer != own and layer not in LAYERS[own]:
-                return f"{own} may not include {layer}"
-        return None
-
-    def own_fault(self, file, path):
-        """An include of a file that is neither public nor in a layer: it must be the including part's own."""
-        part = file.parts[0]
-        roots = {"src": ["src"], "tests": ["tests"], "bench": ["bench"]}.get(part, [])
-        if part == "src" and len(file.parts) > 2:
-            roots = []  # what lies in src/ itself stands above all layers
-        candidates = [self.root / file.parent / path] + [self.root / root / path for root in roots]
-        found = next((candidate for candidate in candidates if candidate.is_file()), None)
-        if found is None:
-            return f'"{path}": not a public header, not a lower layer, and not {part}\'s own'
-        if is_oracle(file) and found.parent.name != "oracle":
-            return f'"{path}": the oracle stands alone'
-        return None
+    def cycles(self):
+        """Names each header that includes itself by way of others."""
+        for start in sorted(self.edges):
+            seen, waiting = set(), list(self.edges[start])
+            while waiting:
+                header = waiting.pop()
+                if header == start:
+                    yield f"{start}:1: includes itself by way of other headers"
+                    break
+                if header not in seen:
+                    seen.add(header)
+                    waiting.extend(self.edges.get(header, ()))
 
     def check(self):
         faults = []
-        for folder in CHECKED_FOLDERS:
+        for folder in FOLDERS:
             for absolute in sorted((self.root / folder).rglob("*")):
-                if absolute.suffix not in SOURCE_SUFFIXES:
+                if absolute.suffix not in SUFFIXES:
                     continue
                 file = absolute.relative_to(self.root)
-                if folder == "src" and len(file.parts) > 2 and file.parts[1] not in LAYERS:
-                    faults.append(f"{file}:1: src/{file.parts[1]} is no layer that this check knows")
+                if room_of(file) is None:
+                    faults.append(f"{file}:1: {file.parent} is no room that this check knows")
                     continue
                 for number, path, quoted in includes_of(absolute.read_text(encoding="utf-8")):
                     fault = self.fault(file, path, quoted)
                     if fault:
                         faults.append(f"{file}:{number}: {fault}")
-        return faults
-
-
-def is_oracle(file):
-    return file.parts[:2] == ("tests", "oracle") and not file.stem.startswith("adapter")
+        return faults + list(self.cycles())
 
 
 def main(arguments):

@@ -53,8 +53,8 @@ TARGETS = [
         "i686-linux-gnu-g++",
         "i686",
         runners=[
-            qemu("i386", "i686-linux-gnu"),
             ["/usr/i686-linux-gnu/lib/ld-linux.so.2", "--library-path", "/usr/i686-linux-gnu/lib"],
+            qemu("i386", "i686-linux-gnu"),
         ],
     ),
     Target(
@@ -136,6 +136,16 @@ def make_prefix():
     return prefix
 
 
+def can_run(runner):
+    """Whether this machine has the runner and can execute it. A kernel may lack what 32-bit programs need."""
+    if not runner:
+        return True
+    try:
+        return subprocess.run([runner[0], "--version"], capture_output=True, timeout=300, check=False).returncode == 0
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+
+
 class Build:
     def __init__(self, target, with_command, ticks):
         self.target = target
@@ -144,7 +154,7 @@ class Build:
         self.log = FOLDER / f"{target.name}.log"
         self.log.write_bytes(b"")
         self.with_command = with_command
-        self.runner = next((each for each in target.runners if not each or shutil.which(each[0])), None)
+        self.runner = next((each for each in target.runners if can_run(each)), None)
         self.environment = dict(os.environ, WINEDEBUG="-all", WINEPREFIX=str(FOLDER / "wine"))
 
     def build(self, prefix):

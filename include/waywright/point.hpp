@@ -42,6 +42,18 @@ struct Point {
   }
 };
 
+/// The magnitudes between which the coordinates of a world must lie, unless they are 0. Every double in this range is a
+/// multiple of 2^-152, so differences and products of up to four of them neither overflow nor underflow.
+inline constexpr double kLargestCoordinate = 0x1p100;
+inline constexpr double kSmallestCoordinate = 0x1p-100;
+
+/// Whether a world accepts a coordinate: it is 0, or its magnitude is from kSmallestCoordinate to kLargestCoordinate.
+[[nodiscard]] inline bool is_in_range(double coordinate) {
+  const double magnitude = std::abs(coordinate);
+  return coordinate == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargestCoordinate);
+}
+[[nodiscard]] inline bool is_in_range(const Point& point) { return is_in_range(point.x) && is_in_range(point.y); }
+
 /// The dot product.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 /// The third coordinate of the cross product: positive where `b` points to the left of `a`.

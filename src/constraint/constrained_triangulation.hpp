@@ -33,7 +33,7 @@ class ConstrainedTriangulation {
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
   /// What insert_all makes of nothing, but faster.
   template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch, const locate::Crew& crew = {});
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::Crew& crew = {});
 
   [[nodiscard]] const Box& domain() const { return domain_; }
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
@@ -73,7 +73,7 @@ class ConstrainedTriangulation {
   /// that an id(i), a kind(i), a fill(i) and rings(i), a range of ranges of points: see batch.hpp. Reports corners
   /// done, and after them items whose sides are. Requires: as insert, of each.
   template <class Batch>
-  void insert_all(const Batch& batch, const locate::Crew& crew = {});
+  void insert_all(const Batch& batch, const threads::Crew& crew = {});
 
   /// Takes an item out: ids off the edges; edges without ids are free again; vertices without a reason go, and the
   /// pieces of what ran straight through them are one edge again. Requires: an item of that id is alive. Source: Chen
@@ -186,9 +186,3 @@ class ConstrainedTriangulation {
 };
 
 }  // namespace waywright::constraint
-
-#include "constraint/bulk.hpp"
-#include "constraint/find_fault.hpp"
-#include "constraint/insert_item.hpp"
-#include "constraint/operation.hpp"
-#include "constraint/remove_item.hpp"

@@ -13,7 +13,7 @@
 
 #include "delaunay/tie_rule.hpp"
 #include "exact/sign.hpp"
-#include "locate/crew.hpp"
+#include "threads/crew.hpp"
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -45,7 +45,7 @@ class DivideAndConquer {
 
   /// Triangulates all points, of which there are two or more, and does `jobs` meanwhile. Reports how many points are
   /// done.
-  void run(const locate::Crew& crew, std::span<const locate::Job> jobs);
+  void run(const threads::Crew& crew, std::span<const threads::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
 
@@ -148,7 +148,7 @@ class DivideAndConquer {
 
 // The cuts are the same whoever works: tasks are parts that would come about anyway.
 template <class Geometry>
-void DivideAndConquer<Geometry>::run(const locate::Crew& crew, std::span<const locate::Job> jobs) {
+void DivideAndConquer<Geometry>::run(const threads::Crew& crew, std::span<const threads::Job> jobs) {
   const auto count = static_cast<std::uint32_t>(points_.size());
   const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * crew.threads()));
   tasks_.clear();

@@ -36,7 +36,7 @@ class Triangulation {
   /// corners, as corners_of() lists them; its ranks are left alone. Does `jobs` meanwhile. Source: see
   /// DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
-                const locate::Crew& crew = {}, std::span<const locate::Job> jobs = {});
+                const threads::Crew& crew = {}, std::span<const threads::Job> jobs = {});
 
   /// The box's corners, counter-clockwise from its smallest.
   [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {
@@ -228,7 +228,3 @@ class Triangulation {
 };
 
 }  // namespace waywright::delaunay
-
-#include "delaunay/force_edge.hpp"
-#include "delaunay/remove_vertex.hpp"
-#include "delaunay/triangulation_impl.hpp"

@@ -90,7 +90,7 @@ RoundedCrossing round_both(const Number& x, const Number& y, const Denominator& 
   const RoundedNumber rounded_x = round_quotient(x, w, exponent);
   const RoundedNumber rounded_y = round_quotient(y, w, exponent);
   const Point nearest{rounded_x.nearest, rounded_y.nearest};
-  return {nearest, rounded_x.is_exact && rounded_y.is_exact && in_range(nearest)};
+  return {nearest, rounded_x.is_exact && rounded_y.is_exact && is_in_range(nearest)};
 }
 
 template <std::size_t kW>

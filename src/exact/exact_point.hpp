@@ -1,24 +1,10 @@
 #pragma once
 
-#include <cmath>
-
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
 
 namespace waywright::exact {
-
-/// Coordinates in range: finite, and either 0 or of magnitude 2^-100 to 2^100. Every such double is a multiple of
-/// 2^-152, so differences and products of up to four of them neither overflow nor underflow.
-inline constexpr double kLargestCoordinate = 0x1p100;
-inline constexpr double kSmallestCoordinate = 0x1p-100;
-
-[[nodiscard]] inline bool in_range(double coordinate) {
-  const double magnitude = std::abs(coordinate);
-  return coordinate == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargestCoordinate);
-}
-
-[[nodiscard]] inline bool in_range(const Point& point) { return in_range(point.x) && in_range(point.y); }
 
 /// Where the line through `a` and `b` meets the line through `c` and `d`: four explicit points, never constructed ones,
 /// so that the degree of no predicate grows with the history. The lines are not parallel.

@@ -9,7 +9,7 @@
 
 #include "waywright/scene.hpp"
 
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright {
 namespace {
@@ -35,7 +35,7 @@ class MapReader {
   bool read_row(std::string_view row);
   bool fail(std::string_view expected, std::string_view found);
 
-  io::LineReader lines_;
+  text::LineReader lines_;
   std::string_view name_;
   std::uint64_t height_ = 0;
   std::uint64_t width_ = 0;
@@ -48,7 +48,7 @@ bool MapReader::fail(std::string_view expected, std::string_view found) {
   what += expected;
   what += ", found ";
   what += found;
-  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(), what);
+  error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(), what);
   return false;
 }
 
@@ -62,11 +62,11 @@ bool MapReader::header_line(std::string_view key, std::string_view value) {
   expected += '\'';
   std::string_view line;
   if (!lines_.next(line)) return fail(expected, "the end of the text");
-  io::WordReader words(line);
+  text::WordReader words(line);
   std::string_view word;
   const bool matches =
       words.next(word) && word == key && (value.empty() || (words.next(word) && word == value)) && words.at_end();
-  return matches || fail(expected, io::in_quotes(line));
+  return matches || fail(expected, text::in_quotes(line));
 }
 
 bool MapReader::size_line(std::string_view key, std::uint64_t& size) {
@@ -75,37 +75,37 @@ bool MapReader::size_line(std::string_view key, std::uint64_t& size) {
   expected += "' and a number, 1 or more";
   std::string_view line;
   if (!lines_.next(line)) return fail(expected, "the end of the text");
-  io::WordReader words(line);
+  text::WordReader words(line);
   std::string_view word;
   if (words.next(word) && word == key && words.next(word) && words.at_end()) {
-    size = io::read_unsigned(word).value_or(0);
+    size = text::read_unsigned(word).value_or(0);
   }
-  return size > 0 || fail(expected, io::in_quotes(line));
+  return size > 0 || fail(expected, text::in_quotes(line));
 }
 
 bool MapReader::read_row(std::string_view row) {
   constexpr std::string_view kAlphabet = ".GS@OTW";
   const std::size_t strange = row.find_first_not_of(kAlphabet);
   if (strange != std::string_view::npos) {
-    return fail("cells out of '.GS@OTW'", io::in_quotes(row.substr(strange, 1)));
+    return fail("cells out of '.GS@OTW'", text::in_quotes(row.substr(strange, 1)));
   }
   if (row.size() == width_) return true;
-  return fail(io::with_number("a row of ", width_, " cells"), io::with_number("", row.size(), ""));
+  return fail(text::with_number("a row of ", width_, " cells"), text::with_number("", row.size(), ""));
 }
 
 bool MapReader::read_rows() {
   std::string_view line;
   while (rows_.size() < height_) {
     if (!lines_.next(line)) {
-      return fail(io::with_number("", height_, " rows"),
-                  io::with_number("the end of the text after ", rows_.size(), ""));
+      return fail(text::with_number("", height_, " rows"),
+                  text::with_number("the end of the text after ", rows_.size(), ""));
     }
     if (!read_row(line)) return false;
     rows_.push_back(line);
   }
   while (lines_.next(line)) {
-    if (!io::WordReader(line).at_end()) {
-      return fail(io::with_number("no more after ", height_, " rows"), io::in_quotes(line));
+    if (!text::WordReader(line).at_end()) {
+      return fail(text::with_number("no more after ", height_, " rows"), text::in_quotes(line));
     }
   }
   return true;
@@ -242,7 +242,7 @@ std::vector<Point> Tracer::trace(std::size_t first) {
 }  // namespace
 
 Result<Scene> parse_movingai_map(std::string_view text, std::string_view name) {
-  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
+  if (auto error = text::skip_byte_order_mark(text, name)) return *std::move(error);
   Result<std::vector<std::string_view>> rows = MapReader(text, name).run();
   if (!rows.ok()) return rows.error();
   const Point far_corner{static_cast<double>(rows->front().size()), static_cast<double>(rows->size())};

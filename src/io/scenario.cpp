@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/float_environment.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright {
 namespace {
@@ -22,9 +22,9 @@ double precision_of(std::string_view word) {
   const std::size_t point = word.find('.');
   const std::size_t end = std::min(word.find_first_of("eE"), word.size());
   const double digits = point == std::string_view::npos ? 0.0 : static_cast<double>(end - point - 1);
-  const double exponent = end < word.size() ? io::read_number(word.substr(end + 1)).value_or(0.0) : 0.0;
+  const double exponent = end < word.size() ? text::read_number(word.substr(end + 1)).value_or(0.0) : 0.0;
   const double place = std::clamp(exponent - digits - 1.0, -kBeyondDoubles, kBeyondDoubles);
-  return io::read_number("5e" + std::to_string(static_cast<int>(place))).value_or(0.0);
+  return text::read_number("5e" + std::to_string(static_cast<int>(place))).value_or(0.0);
 }
 
 /// Reads one scenario. Every reading member returns false once `error_` says what is wrong.
@@ -41,14 +41,14 @@ class ScenarioParser {
   bool number(std::string_view field, std::string_view word, double& value);
   bool fail(std::string_view what);
 
-  io::LineReader lines_;
+  text::LineReader lines_;
   std::string_view name_;
   std::vector<ScenarioQuery> queries_;
   Error error_;
 };
 
 bool ScenarioParser::fail(std::string_view what) {
-  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(), what);
+  error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(), what);
   return false;
 }
 
@@ -59,33 +59,33 @@ bool ScenarioParser::read_header() {
   if (!lines_.next(line)) {
     return fail("expected 'version 1', as scenarios of Moving AI begin, found the end of the text");
   }
-  io::WordReader words(line);
+  text::WordReader words(line);
   const bool matches = words.next(word) && word == "version" && words.next(version) && words.at_end() &&
                        (version == "1" || version == "1.0");
-  return matches || fail("expected 'version 1', as scenarios of Moving AI begin, found " + io::in_quotes(line));
+  return matches || fail("expected 'version 1', as scenarios of Moving AI begin, found " + text::in_quotes(line));
 }
 
 bool ScenarioParser::cells(std::string_view field, std::string_view word, std::uint64_t& value) {
-  const std::optional<std::uint64_t> read = io::read_unsigned(word);
+  const std::optional<std::uint64_t> read = text::read_unsigned(word);
   value = read.value_or(0);
   std::string what = "expected a whole number of cells as the ";
   what += field;
   what += ", found ";
-  return read || fail(what + io::in_quotes(word));
+  return read || fail(what + text::in_quotes(word));
 }
 
 bool ScenarioParser::number(std::string_view field, std::string_view word, double& value) {
-  const std::optional<double> read = io::read_number(word);
+  const std::optional<double> read = text::read_number(word);
   value = read.value_or(0.0);
   std::string what = "expected a finite number as the ";
   what += field;
   what += ", found ";
-  return (read && std::isfinite(*read)) || fail(what + io::in_quotes(word));
+  return (read && std::isfinite(*read)) || fail(what + text::in_quotes(word));
 }
 
 bool ScenarioParser::read_query(const std::vector<std::string_view>& fields) {
   if (fields.size() != kFields) {
-    return fail(io::with_number(
+    return fail(text::with_number(
         "expected 9 fields (bucket, map, width, height, start x, start y, goal x, goal y, length), found ",
         fields.size(), ""));
   }
@@ -107,7 +107,7 @@ Result<std::vector<ScenarioQuery>> ScenarioParser::run() {
   std::vector<std::string_view> fields;
   while (lines_.next(line)) {
     fields.clear();
-    io::WordReader words(line);
+    text::WordReader words(line);
     std::string_view word;
     while (words.next(word)) fields.push_back(word);
     if (!fields.empty() && !read_query(fields)) return std::move(error_);
@@ -123,7 +123,7 @@ Result<std::vector<ScenarioQuery>> ScenarioParser::run() {
 
 Result<std::vector<ScenarioQuery>> parse_movingai_scenario(std::string_view text, std::string_view name) {
   const base::FloatEnvironment environment;
-  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
+  if (auto error = text::skip_byte_order_mark(text, name)) return *std::move(error);
   return ScenarioParser(text, name).run();
 }
 

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "base/float_environment.hpp"
-#include "exact/exact_point.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright {
 namespace {
@@ -80,9 +79,9 @@ class ScriptParser {
   /// Says that `expected` was, and that `found` stood there instead; `found` is empty at the end of the line.
   bool fail(std::string_view expected, std::string_view found);
 
-  io::LineReader lines_;
+  text::LineReader lines_;
   std::string_view name_;
-  io::WordReader words_;
+  text::WordReader words_;
   std::string_view usage_;  ///< of the line at hand
   Script script_;
   Error error_;
@@ -91,7 +90,7 @@ class ScriptParser {
 bool ScriptParser::next_line(std::string_view& word) {
   std::string_view line;
   while (lines_.next(line)) {
-    words_ = io::WordReader(io::without_comment(line));
+    words_ = text::WordReader(text::without_comment(line));
     if (words_.next(word)) return true;
   }
   return false;
@@ -106,15 +105,15 @@ bool ScriptParser::fail(std::string_view expected, std::string_view found) {
     what += '\'';
   }
   what += ", found ";
-  what += found.empty() ? std::string("the end of the line") : io::in_quotes(found);
-  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(), what);
+  what += found.empty() ? std::string("the end of the line") : text::in_quotes(found);
+  error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(), what);
   return false;
 }
 
 bool ScriptParser::number(double& value) {
   std::string_view word;
   if (!words_.next(word)) return fail("a number", {});
-  const std::optional<double> read = io::read_number(word);
+  const std::optional<double> read = text::read_number(word);
   if (!read) return fail("a number", word);
   value = *read;
   return true;
@@ -125,14 +124,14 @@ bool ScriptParser::domain_bound(double& value, std::string_view bound) {
   if (!number(value)) return false;
   std::string expected(bound);
   expected += " to be 0 or of a size from 2^-100 to 2^100";
-  return exact::in_range(value) || fail(expected, word);
+  return is_in_range(value) || fail(expected, word);
 }
 
 bool ScriptParser::id(ItemId& value) {
   constexpr std::string_view kExpected = "an id from 1 to 9223372036854775807";
   std::string_view word;
   if (!words_.next(word)) return fail(kExpected, {});
-  const std::optional<ItemId> read = io::read_id(word);
+  const std::optional<ItemId> read = text::read_id(word);
   if (!read) return fail(kExpected, word);
   value = *read;
   return true;
@@ -146,7 +145,7 @@ bool ScriptParser::end_of_line() {
 bool ScriptParser::read_header() {
   std::string_view word;
   if (!next_line(word)) {
-    error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(),
+    error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(),
                           "expected the header 'waywright 1', found the end of the text");
     return false;
   }
@@ -163,7 +162,7 @@ bool ScriptParser::read_lines() {
     if (!read_line(word)) return false;
   }
   if (script_.domain_line != 0) return true;
-  error_ = io::error_at(ErrorCode::malformed, name_, lines_.number(),
+  error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(),
                         "expected 'domain X0 Y0 X1 Y1', found the end of the text");
   return false;
 }
@@ -193,9 +192,9 @@ bool ScriptParser::read_domain() {
   }
   const auto check = [this](double low, double high) {
     std::string found;
-    io::append_number(found, high);
+    text::append_number(found, high);
     std::string expected = "a number above ";
-    io::append_number(expected, low);
+    text::append_number(expected, low);
     return low < high || fail(expected, found);
   };
   if (!check(box.min.x, box.max.x) || !check(box.min.y, box.max.y)) return false;
@@ -271,7 +270,7 @@ bool ScriptParser::read_ring(Rings& rings) {
 }
 
 bool ScriptParser::read_ring(std::string_view count_word, Rings& rings) {
-  const std::optional<std::uint64_t> count = io::read_unsigned(count_word);
+  const std::optional<std::uint64_t> count = text::read_unsigned(count_word);
   if (!count || *count == 0) return fail(kPointCount, count_word);
   // A point takes two digits and a blank at least: a count that the line cannot keep must not cost its memory.
   const auto likely_count = static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3));
@@ -303,7 +302,7 @@ bool ScriptParser::read_path_options(Operation& operation) {
 /// Whether a world over `domain` takes the shape.
 bool fits(const Shape& shape, const Box& domain) {
   const auto takes = [&](Point p) {
-    return exact::in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y &&
+    return is_in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y &&
            p.y <= domain.max.y;
   };
   const std::span<const Point> points = shape.rings.points();
@@ -321,7 +320,7 @@ std::string_view to_string(const Operation& operation) {
 
 Result<Script> parse_script(std::string_view text, std::string_view name) {
   const base::FloatEnvironment environment;
-  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
+  if (auto error = text::skip_byte_order_mark(text, name)) return *std::move(error);
   return ScriptParser(text, name).run();
 }
 

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "base/float_environment.hpp"
-#include "exact/exact_point.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright {
 
@@ -29,13 +28,13 @@ constexpr double kRoomy = 480.0;  // from this width on, title and legend begin 
 
 std::string text_of(const Box& box) {
   std::string text = "(";
-  append_number(text, box.min.x);
+  text::append_number(text, box.min.x);
   text += ", ";
-  append_number(text, box.min.y);
+  text::append_number(text, box.min.y);
   text += ") to (";
-  append_number(text, box.max.x);
+  text::append_number(text, box.max.x);
   text += ", ";
-  append_number(text, box.max.y);
+  text::append_number(text, box.max.y);
   return text += ')';
 }
 
@@ -43,7 +42,7 @@ std::optional<Error> find_crop_error(const Box& domain, const Box& crop) {
   const auto error = [&](ErrorCode code, const std::string& fault) {
     return Error{code, "the crop box, " + text_of(crop) + "," + fault, {}, 0};
   };
-  if (!exact::in_range(crop.min) || !exact::in_range(crop.max)) {
+  if (!is_in_range(crop.min) || !is_in_range(crop.max)) {
     return error(ErrorCode::coordinate_range,
                  " has a coordinate that is not finite, beyond +-2^100, or nearer to 0 than 2^-100");
   }

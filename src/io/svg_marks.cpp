@@ -6,7 +6,7 @@
 #include <span>
 
 #include "io/svg_canvas.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright::io {
 
@@ -46,9 +46,9 @@ std::string filled_mark(const Palette& palette, std::span<const Point> corners, 
 
 std::string place_text(const Point& place) {
   std::string text = "(";
-  append_number(text, place.x);
+  text::append_number(text, place.x);
   text += ", ";
-  append_number(text, place.y);
+  text::append_number(text, place.y);
   return text += ')';
 }
 
@@ -59,10 +59,10 @@ std::string ids_text(const std::vector<ItemId>& ids) {
     if (ids[i].is_null()) {
       text += "the domain";
     } else {
-      append_unsigned(text, ids[i].value);
+      text::append_unsigned(text, ids[i].value);
     }
   }
-  if (ids.size() > kMostIds) text += with_number(" and ", ids.size() - kMostIds, " more");
+  if (ids.size() > kMostIds) text += text::with_number(" and ", ids.size() - kMostIds, " more");
   return text;
 }
 

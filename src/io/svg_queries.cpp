@@ -9,7 +9,7 @@
 #include "io/svg_marks.hpp"
 #include "io/svg_overlay.hpp"
 #include "io/svg_world.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright::io {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright::io {
 
@@ -29,20 +29,20 @@ struct Decimal {
 
 std::string digits_of(std::int64_t mantissa) {
   std::string digits;
-  append_unsigned(digits, static_cast<std::uint64_t>(std::abs(mantissa)));
+  text::append_unsigned(digits, static_cast<std::uint64_t>(std::abs(mantissa)));
   return digits;
 }
 
 std::string signed_number(int value) {
   std::string text(value < 0 ? "-" : "");
-  append_unsigned(text, static_cast<std::uint64_t>(std::abs(value)));
+  text::append_unsigned(text, static_cast<std::uint64_t>(std::abs(value)));
   return text;
 }
 
 double nearest_double(const Decimal& number) {
   const std::string text =
       (number.mantissa < 0 ? "-" : "") + digits_of(number.mantissa) + "e" + signed_number(number.exponent);
-  return read_number(text).value_or(0.0);
+  return text::read_number(text).value_or(0.0);
 }
 
 /// With as many decimals as the exponent asks for: 0.50 for 50e-2.

@@ -9,7 +9,7 @@
 #include "waywright/mesh_snapshot.hpp"
 
 #include "io/svg_canvas.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright::io {
 
@@ -178,7 +178,7 @@ class WorldDrawer {
       return;
     }
     out += "\">";
-    append_hint(out, with_number(kind, id.value, ""));
+    append_hint(out, text::with_number(kind, id.value, ""));
     out += "</path>\n";
   }
 
@@ -220,7 +220,7 @@ class WorldDrawer {
       std::string dot = circle(frame_.to_picture(item.shape.rings.front().front()), strokes_.dot);
       dot.erase(dot.size() - 2);  // the element's end, `/>`
       out += dot + '>';
-      append_hint(out, with_number(std::string(to_string(item.shape.kind)) + " ", item.id.value, ""));
+      append_hint(out, text::with_number(std::string(to_string(item.shape.kind)) + " ", item.id.value, ""));
       out += "</circle>\n";
     }
     return out + "</g>\n";
@@ -285,7 +285,7 @@ std::string line_sample(const Palette& palette, const Paint& colour, double stro
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return with_number("", count, " ") + std::string(count == 1 ? one : many);
+  return text::with_number("", count, " ") + std::string(count == 1 ? one : many);
 }
 
 WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options, const Palette& palette) {

@@ -13,8 +13,7 @@
 #include "waywright/scene.hpp"
 
 #include "base/float_environment.hpp"
-#include "exact/exact_point.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright {
 namespace {
@@ -60,10 +59,10 @@ class SectionReader {
   bool numbers(std::string_view expected, std::uint64_t count);
   bool end_of_line();
 
-  io::LineReader lines_;
+  text::LineReader lines_;
   std::size_t text_size_;
   std::string_view name_;
-  io::WordReader words_;
+  text::WordReader words_;
   Error error_;
 };
 
@@ -72,14 +71,14 @@ bool SectionReader::fail(std::string_view expected, std::string_view found, Erro
   what += expected;
   what += ", found ";
   what += found;
-  error_ = io::error_at(code, name_, lines_.number(), what);
+  error_ = text::error_at(code, name_, lines_.number(), what);
   return false;
 }
 
 bool SectionReader::next_line() {
   std::string_view line;
   while (lines_.next(line)) {
-    words_ = io::WordReader(io::without_comment(line));
+    words_ = text::WordReader(text::without_comment(line));
     if (!words_.at_end()) return true;
   }
   return false;
@@ -92,8 +91,8 @@ bool SectionReader::word(std::string_view expected, std::string_view& value) {
 bool SectionReader::integer(std::string_view expected, std::uint64_t& value) {
   std::string_view text;
   if (!word(expected, text)) return false;
-  const std::optional<std::uint64_t> read = io::read_unsigned(text);
-  if (!read) return fail(expected, io::in_quotes(text));
+  const std::optional<std::uint64_t> read = text::read_unsigned(text);
+  if (!read) return fail(expected, text::in_quotes(text));
   value = *read;
   return true;
 }
@@ -102,7 +101,7 @@ bool SectionReader::optional_integer(std::string_view expected, std::uint64_t la
   value = 0;
   if (words_.at_end()) return true;
   if (!integer(expected, value)) return false;
-  return value <= largest || fail(expected, io::with_number("", value, ""));
+  return value <= largest || fail(expected, text::with_number("", value, ""));
 }
 
 bool SectionReader::coordinates(Point& point) {
@@ -110,10 +109,10 @@ bool SectionReader::coordinates(Point& point) {
     constexpr std::string_view kExpected = "a coordinate";
     std::string_view text;
     if (!word(kExpected, text)) return false;
-    const std::optional<double> read = io::read_number(text);
-    if (!read) return fail(kExpected, io::in_quotes(text));
-    if (!exact::in_range(*read)) {
-      return fail("a coordinate that is 0 or has a size from 2^-100 to 2^100", io::in_quotes(text),
+    const std::optional<double> read = text::read_number(text);
+    if (!read) return fail(kExpected, text::in_quotes(text));
+    if (!is_in_range(*read)) {
+      return fail("a coordinate that is 0 or has a size from 2^-100 to 2^100", text::in_quotes(text),
                   ErrorCode::coordinate_range);
     }
     *value = *read;
@@ -125,14 +124,14 @@ bool SectionReader::numbers(std::string_view expected, std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i) {
     std::string_view text;
     if (!word(expected, text)) return false;
-    if (!io::read_number(text)) return fail(expected, io::in_quotes(text));
+    if (!text::read_number(text)) return fail(expected, text::in_quotes(text));
   }
   return true;
 }
 
 bool SectionReader::end_of_line() {
   std::string_view text;
-  return !words_.next(text) || fail("no more on the line", io::in_quotes(text));
+  return !words_.next(text) || fail("no more on the line", text::in_quotes(text));
 }
 
 bool SectionReader::section(std::string_view counted, std::uint64_t& count) {
@@ -144,12 +143,12 @@ bool SectionReader::section(std::string_view counted, std::uint64_t& count) {
 
 bool SectionReader::entry(std::string_view kind, std::uint64_t index, std::uint64_t& first_id) {
   std::string expected(kind);
-  expected += index == 0 ? std::string(" 0 or 1") : io::with_number(" ", first_id + index, "");
+  expected += index == 0 ? std::string(" 0 or 1") : text::with_number(" ", first_id + index, "");
   if (!next_line()) return fail(expected, "the end of the text");
   std::uint64_t id = 0;
   if (!integer(expected, id)) return false;
   if (index == 0) first_id = std::min<std::uint64_t>(id, 1);
-  return id == first_id + index || fail(expected, io::with_number("", id, ""));
+  return id == first_id + index || fail(expected, text::with_number("", id, ""));
 }
 
 bool SectionReader::vertices(VertexList& list) {
@@ -159,7 +158,7 @@ bool SectionReader::vertices(VertexList& list) {
   std::uint64_t markers = 0;
   if (!section("vertices", count)) return false;
   if (!words_.at_end() && !integer("dimension 2", dimension)) return false;
-  if (dimension != 2) return fail("dimension 2", io::with_number("", dimension, ""));
+  if (dimension != 2) return fail("dimension 2", text::with_number("", dimension, ""));
   if (!optional_integer("the number of attributes", UINT64_MAX, attributes) ||
       !optional_integer("0 or 1 boundary markers", 1, markers) || !end_of_line()) {
     return false;
@@ -192,7 +191,7 @@ bool SectionReader::segments(const VertexList& list, std::vector<Ends>& segments
       std::uint64_t id = 0;
       if (!integer(kExpected, id)) return false;
       if (id < list.first_id || id - list.first_id >= list.points.size()) {
-        return fail(kExpected, io::with_number("", id, ", which no vertex has"));
+        return fail(kExpected, text::with_number("", id, ", which no vertex has"));
       }
       end = static_cast<std::size_t>(id - list.first_id);
     }
@@ -232,7 +231,7 @@ bool SectionReader::end() { return !next_line() || fail("the end of the text", "
 std::pair<double, double> grown(double low, double high, double margin, double unit) {
   const double least = std::floor((low - margin) / unit) * unit;
   const double most = std::ceil((high + margin) / unit) * unit;
-  return {std::max(least, -exact::kLargestCoordinate), std::min(most, exact::kLargestCoordinate)};
+  return {std::max(least, -kLargestCoordinate), std::min(most, kLargestCoordinate)};
 }
 
 Box domain_around(const std::vector<Point>& points) {
@@ -272,13 +271,13 @@ Scene to_scene(const VertexList& list, const std::vector<Ends>& segments) {
 namespace io {
 
 bool lacks_vertices(std::string_view poly_text) {
-  if (skip_byte_order_mark(poly_text, {})) return false;
-  LineReader lines(poly_text);
+  if (text::skip_byte_order_mark(poly_text, {})) return false;
+  text::LineReader lines(poly_text);
   std::string_view line;
   while (lines.next(line)) {
-    WordReader words(without_comment(line));
+    text::WordReader words(text::without_comment(line));
     std::string_view word;
-    if (words.next(word)) return read_unsigned(word) == 0;
+    if (words.next(word)) return text::read_unsigned(word) == 0;
   }
   return false;
 }
@@ -288,8 +287,8 @@ bool lacks_vertices(std::string_view poly_text) {
 Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, std::string_view node_text,
                                   std::string_view node_name) {
   const base::FloatEnvironment environment;
-  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
-  if (auto error = io::skip_byte_order_mark(node_text, node_name)) return *std::move(error);
+  if (auto error = text::skip_byte_order_mark(text, name)) return *std::move(error);
+  if (auto error = text::skip_byte_order_mark(node_text, node_name)) return *std::move(error);
   SectionReader poly(text, name);
   VertexList list;
   if (!poly.vertices(list)) return poly.take_error();
@@ -307,7 +306,7 @@ Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name, 
 
 Result<Scene> parse_triangle_node(std::string_view text, std::string_view name) {
   const base::FloatEnvironment environment;
-  if (auto error = io::skip_byte_order_mark(text, name)) return *std::move(error);
+  if (auto error = text::skip_byte_order_mark(text, name)) return *std::move(error);
   SectionReader node(text, name);
   VertexList list;
   if (!node.vertices(list) || !node.end()) return node.take_error();

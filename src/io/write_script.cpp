@@ -5,23 +5,23 @@
 #include "waywright/scene.hpp"
 
 #include "base/float_environment.hpp"
-#include "io/text.hpp"
+#include "text/text.hpp"
 
 namespace waywright {
 namespace {
 
 void append_point(std::string& out, Point point) {
   out += ' ';
-  io::append_number(out, point.x);
+  text::append_number(out, point.x);
   out += ' ';
-  io::append_number(out, point.y);
+  text::append_number(out, point.y);
 }
 
 /// Appends the points of a ring, their count before them where the kind's line has one.
 void append_ring(std::string& out, PointSpan ring, bool with_count) {
   if (with_count) {
     out += ' ';
-    io::append_unsigned(out, ring.size());
+    text::append_unsigned(out, ring.size());
   }
   for (const Point point : ring) append_point(out, point);
 }
@@ -31,7 +31,7 @@ void append_item(std::string& out, const Item& item) {
   const bool with_count = kind == ItemKind::polyline || kind == ItemKind::polygon;
   out += to_string(kind);
   out += ' ';
-  io::append_unsigned(out, item.id.value);
+  text::append_unsigned(out, item.id.value);
   if (kind == ItemKind::polygon && item.shape.fill == FillRule::nonzero) {
     out += ' ';
     out += to_string(FillRule::nonzero);

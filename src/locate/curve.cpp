@@ -23,7 +23,7 @@ constexpr std::size_t kAhead = 16;
 
 /// A stable sort by the digit that starts at `bit`. Each thread counts and moves a part of its own; its entries of a
 /// digit come after those of the threads before it.
-void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const Crew& crew) {
+void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const threads::Crew& crew) {
   const auto digit = [bit](const Entry& entry) { return static_cast<std::size_t>(entry.key >> bit & (kDigits - 1)); };
   std::vector<std::array<std::uint32_t, kDigits>> places(crew.threads());
   crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
@@ -46,7 +46,7 @@ std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, std:
 
 /// Sorts by the key's upper half, which tells apart as many cells as there may be points, and the runs that agree in it
 /// by all there is.
-void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const Crew& crew) {
+void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const threads::Crew& crew) {
   const auto before = [&](const Entry& a, const Entry& b) {
     if (a.key != b.key) return a.key < b.key;
     const Point& p = points[a.given];
@@ -82,7 +82,7 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
 
 }  // namespace
 
-SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const Crew& crew) {
+SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const threads::Crew& crew) {
   const Curve curve(box);
   std::vector<Entry> entries(points.size());
   crew.share(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -8,7 +8,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "locate/crew.hpp"
+#include "threads/crew.hpp"
 
 namespace waywright::locate {
 
@@ -63,6 +63,6 @@ struct SortedPoints {
 
 /// Requires: the points lie in the box, and none has a coordinate of -0. Cost: linear where keys are spread evenly,
 /// O(n log n) at most.
-[[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const Crew& crew = {});
+[[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const threads::Crew& crew = {});
 
 }  // namespace waywright::locate

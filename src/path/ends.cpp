@@ -66,7 +66,7 @@ double default_end_tolerance(const Box& domain) {
   return std::max(x, y) * 0x1p-20;
 }
 
-void Ends::set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
+void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
                      const std::optional<double>& tolerance) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
@@ -208,7 +208,7 @@ bool Ends::are_covered() {
          std::any_of(goal_faces_.begin(), goal_faces_.end(), is_covered);
 }
 
-bool Ends::are_joined(const Components& components) const {
+bool Ends::are_joined(const nav::Components& components) const {
   for (const HalfEdge start : start_faces_) {
     for (const HalfEdge goal : goal_faces_) {
       if (components.of(mesh::face(start)) == components.of(mesh::face(goal))) return true;

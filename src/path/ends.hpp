@@ -6,9 +6,9 @@
 #include "waywright/path.hpp"
 
 #include "constraint/cover.hpp"
-#include "path/abstraction.hpp"
+#include "nav/abstraction.hpp"
 #include "path/free_places.hpp"
-#include "path/kept_cover.hpp"
+#include "nav/kept_cover.hpp"
 
 namespace waywright::path {
 
@@ -25,7 +25,7 @@ class Ends {
   /// Finds the start, with the help of an abstraction if there is one; both must stay as they are. `tolerance` says how
   /// far blocked ends may be moved; the default is default_end_tolerance(). Requires: the start lies in the domain,
   /// `tolerance` is not negative.
-  void set_start(const Triangulation& triangulation, const Abstraction* abstraction, const Point& start,
+  void set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
                  const std::optional<double>& tolerance);
   /// Moves the start right away if it is blocked, whatever the goal is. For searches with many goals.
   void free_start();
@@ -82,10 +82,10 @@ class Ends {
   void move_start(const std::vector<mesh::HalfEdge>& goal_faces);
   void move_start_to(const Point& place);
   void move_goal_to(const Point& place);
-  [[nodiscard]] bool are_joined(const Components& components) const;
+  [[nodiscard]] bool are_joined(const nav::Components& components) const;
 
   const Triangulation* triangulation_ = nullptr;
-  const Abstraction* abstraction_ = nullptr;  ///< or null
+  const nav::Abstraction* abstraction_ = nullptr;  ///< or null
   Point start_;
   Point goal_;
   std::optional<double> tolerance_;
@@ -99,7 +99,7 @@ class Ends {
   std::vector<mesh::HalfEdge> goal_faces_;
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::HalfEdge> tried_;
-  KeptCover cover_;
+  nav::KeptCover cover_;
   FreePlaces free_places_;
 };
 

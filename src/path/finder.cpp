@@ -33,7 +33,7 @@ void clear(Path& path) {
 
 }  // namespace
 
-void Finder::begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query,
+void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
                    Path& path, LookedAt* looked_at) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
@@ -149,7 +149,7 @@ bool Finder::search_optimal(std::size_t limit, Path& path) {
   return true;
 }
 
-void Finder::find_all(const Triangulation& triangulation, const Abstraction* abstraction, const ManyGoalsQuery& query,
+void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction* abstraction, const ManyGoalsQuery& query,
                       std::vector<Path>& paths) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;

@@ -22,7 +22,7 @@ class Finder {
   /// abstraction; both stay as they are until the search is done or given up. If `looked_at` is not null, the search
   /// notes there at which faces it looks. Then the mesh may change as long as none of these is touched: by a face that
   /// is made, rebuilt or freed and has a corner in common with it, or by another place in the abstraction.
-  void begin(const Triangulation& triangulation, const Abstraction* abstraction, const PathQuery& query, Path& path,
+  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query, Path& path,
              LookedAt* looked_at = nullptr);
   /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. `path` is the
   /// best so far.
@@ -34,7 +34,7 @@ class Finder {
   [[nodiscard]] bool has_covered_end() { return !is_done_ && ends_.are_covered(); }
 
   /// Finds the shortest path to each goal. Requires: all points lie in the domain.
-  void find_all(const Triangulation& triangulation, const Abstraction* abstraction, const ManyGoalsQuery& query,
+  void find_all(const Triangulation& triangulation, const nav::Abstraction* abstraction, const ManyGoalsQuery& query,
                 std::vector<Path>& paths);
 
  private:
@@ -52,7 +52,7 @@ class Finder {
   void finish(Path& path) const;
 
   const Triangulation* triangulation_ = nullptr;
-  const Abstraction* abstraction_ = nullptr;  ///< or null
+  const nav::Abstraction* abstraction_ = nullptr;  ///< or null
   LookedAt* looked_at_ = nullptr;             ///< or null
   PathQuery query_;
   bool is_done_ = true;

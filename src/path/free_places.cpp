@@ -26,8 +26,8 @@ constexpr std::size_t kTries = 8;
 /// A double, and the doubles next to it that coordinates may have.
 std::array<double, 3> neighbours(double value) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (std::abs(value) <= exact::kSmallestCoordinate) {
-    return {-exact::kSmallestCoordinate, 0.0, exact::kSmallestCoordinate};
+  if (std::abs(value) <= kSmallestCoordinate) {
+    return {-kSmallestCoordinate, 0.0, kSmallestCoordinate};
   }
   return {std::nextafter(value, -kInfinity), value, std::nextafter(value, kInfinity)};
 }
@@ -101,7 +101,7 @@ double FreePlaces::distance_to(HalfEdge h) const {
 bool FreePlaces::is_open(HalfEdge h, const Joined& joined) {
   if (cover_->is_covered(*triangulation_, h)) return false;
   if (joined.components == nullptr) return true;
-  const Components::Label own = joined.components->of(mesh::face(h));
+  const nav::Components::Label own = joined.components->of(mesh::face(h));
   return std::any_of(joined.faces->begin(), joined.faces->end(),
                      [&](HalfEdge other) { return joined.components->of(mesh::face(other)) == own; });
 }
@@ -153,7 +153,7 @@ std::optional<Point> FreePlaces::round_to_free(const Point& rounded, const Joine
 bool FreePlaces::is_free(const Point& point, const Joined& joined) {
   const Box& domain = triangulation_->domain();
   const bool is_in_domain = point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y &&
-                            point.y <= domain.max.y && exact::in_range(point);
+                            point.y <= domain.max.y && is_in_range(point);
   if (!is_in_domain) return false;
   constraint::faces_at(*triangulation_, triangulation_->triangulation().locate(point), waiting_);
   return std::any_of(waiting_.begin(), waiting_.end(), [&](HalfEdge h) { return is_open(h, joined); });

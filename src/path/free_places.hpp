@@ -11,7 +11,7 @@
 #include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"
 #include "memory/pages.hpp"
-#include "path/components.hpp"
+#include "nav/components.hpp"
 
 namespace waywright::path {
 
@@ -23,7 +23,7 @@ class FreePlaces {
 
   /// The faces that a free place must be joined with: only faces of the same component count as open.
   struct Joined {
-    const Components* components = nullptr;  ///< null if any open face will do
+    const nav::Components* components = nullptr;  ///< null if any open face will do
     const std::vector<mesh::HalfEdge>* faces = nullptr;
   };
 

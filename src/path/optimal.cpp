@@ -52,7 +52,7 @@ class Optimal::Cone {
   Geometry::Line right_;
 };
 
-void Optimal::begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends,
+void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
                     bool wants_channel, LookedAt* looked_at) {
   ends_ = &ends;
   looked_at_ = looked_at;
@@ -137,15 +137,15 @@ void Optimal::cover_mesh() {
 }
 
 /// The place of a component's entry in the list of components, or where it would be.
-std::size_t Optimal::place_of(Components::Label component) const {
-  const auto comes_before = [](const GoalsInComponent& p, Components::Label label) { return p.component < label; };
+std::size_t Optimal::place_of(nav::Components::Label component) const {
+  const auto comes_before = [](const GoalsInComponent& p, nav::Components::Label label) { return p.component < label; };
   const auto at = std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component, comes_before);
   return static_cast<std::size_t>(at - goals_in_components_.begin());
 }
 
 /// Counts a goal's face in its component, and at each face on the way from there to the core.
 void Optimal::count_goal_face(mesh::Face f) {
-  const Components::Label component = components_->of(f);
+  const nav::Components::Label component = components_->of(f);
   const std::size_t at = place_of(component);
   if (at < goals_in_components_.size() && goals_in_components_[at].component == component) {
     ++goals_in_components_[at].count;

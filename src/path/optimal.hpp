@@ -8,7 +8,7 @@
 #include "waywright/path.hpp"
 
 #include "memory/zeroed_array.hpp"
-#include "path/abstraction.hpp"
+#include "nav/abstraction.hpp"
 #include "path/ends.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
@@ -37,7 +37,7 @@ class Optimal {
 
   /// Starts anew. The ends' start, the triangulation and its abstraction, if it has one, must stay as they are.
   /// `looked_at`, if it is not null, notes the faces that the search looks at.
-  void begin(const Triangulation& triangulation, const Abstraction* abstraction, const Ends& ends, bool wants_channel,
+  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends, bool wants_channel,
              LookedAt* looked_at = nullptr);
   /// A goal that isn't at a face of the start, and the open faces around it. Without any, there is nothing to find.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
@@ -119,7 +119,7 @@ class Optimal {
 
   /// How many of the goals' faces lie in a component.
   struct GoalsInComponent {
-    Components::Label component;
+    nav::Components::Label component;
     std::uint32_t count;
   };
 
@@ -127,7 +127,7 @@ class Optimal {
 
   void forget_last_query();
   void list_components();
-  [[nodiscard]] std::size_t place_of(Components::Label component) const;
+  [[nodiscard]] std::size_t place_of(nav::Components::Label component) const;
   void count_goal_face(mesh::Face f);
   [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();
@@ -180,8 +180,8 @@ class Optimal {
   [[nodiscard]] double bound_from(const Point& p) const;
 
   const Ends* ends_ = nullptr;
-  const TwoCore* core_ = nullptr;  ///< or null
-  const Components* components_ = nullptr;
+  const nav::TwoCore* core_ = nullptr;  ///< or null
+  const nav::Components* components_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;

@@ -44,7 +44,7 @@ namespace {
 
 /// The box of all places whose rounded coordinates are those of `point`, and little more. Its coordinates are in range.
 Box box_of_rounded(const Point& point) {
-  constexpr double kTiny = 2.0 * exact::kSmallestCoordinate;
+  constexpr double kTiny = 2.0 * kSmallestCoordinate;
   const auto margin = [&](double coordinate) {
     return std::abs(coordinate) <= kTiny ? 2.0 * kTiny : std::abs(coordinate) * 0x1p-51;
   };

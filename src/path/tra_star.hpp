@@ -6,7 +6,7 @@
 #include "waywright/path.hpp"
 
 #include "memory/zeroed_array.hpp"
-#include "path/abstraction.hpp"
+#include "nav/abstraction.hpp"
 #include "path/ends.hpp"
 #include "path/open_list.hpp"
 #include "path/sight.hpp"
@@ -29,7 +29,7 @@ class TraStar {
 
   /// Starts a search between ends that are not at one face, but in one component. They, the triangulation and its
   /// abstraction must stay as they are.
-  void begin(const Triangulation& triangulation, const Abstraction& abstraction, const Ends& ends);
+  void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
   /// Finds the path.
   void find(Path& path);
   /// Writes the edges that the path crosses. Requires: it has been found.
@@ -85,8 +85,8 @@ class TraStar {
   const Ends* ends_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   const exact::Geometry* geometry_ = nullptr;
-  const TwoCore* core_ = nullptr;
-  const Components* components_ = nullptr;
+  const nav::TwoCore* core_ = nullptr;
+  const nav::Components* components_ = nullptr;
 
   std::vector<Node> nodes_;
   OpenList open_;                             ///< positions in `nodes_`

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "constraint/constrained_triangulation.hpp"
+#include "constraint/constrained_triangulation.inl"
 #include "exact/geometry.hpp"
 
 namespace waywright::test {

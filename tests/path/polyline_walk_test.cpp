@@ -6,7 +6,7 @@
 
 #include "waywright/world.hpp"
 
-#include "oracle/adapter.hpp"
+#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 #include "support/point_text.hpp"
 #include "support/random.hpp"

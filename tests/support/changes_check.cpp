@@ -11,7 +11,7 @@
 #include "waywright/item.hpp"
 #include "waywright/world.hpp"
 
-#include "oracle/adapter.hpp"
+#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 #include "support/live_items.hpp"
 #include "support/random.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/adapter.hpp"
+#include "support/oracle_adapter.hpp"
 #include "oracle/first_wall.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/shortest_paths.hpp"

@@ -9,7 +9,7 @@
 
 #include "waywright/world.hpp"
 
-#include "oracle/adapter.hpp"
+#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/shortest_paths.hpp"
 #include "support/path_scene_check.hpp"

@@ -12,7 +12,7 @@
 
 #include "waywright/item.hpp"
 
-#include "oracle/adapter.hpp"
+#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 
 namespace waywright::test {

@@ -12,7 +12,7 @@
 #include "waywright/item.hpp"
 #include "waywright/world.hpp"
 
-#include "oracle/adapter.hpp"
+#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 #include "support/point_text.hpp"
 #include "support/random.hpp"

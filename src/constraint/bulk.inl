@@ -1,0 +1,151 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "constraint/constrained_triangulation.hpp"
+#include "constraint/ring_corners.hpp"
+
+// Many items at once. Corners come in along a curve, so that each is near the last, and near in memory to its
+// neighbours; then the sides, whose ends are known, in the order of their items' first corners.
+
+namespace waywright::constraint {
+
+/// The corners of all of a batch's items, after some others.
+template <class Batch>
+locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others,
+                                  const threads::Crew& crew) {
+  std::size_t count = others.size();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (const auto& ring : batch.rings(i)) count += ring.size();
+  }
+  std::vector<Point> corners;
+  corners.reserve(count);
+  corners.assign(others.begin(), others.end());
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (const auto& ring : batch.rings(i)) {
+      for_each_corner(ring, batch.kind(i) == ItemKind::polygon, [&](const Point& point) { corners.push_back(point); });
+    }
+  }
+  return locate::sort_along_curve(domain, corners, crew);
+}
+
+/// The sum of the hashes of a batch's items. Their corners are where they are given to be, so no mesh is asked.
+template <class Batch>
+ItemHash::Words hash_of_batch(const Batch& batch) {
+  ItemHash::Words sum{};
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const bool is_closed = batch.kind(i) == ItemKind::polygon;
+    const auto& rings = batch.rings(i);
+    ItemHash hash(batch.id(i), batch.kind(i), batch.fill(i), rings.size());
+    for (const auto& ring : rings) {
+      hash.begin_ring(count_corners(ring, is_closed));
+      for_each_corner(ring, is_closed, [&](const Point& point) { hash.add(point); });
+    }
+    ItemHash::add_to(sum, hash.words());
+  }
+  return sum;
+}
+
+// Which vertices the corners are is known as soon as they are sorted, so records are made and hashed while the mesh is.
+// Nobody has seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and
+// then.
+template <class Geometry>
+template <class Batch>
+ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
+                                                             const threads::Crew& crew)
+    : domain_(domain), triangulation_(domain, kSidesOfBox) {
+  locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), crew);
+  const std::span<const std::uint32_t> ranks(sorted.ranks);
+  corner_uses_.resize(sorted.points.size() + 1, UseLists::kNone);
+  std::vector<std::uint32_t> with_sides;
+  ItemHash::Words hash{};
+  const std::array<threads::Job, 2> jobs = {
+      [&] {
+        add_domain(ranks.first(4));
+        with_sides = add_records(batch, ranks.subspan(4), Triangulation::vertex_of_rank, [&](std::size_t items) {
+          if (items % kItemsBetweenReports == 0) begin_records();
+        });
+      },
+      [&] { hash = hash_of_batch(batch); }};
+  triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), crew, jobs);
+  items_.outline(ItemTable::kDomain, outline_);
+  items_.add_hash(hash_of(ItemTable::kDomain, outline_));
+  items_.add_hash(hash);
+  insert_sides(with_sides, [&](std::size_t items) {
+    if (items % kItemsBetweenReports != 0) return;
+    begin();
+    crew.report(ranks.size() - 4 + items);
+  });
+  begin();
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::add_domain(std::span<const std::uint32_t> ranks) {
+  for (const std::uint32_t rank : ranks) add_corner(Triangulation::vertex_of_rank(rank), ItemTable::kDomain);
+  end_ring();
+  items_.set_outline(ItemTable::kDomain, outline_);
+}
+
+template <class Geometry>
+template <class Batch>
+void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const threads::Crew& crew) {
+  const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, crew);
+  std::vector<mesh::Vertex> vertices;
+  vertices.reserve(sorted.points.size());
+  for (const Point& point : sorted.points) {
+    vertices.push_back(insert_vertex(triangulation_.insert(point)));
+    if (vertices.size() % kItemsBetweenReports == 0) crew.report(vertices.size());
+  }
+  const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
+  items_.add_hash(hash_of_batch(batch));
+  insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
+    if (items % kItemsBetweenReports == 0) crew.report(sorted.ranks.size() + items);
+  });
+}
+
+template <class Geometry>
+template <class Batch, class VertexOf, class AfterRecord>
+std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const Batch& batch,
+                                                                           std::span<const std::uint32_t> ranks,
+                                                                           VertexOf&& vertex_of,
+                                                                           AfterRecord&& after_record) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rank_and_slot;
+  std::size_t corner = 0;
+  items_.reserve(batch.size(), [&](std::size_t i) { return batch.id(i); });
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (i + kIdsAhead < batch.size()) items_.prefetch(batch.id(i + kIdsAhead));
+    const ItemKind kind = batch.kind(i);
+    const std::uint32_t slot = items_.add_item(batch.id(i), kind, batch.fill(i));
+    const std::uint32_t first_rank = ranks[corner];
+    outline_.clear();
+    for (const auto& ring : batch.rings(i)) {
+      for_each_corner(ring, kind == ItemKind::polygon, [&](const Point&) {
+        const std::size_t ahead = corner + kCornersAhead;
+        if (ahead < ranks.size()) prefetch_corner_uses(vertex_of(ranks[ahead]));
+        add_corner(vertex_of(ranks[corner++]), slot);
+      });
+      end_ring();
+    }
+    items_.set_outline(slot, outline_);
+    if (kind != ItemKind::point) rank_and_slot.emplace_back(first_rank, slot);
+    after_record(i + 1);
+  }
+  std::sort(rank_and_slot.begin(), rank_and_slot.end());
+  std::vector<std::uint32_t> slots;
+  slots.reserve(rank_and_slot.size());
+  for (const auto& [rank, slot] : rank_and_slot) slots.push_back(slot);
+  return slots;
+}
+
+template <class Geometry>
+template <class AfterItem>
+void ConstrainedTriangulation<Geometry>::insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    items_.for_each_side(items[i], [&](std::uint32_t side) { insert_side(side); });
+    after_item(i + 1);
+  }
+}
+
+}  // namespace waywright::constraint

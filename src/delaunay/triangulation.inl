@@ -1,0 +1,248 @@
+#pragma once
+
+// The bodies of Triangulation, for the source files that instantiate it.
+
+#include "delaunay/triangulation.hpp"
+
+#include <utility>
+
+#include "delaunay/divide_and_conquer.hpp"
+#include "delaunay/force_edge.inl"
+#include "delaunay/remove_vertex.inl"
+#include "memory/count.hpp"
+
+namespace waywright::delaunay {
+
+using mesh::first;
+using mesh::next;
+using mesh::number;
+using mesh::previous;
+
+// Divide and conquer asks about points as they are, so their sectors can be filled meanwhile.
+template <class Geometry>
+Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
+                                       locate::SortedPoints&& sorted, const threads::Crew& crew,
+                                       std::span<const threads::Job> jobs)
+    : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
+  std::vector<mesh::TriangleMesh::Corner> corners(6 * sorted.points.size() - 6);
+  std::vector<threads::Job> all_jobs(jobs.begin(), jobs.end());
+  all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
+  DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
+  const std::size_t vertex_count = sorted.points.size() + 1;
+  sorted.keys = std::vector<locate::Curve::Key>();       // not {}, which would keep the memory
+  sorted.points.insert(sorted.points.begin(), Point{});  // the ghost's
+  place_all(std::move(sorted.points));
+  mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
+  for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
+  fix_border(side_labels);
+  begin();
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::place_all(std::vector<Point>&& points) {
+  if constexpr (requires { geometry_.place_all(std::move(points)); }) {
+    geometry_.place_all(std::move(points));
+  } else {
+    for (std::uint32_t v = 0; v < points.size(); ++v) geometry_.place(v, points[v]);
+  }
+}
+
+// Around the ghost, clockwise, stand the vertices on the border, counter-clockwise around the box.
+template <class Geometry>
+void Triangulation<Geometry>::fix_border(const std::array<mesh::Label, 4>& side_labels) {
+  mesh::HalfEdge h = mesh_.find(ghost_, box_corners_[0]);
+  for (std::size_t side = 0; side < 4; ++side) {
+    do {
+      h = mesh_.previous_around(h);
+      mesh_.set_label(next(h), side_labels[side]);
+    } while (mesh_.target(h) != box_corners_[(side + 1) % 4]);
+  }
+  remember(h);
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::begin() {
+  mesh_.begin();
+  geometry_.begin();
+  recent_before_ = recent_;
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
+  mesh_.count_memory(use);
+  if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
+  sectors_.count_memory(use);
+  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_,
+                      triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::shrink_to_fit() {
+  mesh_.shrink_to_fit();
+  if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
+  sectors_.shrink_to_fit();
+  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_, triangles_,
+                  left_chain_, right_chain_, dangling_, cavity_, corners_);
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::roll_back() {
+  mesh_.roll_back();
+  geometry_.roll_back();
+  recent_ = recent_before_;
+  freed_.clear();
+}
+
+template <class Geometry>
+locate::Located Triangulation<Geometry>::locate(const Point& point) const {
+  return locate(point, hint(point));
+}
+
+template <class Geometry>
+locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEdge start) const {
+  return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(start), ghost_);
+}
+
+/// A half-edge of a face in the box, as near to the point as is known at no cost: where the last change was, or where
+/// the point's sector says. A vertex that a sector remembers may be elsewhere by now; then those around are asked.
+template <class Geometry>
+mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
+  const auto squared_distance = [&](mesh::Vertex from) {
+    const Point& place = geometry_.nearest(number(from));
+    return (place.x - point.x) * (place.x - point.x) + (place.y - point.y) * (place.y - point.y);
+  };
+  mesh::Vertex nearest = mesh_.origin(recent_);
+  double least = squared_distance(nearest);
+  const auto consider = [&](mesh::Vertex v) {
+    if (!mesh_.is_alive(v)) return;
+    const double distance = squared_distance(v);
+    if (distance >= least) return;
+    nearest = v;
+    least = distance;
+  };
+  const locate::Sectors::Sector sector = sectors_.at(point);
+  const mesh::Vertex v = sectors_.near(sector);
+  if (v != mesh::kNoVertex) consider(v);
+  if (sectors_.is_far(sector, least)) sectors_.for_each_around(sector, consider);
+  if (nearest == mesh_.origin(recent_)) return recent_;
+  const mesh::HalfEdge h = mesh_.outgoing(nearest);
+  return is_ghost_face(h) ? inner_side(h) : h;
+}
+
+/// Where a walk was long although it came from within the point's sector, the sector is crowded.
+template <class Geometry>
+void Triangulation<Geometry>::divide_sector(const Point& point) {
+  const mesh::Vertex v = sectors_.near(sectors_.at(point));
+  if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return;
+  if (sectors_.are_in_one(point, geometry_.nearest(number(v)))) sectors_.divide(point, mesh_.vertex_count());
+}
+
+/// Of a half-edge in a ghost face, one in the face on the other side of the border there.
+template <class Geometry>
+mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
+  while (mesh_.apex(h) != ghost_) h = next(h);
+  return mesh_.twin(h);
+}
+
+template <class Geometry>
+typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point) {
+  const locate::Located place = locate(point);
+  if (place.steps > kLongWalk) divide_sector(point);
+  return insert(point, place);
+}
+
+template <class Geometry>
+typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point,
+                                                                           const locate::Located& place) {
+  if (place.spot == locate::Spot::vertex) {
+    remember(place.h);
+    return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
+  }
+  // In a large world, all of this waits for memory. So what lies beyond the face is fetched at once, while room is made
+  // for the vertex.
+  for (const mesh::HalfEdge h : {place.h, next(place.h), previous(place.h)}) prefetch_face_beyond(h);
+  const mesh::Vertex v = add_vertex(point);
+  const bool parts_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
+  const mesh::Vertex end = mesh_.origin(place.h);
+  in_doubt_.clear();
+  if (place.spot == locate::Spot::face) {
+    for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(place.h), v)) in_doubt_.push_back(h);
+  } else {
+    for (const mesh::HalfEdge h : mesh_.split_edge(place.h, v)) {
+      if (!is_ghost_face(h)) in_doubt_.push_back(h);
+    }
+  }
+  legalise_around_apex();
+  remember(mesh_.outgoing(v));
+  return {v, true, parts_fixed_edge ? mesh_.find(v, end) : mesh::kNoHalfEdge};
+}
+
+template <class Geometry>
+mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Vertex a, mesh::Vertex b, mesh::Vertex c,
+                                                      mesh::Vertex d) {
+  const mesh::Vertex v = mesh_.add_vertex();
+  geometry_.place_crossing(number(v), number(a), number(b), number(c), number(d));
+  sectors_.remember(geometry_.nearest(number(v)), v, mesh_.vertex_count());
+  in_doubt_.clear();
+  for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) in_doubt_.push_back(opposite);
+  legalise_around_apex();
+  return v;
+}
+
+template <class Geometry>
+mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
+  const mesh::Vertex v = mesh_.add_vertex();
+  geometry_.place(number(v), point);
+  sectors_.remember(point, v, mesh_.vertex_count());
+  return v;
+}
+
+// A queue, for a chain of flips can be as long as the mesh is large, and while an edge waits for its turn, what lies
+// beyond it comes from memory. Source: Lawson, *Software for C1 surface interpolation*, 1977.
+template <class Geometry>
+void Triangulation<Geometry>::legalise_around_apex() {
+  for (const mesh::HalfEdge h : in_doubt_) prefetch_apex_beyond(h);
+  const View apex = view(mesh_.apex(in_doubt_.front()));
+  for (std::size_t i = 0; i < in_doubt_.size(); ++i) {
+    const mesh::HalfEdge h = in_doubt_[i];
+    if (i + 1 < in_doubt_.size()) prefetch_apex_beyond(in_doubt_[i + 1]);
+    if (mesh_.is_fixed(h) || is_legal(h, apex)) continue;
+    const auto flipped = mesh_.flip(h);
+    for (const mesh::HalfEdge side : {h, flipped.opposite}) {
+      prefetch_face_beyond(side);
+      in_doubt_.push_back(side);
+    }
+  }
+}
+
+template <class Geometry>
+bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
+  return is_legal(h, view(mesh_.apex(h)));
+}
+
+//        c
+//      /   \         The edge a - b is legal when d lies outside the circle through a, b and c.
+//    a ----- b
+//      \   /
+//        d
+template <class Geometry>
+bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h, const View& c) const {
+  const mesh::HalfEdge t = mesh_.twin(h);
+  const exact::Sign sign = geometry_.in_circle(view(mesh_.origin(h)), view(mesh_.origin(t)), c, view(mesh_.apex(t)));
+  return sign == exact::Sign::zero ? is_legal_on_circle(h) : sign == exact::Sign::negative;
+}
+
+// When all four lie on a circle, the edge is legal when the first of them is a or b.
+template <class Geometry>
+bool Triangulation<Geometry>::is_legal_on_circle(mesh::HalfEdge h) const {
+  const mesh::HalfEdge t = mesh_.twin(h);
+  const auto first_of = [&](mesh::Vertex p, mesh::Vertex q) { return comes_before(p, q) ? p : q; };
+  return comes_before(first_of(mesh_.origin(h), mesh_.origin(t)), first_of(mesh_.apex(h), mesh_.apex(t)));
+}
+
+template <class Geometry>
+void Triangulation<Geometry>::remember(mesh::HalfEdge h) {
+  recent_ = is_ghost_face(h) ? inner_side(h) : h;
+}
+
+}  // namespace waywright::delaunay

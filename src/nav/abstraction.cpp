@@ -1,0 +1,153 @@
+#include "nav/abstraction.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "memory/count.hpp"
+
+namespace waywright::nav {
+
+using mesh::Face;
+
+namespace {
+
+/// So many changed faces are gone through, whatever their share of the mesh.
+constexpr std::size_t kFewFaces = 1000;
+
+}  // namespace
+
+/// Takes everything back unless it is told that all went well.
+class Abstraction::Guard {
+ public:
+  explicit Guard(Abstraction& abstraction) : abstraction_(abstraction) {
+    abstraction_.components_.begin();
+    abstraction_.core_.begin();
+  }
+  ~Guard() {
+    if (is_done_) return;
+    abstraction_.components_.roll_back();
+    abstraction_.core_.roll_back();
+    std::fill(abstraction_.is_touched_.begin(), abstraction_.is_touched_.end(), false);
+  }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+
+  void done() { is_done_ = true; }
+
+ private:
+  Abstraction& abstraction_;
+  bool is_done_ = false;
+};
+
+Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
+
+void Abstraction::begin() {
+  inserted_.clear();
+  removed_.clear();
+}
+
+void Abstraction::update(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  Guard guard(*this);
+  collect_touched(mesh);
+  was_rebuilt_ = false;
+  if (gone_.size() > kFewFaces && 2 * gone_.size() > mesh.face_slots()) {
+    rebuild(triangulation);
+    return guard.done();
+  }
+  collect_made(triangulation);
+  drop_replaced();
+  if (is_in_the_open(mesh)) {
+    components_.refill(mesh, gone_, made_);
+    core_.refill(mesh, gone_, made_);
+  } else {
+    components_.update(triangulation, {gone_, made_, removed_, inserted_});
+    core_.update(mesh, gone_, made_);
+  }
+  guard.done();
+}
+
+/// Where most faces changed, this is cheaper than to go through what did.
+void Abstraction::rebuild(const Triangulation& triangulation) {
+  gone_ = made_ = std::vector<Face>();  // as large as the mesh
+  Components components(triangulation);
+  core_ = TwoCore(triangulation);
+  components_ = std::move(components);
+  was_rebuilt_ = true;
+}
+
+/// The faces that the operation touched, each once.
+void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
+  if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
+  gone_.clear();
+  mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
+    if (is_touched_[number(f)]) return;
+    gone_.push_back(f);
+    is_touched_[number(f)] = true;
+  });
+  for (const Face f : gone_) is_touched_[number(f)] = false;
+}
+
+/// Those of them that are faces of the box now.
+void Abstraction::collect_made(const Triangulation& triangulation) {
+  made_.clear();
+  std::copy_if(gone_.begin(), gone_.end(), std::back_inserter(made_),
+               [&](Face f) { return triangulation.triangulation().is_in_box(f); });
+}
+
+/// Leaves of the polygons that came or went those that did so for good.
+void Abstraction::drop_replaced() {
+  std::sort(inserted_.begin(), inserted_.end());
+  std::sort(removed_.begin(), removed_.end());
+  common_.clear();
+  std::set_intersection(inserted_.begin(), inserted_.end(), removed_.begin(), removed_.end(),
+                        std::back_inserter(common_));
+  const auto is_common = [&](std::uint32_t item) { return std::binary_search(common_.begin(), common_.end(), item); };
+  std::erase_if(inserted_, is_common);
+  std::erase_if(removed_, is_common);
+}
+
+/// Whether all that changed lies among faces that had, and have again, ways over all three of their edges: then they
+/// are of one component and of the core, as before.
+bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
+  if (!inserted_.empty() || !removed_.empty()) return false;
+  Components::Label component = Components::kNone;
+  for (const Face f : gone_) {
+    if (core_.is_absent(f)) continue;
+    if (component == Components::kNone) component = components_.of(f);
+    if (core_.degree(f) != 3 || components_.of(f) != component) return false;
+  }
+  return component != Components::kNone && std::all_of(made_.begin(), made_.end(), [&](Face f) {
+           const mesh::HalfEdge h = mesh::first(f);
+           return !mesh.is_fixed(h) && !mesh.is_fixed(mesh::next(h)) && !mesh.is_fixed(mesh::previous(h));
+         });
+}
+
+std::optional<std::string> Abstraction::find_fault(const Triangulation& triangulation) const {
+  const Abstraction rebuilt(triangulation);
+  std::vector<Face> faces;
+  for (std::uint32_t i = 0; i < triangulation.topology().face_slots(); ++i) {
+    if (triangulation.triangulation().is_in_box(Face{i})) faces.push_back(Face{i});
+  }
+  if (auto fault = components_.find_difference(rebuilt.components_, faces)) return fault;
+  return core_.find_difference(triangulation.topology(), rebuilt.core_, faces);
+}
+
+void Abstraction::count_memory(MemoryUse& use) const {
+  components_.count_memory(use);
+  core_.count_memory(use);
+  use.abstraction += is_touched_.capacity() / 8;
+  memory::count_spare(use, inserted_, removed_, gone_, made_, common_);
+}
+
+void Abstraction::shrink_to_fit() {
+  components_.begin();  // empties the logs
+  core_.begin();
+  components_.shrink_to_fit();
+  core_.shrink_to_fit();
+  memory::shrink(is_touched_);
+  memory::release(inserted_, removed_, gone_, made_, common_);
+}
+
+}  // namespace waywright::nav

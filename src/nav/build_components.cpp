@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "constraint/turns.hpp"
+#include "nav/components.hpp"
+
+// The components of a mesh that nothing is known of yet. They are found in place: until they are numbered, a face's
+// label is that of a face before it in its set, or the first face's own.
+
+namespace waywright::nav {
+
+using mesh::Face;
+using mesh::HalfEdge;
+
+namespace {
+
+/// The winding numbers of polygons, by slot, ascending; those that are 0 are left out.
+using Turns = std::vector<std::pair<std::uint32_t, std::int32_t>>;
+
+/// The winding numbers beyond the edge of `h`, from those in its face.
+Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Turns& here, HalfEdge h) {
+  Turns turns = here;
+  triangulation.for_each_side(h, [&](const constraint::Side& side) {
+    if (!triangulation.items().is_polygon(side.item)) return;
+    turns.emplace_back(side.item, constraint::runs_along(triangulation, side, h) ? -1 : 1);
+  });
+  std::sort(turns.begin(), turns.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < turns.size();) {
+    const std::uint32_t polygon = turns[i].first;
+    std::int32_t sum = 0;
+    for (; i < turns.size() && turns[i].first == polygon; ++i) sum += turns[i].second;
+    if (sum != 0) turns[kept++] = {polygon, sum};
+  }
+  turns.resize(kept);
+  return turns;
+}
+
+}  // namespace
+
+Components::Components(const Triangulation& triangulation) : labels_(triangulation.topology().face_slots(), kNone) {
+  join_faces(triangulation);
+  number_components();
+  if (triangulation.items().has_polygons()) cover_components(triangulation);
+  begin();
+}
+
+/// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
+void Components::join_faces(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!triangulation.triangulation().is_in_box(Face{f})) continue;
+    labels_[f] = f;
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge h{3 * f + side};
+      const Face other = mesh::face(mesh.twin(h));
+      if (number(other) < f && !mesh.is_fixed(h)) unite(labels_, f, number(other));
+    }
+  }
+}
+
+void Components::number_components() {
+  for (std::uint32_t f = 0; f < labels_.size(); ++f) {
+    if (labels_[f] == kNone) continue;
+    const bool is_first = labels_[f] == f;
+    labels_[f] = is_first ? add_record({}) : labels_[labels_[f]];
+    ++records_[labels_[f]].size;
+  }
+}
+
+/// From beyond the box inwards. Where there are nonzero polygons, the components whose neighbours are still to be
+/// looked at have their winding numbers kept.
+void Components::cover_components(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const bool has_nonzero = triangulation.items().has_nonzero_polygons();
+  const std::vector<Door> doors = find_doors(mesh);
+  std::vector<bool> is_known(records_.size());
+  std::vector<std::pair<Label, Turns>> known(1, {kNone, {}});
+  const auto comes_before = [](const Door& door, Label component) { return door.component < component; };
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const auto [component, here] = std::move(known[i]);
+    auto door = std::lower_bound(doors.begin(), doors.end(), component, comes_before);
+    for (; door != doors.end() && door->component == component; ++door) {
+      const Label beyond = of(mesh::face(mesh.twin(door->h)));
+      if (is_known[beyond]) continue;
+      is_known[beyond] = true;
+      known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, door->h) : Turns());
+      Uses& cover = records_[beyond].cover;
+      if (!has_nonzero) cover = cover_beyond(triangulation, door->h, {});
+      for (const auto& [polygon, turns] : known.back().second) {
+        if (triangulation.items().covers(polygon, turns)) cover = covers_.add(cover, polygon);
+      }
+    }
+  }
+}
+
+std::vector<Components::Door> Components::find_doors(const mesh::TriangleMesh& mesh) const {
+  std::vector<Door> doors;
+  for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
+    const HalfEdge h{i};
+    if (!mesh.is_alive(mesh::face(h)) || !mesh.is_fixed(h)) continue;
+    const Label beyond = of(mesh::face(mesh.twin(h)));
+    if (beyond != kNone && beyond != of(mesh::face(h))) doors.push_back({of(mesh::face(h)), h});
+  }
+  std::sort(doors.begin(), doors.end(), [](const Door& a, const Door& b) { return a.component < b.component; });
+  return doors;
+}
+
+}  // namespace waywright::nav

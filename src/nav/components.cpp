@@ -1,0 +1,357 @@
+#include "nav/components.hpp"
+
+#include <algorithm>
+
+#include "memory/count.hpp"
+
+namespace waywright::nav {
+
+using constraint::UseLists;
+using mesh::Face;
+using mesh::HalfEdge;
+
+void Components::update(const Triangulation& triangulation, const Changes& changes) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  make_room(mesh);
+  constexpr std::uint32_t kMarksToSpare = 0x40000000;  // more than an update takes
+  if (next_mark_ > ~kMarksToSpare) {
+    marks_.clear();
+    next_mark_ = 1;
+  }
+  take_out(changes.gone);
+  find_groups(mesh, changes.made);
+  drop_removed(triangulation, changes);
+  find_parts(mesh);
+  label_parts(mesh);
+  cover_new_groups(triangulation, changes);
+  for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon);
+}
+
+void Components::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+  make_room(mesh);
+  Label component = kNone;
+  std::uint32_t gone_count = 0;
+  for (const Face f : gone) {
+    if (labels_[number(f)] == kNone) continue;
+    component = labels_[number(f)];
+    ++gone_count;
+    write_label(f, kNone);
+  }
+  for (const Face f : made) write_label(f, component);
+  Record record = records_[component];
+  record.size += static_cast<std::uint32_t>(made.size()) - gone_count;
+  write_record(component, record);
+}
+
+void Components::make_room(const mesh::TriangleMesh& mesh) {
+  marks_.cover(mesh.face_slots());
+  if (labels_.size() < mesh.face_slots()) labels_.resize(mesh.face_slots(), kNone);
+}
+
+/// The changed faces leave their components. One without faces is none.
+void Components::take_out(std::span<const Face> gone) {
+  Label label = kNone;
+  Record record;
+  const auto write = [&] {
+    if (label == kNone) return;
+    write_record(label, record);
+    if (record.size == 0) free_record(label);
+  };
+  for (const Face f : gone) {
+    const Label own = labels_[number(f)];
+    if (own == kNone) continue;
+    write_label(f, kNone);
+    if (own != label) {
+      write();
+      label = own;
+      record = records_[own];
+    }
+    --record.size;
+  }
+  write();
+}
+
+/// The groups, and the old faces at their borders. A way that is free now was free before, so each part of an old
+/// component that lost a face has one.
+void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
+  groups_.clear();
+  group_sets_.clear();
+  faces_.clear();
+  contacts_.clear();
+  const std::uint32_t no_group = next_mark_++;
+  group_mark_ = next_mark_;
+  for (const Face f : made) set_mark(f, no_group);
+  for (const Face f : made) {
+    if (mark(f) != no_group) continue;
+    const auto group = static_cast<std::uint32_t>(groups_.size());
+    const auto begin = static_cast<std::uint32_t>(faces_.size());
+    const std::uint32_t group_mark = next_mark_++;
+    set_mark(f, group_mark);
+    faces_.push_back(f);
+    for (std::size_t i = begin; i < faces_.size(); ++i) {
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        const HalfEdge h{3 * number(faces_[i]) + side};
+        if (mesh.is_fixed(h)) continue;
+        const Face other = mesh::face(mesh.twin(h));
+        if (labels_[number(other)] != kNone) {
+          contacts_.push_back({labels_[number(other)], group, other});
+        } else if (mark(other) == no_group) {
+          set_mark(other, group_mark);
+          faces_.push_back(other);
+        }
+      }
+    }
+    group_sets_.push_back(group);
+    groups_.push_back({begin, static_cast<std::uint32_t>(faces_.size())});
+  }
+  std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
+    return a.component != b.component ? a.component < b.component : a.group < b.group;
+  });
+}
+
+void Components::find_parts(const mesh::TriangleMesh& mesh) {
+  parts_.clear();
+  parted_.clear();
+  const auto count = static_cast<std::uint32_t>(contacts_.size());
+  for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+    const Contact& first = contacts_[begin];
+    bool is_in_one = true;
+    for (; end < count && contacts_[end].component == first.component; ++end) {
+      is_in_one = is_in_one && top(group_sets_, contacts_[end].group) == top(group_sets_, first.group);
+    }
+    if (is_in_one) {
+      parts_.push_back({first.component, first.group, records_[first.component].size, false, begin, end});
+    } else {
+      part(mesh, begin, end);
+    }
+  }
+}
+
+/// Finds the parts of one old component, by searches from its contacts. Source: Even and Shiloach, *An on-line
+/// edge-deletion problem*, JACM 1981 (searches that run in turn).
+void Components::part(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
+  start_searches({contacts_.data() + begin, end - begin});
+  const std::uint32_t rest = search_until_one_is_left(mesh);
+  const Label component = contacts_[begin].component;
+  std::uint32_t size = records_[component].size;
+  for (std::uint32_t i = 0; i < search_sets_.size(); ++i) {
+    const std::uint32_t set = top(search_sets_, i);
+    unite(group_sets_, searches_[set].group, searches_[i].group);
+    if (set != i || set == rest) continue;
+    add_piece(i, component);
+    size -= parts_.back().size;
+  }
+  parts_.push_back({component, searches_[rest].group, size, false, begin, end});
+}
+
+/// One search for all contacts in groups that are joined.
+void Components::start_searches(std::span<const Contact> contacts) {
+  search_mark_ = next_mark_;
+  search_sets_.clear();
+  for (const Contact& contact : contacts) {
+    const std::uint32_t group = top(group_sets_, contact.group);
+    std::uint32_t i = 0;
+    while (i < search_sets_.size() && searches_[i].group != group) ++i;
+    if (i == search_sets_.size()) {
+      search_sets_.push_back(i);
+      ++next_mark_;  // before there is a mark, so that none is left for the next should memory run out here
+      if (i == searches_.size()) searches_.emplace_back();
+      searches_[i].group = group;
+      searches_[i].found.clear();
+      searches_[i].next = 0;
+    }
+    find(searches_[i], contact.face);
+  }
+}
+
+/// Searches from all sides in turn. Returns the set of searches that is still unfinished, or any if all are done.
+std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mesh) {
+  const std::span searches(searches_.data(), search_sets_.size());
+  const auto is_open = [](const Search& search) { return search.next < search.found.size(); };
+  for (;;) {
+    for (Search& search : searches) {
+      if (is_open(search)) step(mesh, search);
+    }
+    std::uint32_t rest = 0;
+    std::size_t open_sets = 0;
+    for (std::uint32_t i = 0; i < searches.size(); ++i) {
+      if (!is_open(searches[i]) || (open_sets > 0 && top(search_sets_, i) == rest)) continue;
+      rest = top(search_sets_, i);
+      if (++open_sets > 1) break;
+    }
+    if (open_sets <= 1) return rest;
+  }
+}
+
+/// Looks at one face's neighbours; not at new ones, where searches that meet are one already.
+void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
+  const Face f = search.found[search.next++];
+  for (std::uint32_t side = 0; side < 3; ++side) {
+    const HalfEdge h{3 * number(f) + side};
+    const Face other = mesh::face(mesh.twin(h));
+    if (!mesh.is_fixed(h) && labels_[number(other)] != kNone) find(search, other);
+  }
+}
+
+/// A face is found by the search, or it shows that another search that found it is the same.
+void Components::find(Search& search, Face f) {
+  const auto own = static_cast<std::uint32_t>(&search - searches_.data());
+  const std::uint32_t found_by = mark(f);
+  if (found_by < search_mark_) {
+    set_mark(f, search_mark_ + own);
+    search.found.push_back(f);
+  } else {
+    unite(search_sets_, own, found_by - search_mark_);
+  }
+}
+
+/// What a set of searches that came to their end have found, the set's first being `search`.
+void Components::add_piece(std::uint32_t search, Label component) {
+  const auto begin = static_cast<std::uint32_t>(parted_.size());
+  for (std::uint32_t i = search; i < search_sets_.size(); ++i) {
+    if (top(search_sets_, i) != search) continue;
+    parted_.insert(parted_.end(), searches_[i].found.begin(), searches_[i].found.end());
+  }
+  const auto end = static_cast<std::uint32_t>(parted_.size());
+  parts_.push_back({component, searches_[search].group, end - begin, true, begin, end});
+}
+
+// Groups that are joined, and all the parts that they join, become one component: under the label of the largest rest
+// of an old one, if there is any.
+void Components::label_parts(const mesh::TriangleMesh& mesh) {
+  for (const Part& part : parts_) {
+    Group& group = groups_[top(group_sets_, part.group)];
+    if (part.is_piece || (group.label != kNone && part.size <= group.size)) continue;
+    group.label = part.component;
+    group.size = part.size;
+  }
+  for (Group& group : groups_) group.size = 0;
+  for (const Part& part : parts_) {
+    Group& group = groups_[top(group_sets_, part.group)];
+    if (group.label == kNone) group.label = add_record({0, covers_.copy(records_[part.component].cover)});
+    group.size += part.size;
+  }
+  for (const Part& part : parts_) relabel(mesh, part, groups_[top(group_sets_, part.group)].label);
+  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
+    Group& group = groups_[i];
+    Group& first = groups_[top(group_sets_, i)];
+    first.size += group.end - group.begin;
+    group.label = first.label;
+    if (group.label == kNone) continue;
+    for (std::uint32_t k = group.begin; k < group.end; ++k) write_label(faces_[k], group.label);
+  }
+  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
+    const Group& group = groups_[i];
+    if (group.label == kNone || top(group_sets_, i) != i) continue;
+    write_record(group.label, {group.size, records_[group.label].cover});
+  }
+}
+
+void Components::relabel(const mesh::TriangleMesh& mesh, const Part& part, Label label) {
+  if (label == part.component) return;
+  if (part.is_piece) {
+    for (std::uint32_t i = part.begin; i < part.end; ++i) write_label(parted_[i], label);
+    return;
+  }
+  stack_.clear();
+  const auto visit = [&](Face f) {
+    if (labels_[number(f)] != part.component) return;
+    write_label(f, label);
+    stack_.push_back(f);
+  };
+  for (std::uint32_t i = part.begin; i < part.end; ++i) {
+    if (top(group_sets_, contacts_[i].group) == top(group_sets_, part.group)) visit(contacts_[i].face);
+  }
+  while (!stack_.empty()) {
+    const Face f = stack_.back();
+    stack_.pop_back();
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge h{3 * number(f) + side};
+      if (!mesh.is_fixed(h)) visit(mesh::face(mesh.twin(h)));
+    }
+  }
+  free_record(part.component);
+}
+
+std::uint32_t Components::top(std::vector<std::uint32_t>& sets, std::uint32_t i) {
+  while (sets[i] != i) i = sets[i] = sets[sets[i]];
+  return i;
+}
+
+void Components::unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j) {
+  const std::uint32_t a = top(sets, i);
+  const std::uint32_t b = top(sets, j);
+  sets[std::max(a, b)] = std::min(a, b);
+}
+
+void Components::write_label(Face f, Label label) {
+  label_log_.emplace_back(f, labels_[number(f)]);
+  labels_[number(f)] = label;
+}
+
+void Components::write_record(Label component, const Record& record) {
+  record_log_.emplace_back(component, records_[component]);
+  records_[component] = record;
+}
+
+Components::Label Components::add_record(const Record& record) {
+  if (first_free_ == kNone) {
+    records_.push_back(record);
+    return static_cast<Label>(records_.size() - 1);
+  }
+  const Label label = first_free_;
+  const Label next_free = records_[label].size;
+  write_record(label, record);
+  first_free_ = next_free;
+  --free_count_;
+  return label;
+}
+
+void Components::free_record(Label component) {
+  covers_.release(records_[component].cover);
+  write_record(component, {first_free_, UseLists::kNone});
+  first_free_ = component;
+  ++free_count_;
+}
+
+void Components::begin() {
+  covers_.begin();
+  label_log_.clear();
+  record_log_.clear();
+  record_count_before_ = records_.size();
+  first_free_before_ = first_free_;
+  free_count_before_ = free_count_;
+}
+
+void Components::roll_back() {
+  covers_.roll_back();
+  for (; !label_log_.empty(); label_log_.pop_back()) {
+    labels_[number(label_log_.back().first)] = label_log_.back().second;
+  }
+  for (; !record_log_.empty(); record_log_.pop_back()) {
+    records_[record_log_.back().first] = record_log_.back().second;
+  }
+  records_.resize(record_count_before_);
+  first_free_ = first_free_before_;
+  free_count_ = free_count_before_;
+}
+
+void Components::count_memory(MemoryUse& use) const {
+  memory::count(use, &MemoryUse::abstraction, labels_);
+  marks_.count_memory(use, &MemoryUse::abstraction);
+  memory::count(use, &MemoryUse::abstraction, records_);
+  covers_.count_memory(use, &MemoryUse::abstraction);
+  memory::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_,
+                      parts_, parted_, stack_, flooded_, reached_, around_, sides_, polygons_);
+  for (const Search& search : searches_) memory::count_spare(use, search.found);
+}
+
+void Components::shrink_to_fit() {
+  memory::shrink(labels_, records_);
+  marks_.shrink_to_fit();
+  covers_.shrink_to_fit();
+  memory::release(label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_,
+                  parted_, stack_, flooded_, reached_, around_, sides_, polygons_);
+}
+
+}  // namespace waywright::nav

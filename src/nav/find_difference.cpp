@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <unordered_map>
+
+#include "nav/components.hpp"
+#include "nav/two_core.hpp"
+
+// How what is kept up is held against what is built anew.
+
+namespace waywright::nav {
+
+using mesh::Face;
+
+std::optional<std::string> Components::find_difference(const Components& other, std::span<const Face> faces) const {
+  if (count() != other.count()) return "the abstraction has another number of components";
+  std::unordered_map<Label, Label> names;
+  std::vector<std::uint32_t> cover;
+  std::vector<std::uint32_t> other_cover;
+  for (const Face f : faces) {
+    const auto [name, is_new] = names.emplace(of(f), other.of(f));
+    const std::string where = "face " + std::to_string(number(f));
+    if (name->second != other.of(f)) return where + " is in another component";
+    if (!is_new) continue;
+    if (size(of(f)) != other.size(other.of(f))) return "the component of " + where + " has another size";
+    cover.clear();
+    other_cover.clear();
+    for_each_cover(f, [&](std::uint32_t item) { cover.push_back(item); });
+    other.for_each_cover(f, [&](std::uint32_t item) { other_cover.push_back(item); });
+    std::sort(cover.begin(), cover.end());
+    std::sort(other_cover.begin(), other_cover.end());
+    if (cover != other_cover) return "the component of " + where + " is covered by other polygons";
+  }
+  // As many names as components: no two components have one name.
+  if (names.size() != count()) return "the abstraction misses a component";
+  return std::nullopt;
+}
+
+std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,
+                                                    std::span<const Face> faces) const {
+  std::unordered_map<std::uint32_t, std::uint32_t> roots;  // by the other's
+  const std::vector<Face> tops = this->tops(mesh, faces);
+  const std::vector<Face> other_tops = other.tops(mesh, faces);
+  for (const Face f : faces) {
+    const std::string where = "face " + std::to_string(number(f));
+    if (is_core(f) != other.is_core(f)) return where + (is_core(f) ? " is not of the core" : " is of the core");
+    if ((states_[number(f)] & kWays) != (other.states_[number(f)] & kWays)) return where + " has other ways";
+    if (is_core(f)) continue;
+    const Face root = tops[number(f)];
+    const Face other_root = other_tops[number(f)];
+    if (is_core(root) || other.is_core(other_root)) {
+      if (towards_core(f) != other.towards_core(f)) return where + " leads elsewhere than towards the core";
+    } else if (towards_core(root) != mesh::kNoHalfEdge) {
+      return where + " leads round and round";
+    } else if (roots.emplace(number(other_root), number(root)).first->second != number(root)) {
+      return where + " leads to a second root";
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where each face's way towards the core ends; itself where it doesn't end.
+std::vector<Face> TwoCore::tops(const mesh::TriangleMesh& mesh, std::span<const Face> faces) const {
+  constexpr Face kUnknown{0xffffffff};
+  std::vector<Face> tops(states_.size(), kUnknown);
+  std::vector<Face> way;
+  for (Face f : faces) {
+    for (way.clear(); tops[number(f)] == kUnknown; f = mesh::face(mesh.twin(towards_core(f)))) {
+      way.push_back(f);
+      tops[number(f)] = f;
+      if (is_core(f) || towards_core(f) == mesh::kNoHalfEdge) break;
+    }
+    for (const Face below : way) tops[number(below)] = tops[number(f)];
+  }
+  return tops;
+}
+
+}  // namespace waywright::nav

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "constraint/cover.hpp"
+#include "nav/abstraction.hpp"
+
+namespace waywright::nav {
+
+/// Which polygons cover a place, as a world's components know it where they are kept. Cost: O(1), and the answer.
+class KeptCover final : public constraint::Cover {
+ public:
+  /// What to ask from now on, or null; it is to outlive that.
+  void use(const Abstraction* abstraction) {
+    components_ = abstraction != nullptr ? &abstraction->components() : nullptr;
+  }
+
+  const std::vector<std::uint32_t>& of_face(const constraint::ExactTriangulation& triangulation,
+                                            mesh::HalfEdge h) override {
+    if (components_ == nullptr) return Cover::of_face(triangulation, h);
+    polygons_.clear();
+    components_->for_each_cover(mesh::face(h), [&](std::uint32_t polygon) { polygons_.push_back(polygon); });
+    return polygons_;
+  }
+
+  bool is_covered(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge h) override {
+    return components_ == nullptr ? Cover::is_covered(triangulation, h) : components_->is_covered(mesh::face(h));
+  }
+
+ private:
+  const Components* components_ = nullptr;
+  std::vector<std::uint32_t> polygons_;
+};
+
+}  // namespace waywright::nav

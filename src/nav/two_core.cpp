@@ -1,0 +1,137 @@
+#include "nav/two_core.hpp"
+
+namespace waywright::nav {
+
+using mesh::Face;
+using mesh::HalfEdge;
+
+TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation)
+    : states_(triangulation.topology().face_slots(), kAbsent) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  for (std::uint32_t f = 0; f < states_.size(); ++f) {
+    if (!triangulation.triangulation().is_in_box(Face{f})) continue;
+    states_[f] = kCore;
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge h{3 * f + side};
+      if (!mesh.is_fixed(h)) states_[f] |= way(h);
+    }
+  }
+  for (std::uint32_t f = 0; f < states_.size(); ++f) {
+    peel_from(mesh, Face{f});
+    begin();  // there is nothing to take back to
+  }
+  log_.shrink_to_fit();
+}
+
+// The core is found from above: a set that is surely large enough is peeled until every face has two ways.
+//
+// Every new face is in the set, and so are the faces on the way towards the core from each old tree face beside them,
+// but for those that hang on a new face: a tree that is joined to nothing but the face it hangs on stays one. What is
+// left outside of the set are trees that hang on it.
+//
+// Where just one old tree face lies beside the new ones and the core is far, that way is long and mostly climbed in
+// vain: the new faces take the place of others that hung there. So they are peeled first, as if that face were of the
+// core; only if this leaves a ring is there anything to climb for. (Were there a second such face, or had a root or a
+// core gone, the climb might lead through another of the places that changed and back.)
+void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+  if (states_.size() < mesh.face_slots()) states_.resize(mesh.face_slots(), kAbsent);
+  Surroundings around;
+  for (const Face f : gone) {
+    around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
+    write(f, kAbsent);
+  }
+  for (const Face f : made) write(f, kCore | kNew);
+  for (const Face f : made) join(mesh, f, around);
+  loose_.assign(made.begin(), made.end());
+  const bool hangs_on_one = around.trees == 1 && !around.has_core && !around.had_top;
+  if (hangs_on_one) peel(mesh);
+  if (around.trees > 0) climb_trees(mesh, made);
+  peel(mesh);
+  for (const Face f : made) states_[number(f)] = static_cast<State>(states_[number(f)] & ~kNew);
+}
+
+void TwoCore::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+  if (states_.size() < mesh.face_slots()) states_.resize(mesh.face_slots(), kAbsent);
+  for (const Face f : gone) write(f, kAbsent);
+  for (const Face f : made) write(f, kCore | kWays);
+}
+
+void TwoCore::roll_back() {
+  for (; !log_.empty(); log_.pop_back()) states_[number(log_.back().first)] = log_.back().second;
+}
+
+void TwoCore::write(Face f, State state) {
+  if ((states_[number(f)] & kNew) == 0) log_.emplace_back(f, states_[number(f)]);
+  states_[number(f)] = state;
+}
+
+void TwoCore::add_way(HalfEdge h) {
+  const Face f = mesh::face(h);
+  write(f, states_[number(f)] | way(h));
+}
+
+/// Gives a new face its ways, one to each tree face beside it included: these have no way back until they are climbed.
+void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge h{3 * number(f) + i};
+    if (mesh.is_fixed(h)) continue;
+    const HalfEdge back = mesh.twin(h);
+    const Face other = mesh::face(back);
+    if (leads_up(back)) continue;
+    add_way(h);
+    if (!is_core(other)) {
+      ++around.trees;
+    } else if ((states_[number(other)] & kNew) == 0 && !is_way(back)) {
+      add_way(back);
+      around.has_core = true;
+    }
+  }
+}
+
+void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
+  for (const Face f : made) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h{3 * number(f) + i};
+      if (is_way(h) && !is_way(mesh.twin(h))) climb(mesh, mesh.twin(h));
+    }
+  }
+}
+
+/// Takes a tree face into the core, which has come to it by its half-edge `back`, and all faces between it and the core
+/// or the root.
+void TwoCore::climb(const mesh::TriangleMesh& mesh, HalfEdge back) {
+  for (;;) {
+    const Face f = mesh::face(back);
+    if (is_core(f)) return add_way(back);
+    const HalfEdge up = towards_core(f);
+    if (up == mesh::kNoHalfEdge) {
+      write(f, kCore | way(back));
+      return loose_.push_back(f);
+    }
+    write(f, static_cast<State>(kCore | way(back) | way(up)));
+    back = mesh.twin(up);
+  }
+}
+
+/// Takes loose faces out of the core until every face has two ways.
+void TwoCore::peel(const mesh::TriangleMesh& mesh) {
+  while (!loose_.empty()) {
+    const Face f = loose_.back();
+    loose_.pop_back();
+    peel_from(mesh, f);
+  }
+}
+
+/// Takes a face out of the core if it has fewer than two ways; then the next, that it hung on.
+void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
+  while (is_core(f) && degree(f) < 2) {
+    if (degree(f) == 0) return write(f, kRoot);
+    const HalfEdge up{3 * number(f) + static_cast<std::uint32_t>(std::countr_zero(ways(f)))};
+    write(f, leaf(up));
+    const HalfEdge back = mesh.twin(up);
+    f = mesh::face(back);
+    if (is_core(f)) write(f, static_cast<State>(states_[number(f)] & ~way(back)));
+  }
+}
+
+}  // namespace waywright::nav

@@ -1,0 +1,110 @@
+#include "world/change_check.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "world/point_error.hpp"
+
+namespace waywright {
+
+namespace {
+
+/// A mesh has 31 bits for a half-edge, so 2^31 / 6 vertices at most. This keeps half of them for crossings, which nobody
+/// can count before they are made.
+constexpr std::size_t kLargestVertexCount = std::size_t{1} << 27;
+
+std::optional<Error> find_arity_error(const Shape& shape) {
+  const auto refuse = [](detail::ErrorWords message) {
+    return Error{ErrorCode::empty_shape, std::move(message), {}, 0};
+  };
+  if (shape.rings.empty()) return refuse("a shape needs a ring of points");
+  for (const PointSpan& ring : shape.rings) {
+    if (ring.empty()) return refuse("a ring needs at least one point");
+  }
+  if (shape.kind == ItemKind::polygon) return std::nullopt;
+  if (shape.rings.size() != 1) return refuse("only a polygon has more than one ring");
+  const std::size_t count = shape.rings[0].size();
+  if (shape.kind == ItemKind::point && count != 1) return refuse("a point needs exactly one point");
+  if (shape.kind == ItemKind::segment && count != 2) return refuse("a segment needs exactly two points");
+  return std::nullopt;
+}
+
+std::optional<Error> about(ItemId id, std::optional<Error> error) {
+  if (error) error->item = id;
+  return error;
+}
+
+}  // namespace
+
+Error unknown_id_error(ItemId id) {
+  return {id.value > ItemId::kLargest ? ErrorCode::bad_id : ErrorCode::unknown_id, {}, id, 0};
+}
+
+std::optional<Error> ChangeCheck::add_insertion(const Shape& shape, ItemId& id) {
+  if (id.is_null()) id = {largest_.value + 1};
+  if (auto error = check_new_id(id)) return error;
+  if (auto error = check_shape(id, shape)) return error;
+  if (keeps_record_) remember_insertion(id);
+  return std::nullopt;
+}
+
+std::optional<Error> ChangeCheck::add_removal(ItemId id) {
+  if (!is_alive(id)) return unknown_id_error(id);
+  if (keeps_record_) changed_[id] = false;
+  return std::nullopt;
+}
+
+std::optional<Error> ChangeCheck::add_replacement(ItemId id, const Shape& shape) {
+  if (!is_alive(id)) return unknown_id_error(id);
+  return check_shape(id, shape);
+}
+
+std::optional<Error> ChangeCheck::add_point(const Point& point, std::size_t i, ItemId id) {
+  if (auto error = check_new_id(id)) return error;
+  if (auto error = find_point_error(triangulation_.domain(), point, i)) return about(id, std::move(error));
+  return about(id, add_vertices(1));
+}
+
+std::optional<Error> ChangeCheck::check_new_id(ItemId id) const {
+  if (id.is_null() || id.value > ItemId::kLargest) return Error{ErrorCode::bad_id, {}, id, 0};
+  if (id <= largest_ && is_alive(id)) return Error{ErrorCode::id_in_use, {}, id, 0};
+  return std::nullopt;
+}
+
+std::optional<Error> ChangeCheck::check_shape(ItemId id, const Shape& shape) {
+  if (auto error = find_arity_error(shape)) return about(id, std::move(error));
+  const std::span<const Point> points = shape.rings.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (auto error = find_point_error(triangulation_.domain(), points[i], i)) return about(id, std::move(error));
+  }
+  return about(id, add_vertices(points.size()));
+}
+
+std::optional<Error> ChangeCheck::add_vertices(std::size_t count) {
+  if (vertex_count_ + count > kLargestVertexCount) {
+    return Error{ErrorCode::too_large, "the world has too many vertices", {}, 0};
+  }
+  vertex_count_ += count;
+  return std::nullopt;
+}
+
+bool ChangeCheck::is_alive(ItemId id) const {
+  if (keeps_record_) {
+    const auto found = changed_.find(id);
+    if (found != changed_.end()) return found->second;
+    if (std::binary_search(fresh_.begin(), fresh_.end(), id)) return true;
+  }
+  return triangulation_.items().contains(id);
+}
+
+void ChangeCheck::remember_insertion(ItemId id) {
+  if (id > largest_) {
+    largest_ = id;
+    fresh_.push_back(id);
+  } else {
+    changed_[id] = true;
+  }
+}
+
+}  // namespace waywright

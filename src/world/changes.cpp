@@ -1,0 +1,166 @@
+#include "waywright/world.hpp"
+
+#include <utility>
+
+#include "base/float_environment.hpp"
+#include "constraint/batch.hpp"
+#include "constraint/constrained_triangulation.inl"
+#include "world/change_check.hpp"
+#include "world/world_impl.hpp"
+
+// What changes a world: each function checks all that it is given, then makes one operation of it.
+
+namespace waywright {
+
+namespace {
+
+constexpr char kNoThread[] = "BulkOptions: `threads` is 0; the calling thread is one";
+
+/// What is reported is less than `total` until all is done.
+threads::Crew crew_of(const BulkOptions& options, std::size_t total) {
+  threads::Crew::Report report;
+  if (options.progress) {
+    report = [&options, total](std::size_t done) {
+      if (done < total) options.progress(done, total);
+    };
+  }
+  return {options.threads, std::move(report), options.jobs};
+}
+
+/// The check of a change that is alone.
+ChangeCheck check_one(const constraint::ExactTriangulation& triangulation) {
+  return {triangulation, ChangeCheck::Record::no};
+}
+
+/// What is wrong with the change, or nothing. A null `id` of an insertion becomes the one that the world will give.
+std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId& id) {
+  switch (change.kind) {
+    case Change::Kind::insert:
+      return check.add_insertion(change.shape, id);
+    case Change::Kind::remove:
+      return check.add_removal(id);
+    case Change::Kind::replace:
+      return check.add_replacement(id, change.shape);
+  }
+  return std::nullopt;
+}
+
+/// The error of the i-th element of a list, which the message names.
+Error in_list(const char* element, std::size_t i, Error error) {
+  error.index = i;
+  error.words.list = element;
+  return error;
+}
+
+}  // namespace
+
+void World::Impl::note_removal(std::uint32_t slot) {
+  if (triangulation.items().kind(slot) == ItemKind::point) return;
+  triangulation.items().outline(slot, outline);
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  change_log.add_item();
+  for (const mesh::Vertex v : outline.corners) change_log.add_point(geometry.nearest(number(v)));
+}
+
+Result<ItemId> World::insert(const Shape& shape, ItemId id) {
+  const base::FloatEnvironment environment;
+  if (auto error = check_one(impl_->triangulation).add_insertion(shape, id)) return *std::move(error);
+  Operation operation(*impl_);
+  operation.insert(shape, id);
+  operation.commit();
+  return id;
+}
+
+Result<ItemId> World::insert_point(Point point, ItemId id) { return insert(Shape::point(point), id); }
+
+Result<ItemId> World::insert_segment(Point a, Point b, ItemId id) { return insert(Shape::segment(a, b), id); }
+
+Result<ItemId> World::insert_polyline(PointSpan points, ItemId id) { return insert(Shape::polyline(points), id); }
+
+Result<ItemId> World::insert_polygon(Rings rings, ItemId id) { return insert(Shape::polygon(std::move(rings)), id); }
+
+Result<void> World::remove(ItemId id) {
+  const base::FloatEnvironment environment;
+  if (auto error = check_one(impl_->triangulation).add_removal(id)) return *std::move(error);
+  Operation operation(*impl_);
+  operation.remove(id);
+  operation.commit();
+  return {};
+}
+
+Result<void> World::replace(ItemId id, const Shape& shape) {
+  const base::FloatEnvironment environment;
+  if (auto error = check_one(impl_->triangulation).add_replacement(id, shape)) return *std::move(error);
+  Operation operation(*impl_);
+  operation.remove(id);
+  operation.insert(shape, id);
+  operation.commit();
+  return {};
+}
+
+Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
+  const base::FloatEnvironment environment;
+  ChangeCheck check(impl_->triangulation, ChangeCheck::Record::yes);
+  std::vector<ItemId> ids;
+  ids.reserve(changes.size());
+  bool is_all_insertions = true;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    ids.push_back(changes[i].id);
+    if (auto error = add_change(check, changes[i], ids.back())) return in_list("change", i, *std::move(error));
+    is_all_insertions = is_all_insertions && changes[i].kind == Change::Kind::insert;
+  }
+  if (is_all_insertions) {
+    impl_->insert_all(constraint::ShapeBatch<Change>{changes, ids});
+    return ids;
+  }
+  Operation operation(*impl_);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    std::size_t end = i;
+    while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
+    if (end > i + 1) {
+      const std::span<const ItemId> their_ids(ids.data() + i, end - i);
+      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), their_ids});
+      i = end - 1;
+      continue;
+    }
+    if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
+    if (changes[i].kind != Change::Kind::remove) operation.insert(changes[i].shape, ids[i]);
+  }
+  operation.commit();
+  return ids;
+}
+
+Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const BulkOptions& options) {
+  const base::FloatEnvironment environment;
+  ChangeCheck check(impl_->triangulation, ChangeCheck::Record::yes);
+  std::vector<ItemId> ids;
+  ids.reserve(items.size());
+  std::size_t total = items.size();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    ids.push_back(items[i].id);
+    if (auto error = check.add_insertion(items[i].shape, ids.back())) return in_list("item", i, *std::move(error));
+    total += items[i].shape.rings.points().size();
+  }
+  WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
+  impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, crew_of(options, total));
+  if (options.progress) options.progress(total, total);
+  return ids;
+}
+
+Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOptions& options) {
+  const base::FloatEnvironment environment;
+  if (first.is_null()) first = {impl_->triangulation.items().largest_id_seen().value + 1};
+  ChangeCheck check(impl_->triangulation, ChangeCheck::Record::no);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (auto error = check.add_point(points[i], i, {first.value + i})) {
+      error->index = i;
+      return *std::move(error);
+    }
+  }
+  WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
+  impl_->insert_all(constraint::PointBatch{points, first}, crew_of(options, points.size()));
+  if (options.progress) options.progress(points.size(), points.size());
+  return first;
+}
+
+}  // namespace waywright

@@ -1,0 +1,135 @@
+#include "waywright/error.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/float_environment.hpp"
+#include "exact/exact_point.hpp"
+#include "text/text.hpp"
+
+namespace waywright {
+
+std::string_view to_string(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::coordinate_range:
+      return "coordinate-range";
+    case ErrorCode::out_of_domain:
+      return "out-of-domain";
+    case ErrorCode::id_in_use:
+      return "id-in-use";
+    case ErrorCode::unknown_id:
+      return "unknown-id";
+    case ErrorCode::bad_distance:
+      return "bad-distance";
+    case ErrorCode::bad_radius:
+      return "bad-radius";
+    case ErrorCode::bad_id:
+      return "bad-id";
+    case ErrorCode::bad_domain:
+      return "bad-domain";
+    case ErrorCode::empty_shape:
+      return "empty-shape";
+    case ErrorCode::too_large:
+      return "too-large";
+    case ErrorCode::world_gone:
+      return "world-gone";
+    case ErrorCode::not_supported:
+      return "not-supported";
+    case ErrorCode::unreadable:
+      return "unreadable";
+    case ErrorCode::malformed:
+      return "malformed";
+  }
+  return "unknown";
+}
+
+namespace {
+
+void append_point_error(std::string& text, const Error& error) {
+  const detail::PointName& named = error.words.point_name;
+  const Point& point = error.words.point;
+  const auto append_name = [&] {
+    text += named.name;
+    if (named.has_number) text += text::with_number(" ", named.number, "");
+    text += ", ";
+  };
+  if (error.code == ErrorCode::out_of_domain) {
+    append_name();
+    text += to_string(point) + ", lies outside the domain, " + to_string(error.words.domain.min) + " to " +
+            to_string(error.words.domain.max);
+    return;
+  }
+  const bool is_x = !is_in_range(point.x);
+  const double value = is_x ? point.x : point.y;
+  text += is_x ? "x of " : "y of ";
+  append_name();
+  text::append_number(text, value);
+  if (!std::isfinite(value)) {
+    text += ", is not finite";
+  } else if (std::abs(value) > kLargestCoordinate) {
+    text += ", lies beyond +-2^100";
+  } else {
+    text += ", is nearer to 0 than 2^-100 without being 0";
+  }
+}
+
+/// Of an error that its id says all about.
+void append_id_error(std::string& text, const Error& error) {
+  switch (error.code) {
+    case ErrorCode::id_in_use:
+      text += text::with_number("an item has id ", error.item.value, " already");
+      break;
+    case ErrorCode::unknown_id:
+      text += text::with_number("no item has id ", error.item.value, "");
+      break;
+    case ErrorCode::bad_id:
+      text +=
+          "ids go from 1 to 2^63 - 1, and " + std::to_string(static_cast<std::int64_t>(error.item.value)) + " is none";
+      break;
+    default:
+      text += to_string(error.code);
+  }
+}
+
+}  // namespace
+
+std::string Error::message() const {
+  const base::FloatEnvironment environment;
+  std::string text;
+  if (words.list != nullptr) text = words.list + text::with_number(" ", index, ": ");
+  if (!words.text.empty()) {
+    text += words.text;
+  } else if (words.literal != nullptr) {
+    text += words.literal;
+  } else if (words.point_name.name != nullptr) {
+    append_point_error(text, *this);
+  } else {
+    append_id_error(text, *this);
+  }
+  return text;
+}
+
+BadResult::BadResult(Error error) : std::runtime_error(error.message()), error_(std::move(error)) {}
+
+// Defined here so that the class's type information is in the library, once.
+BadResult::~BadResult() = default;
+
+namespace detail {
+
+void raise(const Error& error) {
+#if defined(__cpp_exceptions)
+  throw BadResult(error);
+#else
+  fail_value_of(error);
+#endif
+}
+
+void fail_value_of(const Error& error) {
+  const std::string message = "the value of a refused call was taken: " + error.message();
+  fail_assertion({message.c_str(), "Result::ok()", __FILE__, __LINE__});
+}
+
+}  // namespace detail
+
+}  // namespace waywright

@@ -1,0 +1,181 @@
+#include "waywright/path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "waywright/assert.hpp"
+
+#include "base/float_environment.hpp"
+#include "base/ieee.hpp"
+#include "exact/exact_point.hpp"
+#include "exact/predicates.hpp"
+#include "path/distance.hpp"
+
+namespace waywright {
+
+namespace {
+
+using exact::Sign;
+
+/// A coordinate that a query takes and that fits into the precision.
+double fitted(double value, Precision precision) {
+  if (precision == Precision::float32) value = static_cast<double>(static_cast<float>(value));
+  return is_in_range(value) ? value : 0.0;
+}
+
+/// The next such coordinate in the direction of `way`, or `value` itself where that is 0.
+double next_coordinate(double value, double way, Precision precision) {
+  if (way == 0.0) return value;
+  if (std::abs(value) <= kSmallestCoordinate) {
+    return value * way < 0.0 ? 0.0 : std::copysign(2.0 * kSmallestCoordinate, way);
+  }
+  if (precision == Precision::float32) {
+    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(way));
+    return fitted(static_cast<double>(std::nextafter(static_cast<float>(value), towards)), precision);
+  }
+  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), way)), precision);
+}
+
+Sign side_of(const Point& a, const Point& b, const Point& c) {
+  return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
+}
+
+/// A turn of the path: where it is, and in which direction; zero if there is none.
+struct Turn {
+  std::size_t corner = 0;
+  Sign direction = Sign::zero;
+};
+
+/// The first turn at or after the end of a segment, and the last at or before its start. Corners on the segment's line
+/// are no turns.
+Turn turn_after(const std::vector<Point>& points, std::size_t segment) {
+  for (std::size_t i = segment + 2; i < points.size(); ++i) {
+    const Sign direction = side_of(points[segment], points[segment + 1], points[i]);
+    if (direction != Sign::zero) return {i - 1, direction};
+  }
+  return {};
+}
+Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
+  for (std::size_t i = segment; i-- > 0;) {
+    const Sign direction = side_of(points[i], points[segment], points[segment + 1]);
+    if (direction != Sign::zero) return {i + 1, direction};
+  }
+  return {};
+}
+
+/// A path turns around walls, so those that it touches lie on the side that it turns to, above all near the turn. This
+/// is the other side: positive on the left of the segment, zero if nothing is known.
+Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& place) {
+  const Turn before = turn_before(points, segment);
+  const Turn after = turn_after(points, segment);
+  const bool counts_after =
+      before.direction == Sign::zero ||
+      (after.direction != Sign::zero && distance(place, points[after.corner]) < distance(place, points[before.corner]));
+  const Sign turn = counts_after ? after.direction : before.direction;
+  if (turn == Sign::zero) return Sign::zero;
+  return turn == Sign::positive ? Sign::negative : Sign::positive;
+}
+
+/// A coordinate that lies `step` from `value` in the direction of `way`, or at least the next one in that direction.
+double moved_coordinate(double value, double way, double step, Precision precision) {
+  if (way == 0.0) return value;
+  const double moved = fitted(value + std::copysign(step, way), precision);
+  return (moved - value) * way > 0.0 ? moved : next_coordinate(value, way, precision);
+}
+
+/// A place next to `place` that does not lie on the wrong side of the line from `a` to `b`. The steps begin with the
+/// rounding error of a place between `a` and `b`, which next to 0 is far larger than the distance of neighbouring
+/// doubles.
+Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
+  const auto is_right = [&](const Point& p) {
+    const Sign own = side_of(a, b, p);
+    return own == Sign::zero || own == side;
+  };
+  if (side == Sign::zero || is_right(place)) return place;
+  const double sign = side == Sign::positive ? 1.0 : -1.0;
+  const Point way{-sign * (b.y - a.y), sign * (b.x - a.x)};
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  for (double step = largest * 0x1p-52;; step *= 2.0) {
+    const Point next{moved_coordinate(place.x, way.x, step, precision),
+                     moved_coordinate(place.y, way.y, step, precision)};
+    for (const Point& candidate : {Point{next.x, place.y}, Point{place.x, next.y}, next}) {
+      if (is_right(candidate)) return candidate;
+    }
+  }
+}
+
+/// The position at `along` from the start of a segment of that length.
+PathPosition position_on(const std::vector<Point>& points, std::size_t segment, double before, double along,
+                         double length, Precision precision) {
+  const Point& a = points[segment];
+  const Point& b = points[segment + 1];
+  PathPosition position{{}, {}, segment, before, before + along};
+  if (length > 0.0) position.heading = {(b.x - a.x) / length, (b.y - a.y) / length};
+  const double share = length > 0.0 ? along / length : 0.0;
+  const bool is_corner = along <= 0.0 || along >= length;
+  const Point corner = along <= 0.0 ? a : b;
+  const Point exact_place = is_corner ? corner : Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+  if (is_corner && precision == Precision::float64) {
+    position.at = corner;
+    return position;
+  }
+  const Point place{fitted(exact_place.x, precision), fitted(exact_place.y, precision)};
+  position.at = on_free_side(a, b, place, free_side(points, segment, place), precision);
+  return position;
+}
+
+}  // namespace
+
+PathPosition Path::at(double distance, Precision precision) const { return advance({}, distance, precision); }
+
+PathPosition Path::advance(const PathPosition& from, double step, Precision precision) const {
+  const base::FloatEnvironment environment;
+  WAYWRIGHT_ASSERT(!points.empty(), "Path::advance: the path has no points");
+  const double asked = from.distance + step;
+  const double total = asked > 0.0 ? asked : 0.0;  // of NaN, 0
+  const bool goes_on = total >= from.before && from.segment + 1 < points.size();
+  std::size_t segment = goes_on ? from.segment : 0;
+  double before = goes_on ? from.before : 0.0;
+  if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
+  for (;;) {
+    const double segment_length = waywright::distance(points[segment], points[segment + 1]);
+    if (total - before < segment_length || segment + 2 == points.size()) {
+      return position_on(points, segment, before, std::min(total - before, segment_length), segment_length, precision);
+    }
+    before += segment_length;
+    ++segment;
+  }
+}
+
+PathPosition Path::nearest(const Point& place, Precision precision) const {
+  const base::FloatEnvironment environment;
+  WAYWRIGHT_ASSERT(!points.empty(), "Path::nearest: the path has no points");
+  if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
+  double best_distance = std::numeric_limits<double>::infinity();
+  double best_along = 0.0;
+  double best_before = 0.0;
+  std::size_t best_segment = 0;
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point way{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
+    const double segment_length = waywright::distance(points[i], points[i + 1]);
+    const Point foot = path::foot(place, points[i], way);
+    const double ahead = (foot.x - points[i].x) * way.x + (foot.y - points[i].y) * way.y;
+    const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), segment_length);
+    const double share = segment_length > 0.0 ? along / segment_length : 0.0;
+    const double distance = waywright::distance(place, {points[i].x + share * way.x, points[i].y + share * way.y});
+    if (distance < best_distance) {
+      best_distance = distance;
+      best_along = along;
+      best_before = before;
+      best_segment = i;
+    }
+    before += segment_length;
+  }
+  const double segment_length = waywright::distance(points[best_segment], points[best_segment + 1]);
+  return position_on(points, best_segment, best_before, best_along, segment_length, precision);
+}
+
+}  // namespace waywright

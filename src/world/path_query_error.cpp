@@ -1,0 +1,35 @@
+#include "world/path_query_error.hpp"
+
+#include <cmath>
+
+#include "world/point_error.hpp"
+
+namespace waywright {
+
+std::optional<Error> find_radius_error(double radius) {
+  if (!(radius >= 0.0) || !std::isfinite(radius)) {
+    return Error{ErrorCode::bad_radius, "the radius is negative or not finite", {}, 0};
+  }
+  if (radius > 0.0) {
+    return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance) {
+  if (!tolerance || *tolerance >= 0.0) return std::nullopt;
+  return Error{ErrorCode::bad_distance, "the end tolerance is negative or not a number", {}, 0};
+}
+
+std::optional<Error> find_query_error(const Box& domain, bool keeps_abstraction, const PathQuery& query) {
+  if (auto error = find_point_error(domain, query.start, 0, "the start")) return error;
+  if (auto error = find_point_error(domain, query.goal, 1, "the goal")) return error;
+  if (auto error = find_radius_error(query.radius)) return error;
+  if (auto error = find_tolerance_error(query.end_tolerance)) return error;
+  if (query.algorithm == PathAlgorithm::tra && !keeps_abstraction) {
+    return Error{ErrorCode::not_supported, "the path algorithm tra needs a world that keeps its abstraction", {}, 0};
+  }
+  return std::nullopt;
+}
+
+}  // namespace waywright

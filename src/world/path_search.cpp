@@ -1,0 +1,106 @@
+#include "waywright/path_search.hpp"
+
+#include <memory>
+
+#include "waywright/world.hpp"
+
+#include "base/float_environment.hpp"
+#include "path/finder.hpp"
+#include "path/looked_at.hpp"
+#include "world/path_query_error.hpp"
+#include "world/touch_log.hpp"
+#include "world/world_impl.hpp"
+
+namespace waywright {
+
+struct WAYWRIGHT_INTERNAL PathSearch::Impl {
+  ~Impl() { stop(); }
+
+  void start(const World::Impl& searched) {
+    world = &searched;
+    touch_log = searched.touch_log;
+    version = touch_log->version();
+    touch_log->add_search();
+  }
+  void stop() {
+    if (touch_log != nullptr) touch_log->remove_search();
+    touch_log = nullptr;
+  }
+  void begin() { finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at); }
+  /// Makes the search one of the world as it is now.
+  void catch_up() {
+    if (version == touch_log->version()) return;
+    finder.cover_mesh();
+    const bool is_concerned = touch_log->has_touched(looked_at, version) || finder.has_covered_end();
+    version = touch_log->version();
+    if (!is_concerned) return;
+    ++restarts;
+    begin();
+  }
+
+  /// Stops the search at its end, unless there is more to search: also where memory runs out.
+  class Step {
+   public:
+    explicit Step(Impl& impl) : impl_(impl) { impl_.is_done = true; }
+    ~Step() {
+      if (impl_.is_done) impl_.stop();
+    }
+    Step(const Step&) = delete;
+    Step& operator=(const Step&) = delete;
+
+   private:
+    Impl& impl_;
+  };
+
+  std::shared_ptr<TouchLog> touch_log;  ///< null while no search is running
+  const World::Impl* world = nullptr;   ///< stays where it is as long as its log does not say that it has gone
+  std::uint64_t version = 0;            ///< of the world that the search belongs to
+  PathQuery query;
+  path::Finder finder;
+  path::LookedAt looked_at;
+  Path path;
+  std::size_t restarts = 0;
+  bool is_done = false;
+};
+
+PathSearch::PathSearch() : impl_(std::make_unique<Impl>()) {}
+PathSearch::~PathSearch() = default;
+PathSearch::PathSearch(PathSearch&&) noexcept = default;
+PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
+
+Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
+  const base::FloatEnvironment environment;
+  cancel();
+  if (auto error = find_query_error(world.domain(), world.impl_->abstraction.has_value(), query))
+    return *std::move(error);
+  impl_->query = query;
+  impl_->restarts = 0;
+  impl_->world = &*world.impl_;
+  impl_->begin();
+  impl_->start(*world.impl_);
+  return {};
+}
+
+// While a step lasts, no search is running: one that memory runs out in is given up.
+Result<bool> PathSearch::step(std::size_t expansions) {
+  const base::FloatEnvironment environment;
+  if (!is_running()) return true;
+  if (impl_->touch_log->version() == TouchLog::kGone) {
+    cancel();
+    return Error{ErrorCode::world_gone, "the world has gone since the search began", {}, 0};
+  }
+  const Impl::Step step(*impl_);
+  impl_->catch_up();
+  impl_->is_done = impl_->finder.step(expansions, impl_->path);
+  return impl_->is_done;
+}
+
+const Path& PathSearch::path() const { return impl_->path; }
+
+std::size_t PathSearch::restarts() const { return impl_->restarts; }
+
+void PathSearch::cancel() { impl_->stop(); }
+
+bool PathSearch::is_running() const { return impl_->touch_log != nullptr; }
+
+}  // namespace waywright

@@ -1,0 +1,136 @@
+#include "waywright/world.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "base/float_environment.hpp"
+#include "threads/crew.hpp"
+#include "world/path_query_error.hpp"
+#include "world/point_error.hpp"
+#include "world/query_scratch.hpp"
+#include "world/world_impl.hpp"
+
+// Questions about paths.
+
+namespace waywright {
+
+namespace {
+
+constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
+  const base::FloatEnvironment environment;
+  const Impl& impl = *impl_;
+  const nav::Abstraction* const abstraction = impl.kept_abstraction();
+  if (auto error = find_query_error(impl.triangulation.domain(), abstraction != nullptr, query)) {
+    return *std::move(error);
+  }
+  path::Finder& finder = context.scratch_->finder;
+  finder.begin(impl.triangulation, abstraction, query, path);
+  finder.step(kToTheEnd, path);
+  return {};
+}
+
+Result<Path> World::find_path(const PathQuery& query) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  Path path;
+  if (auto done = find_path(query, *context, path); !done) return done.error();
+  return path;
+}
+
+// Every query is checked before the first is searched, so that an error leaves nothing half done.
+Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
+                               std::vector<Path>& paths, JobSystem* jobs) const {
+  const base::FloatEnvironment environment;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (auto error = find_query_error(domain(), impl_->abstraction.has_value(), queries[i])) {
+      error->index = i;
+      error->words.list = "query";
+      return *std::move(error);
+    }
+  }
+  WAYWRIGHT_ASSERT(!contexts.empty(), "World::find_paths: there is no context, or the number of threads is 0");
+  paths.resize(queries.size());
+  const threads::Crew crew(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {}, jobs);
+  crew.take_turns(queries.size(), [&](std::size_t thread, std::size_t i) {
+    path::Finder& finder = contexts[thread].scratch_->finder;
+    finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
+    finder.step(kToTheEnd, paths[i]);
+  });
+  return {};
+}
+
+Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, std::size_t threads,
+                                            JobSystem* jobs) const {
+  std::vector<QueryContext> contexts(threads);
+  std::vector<Path> paths;
+  if (auto done = find_paths(queries, contexts, paths, jobs); !done) return done.error();
+  return paths;
+}
+
+Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
+                                    std::vector<Path>& paths) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_point_error(domain(), query.start, 0, "the start")) return *std::move(error);
+  for (std::size_t i = 0; i < query.goals.size(); ++i) {
+    if (auto error = find_point_error(domain(), query.goals[i], i + 1, {"goal", i})) return *std::move(error);
+  }
+  if (auto error = find_radius_error(query.radius)) return *std::move(error);
+  if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);
+  context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);
+  return {};
+}
+
+Result<std::vector<Path>> World::find_paths_from(const ManyGoalsQuery& query) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  std::vector<Path> paths;
+  if (auto done = find_paths_from(query, *context, paths); !done) return done.error();
+  return paths;
+}
+
+double World::default_end_tolerance() const {
+  const base::FloatEnvironment environment;
+  return path::default_end_tolerance(domain());
+}
+
+Result<bool> World::is_clear(std::span<const Point> points, QueryContext& context) const {
+  const base::FloatEnvironment environment;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
+  }
+  context.scratch_->cover.use(impl_->kept_abstraction());
+  return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover, points);
+}
+
+Result<bool> World::is_clear(std::span<const Point> points) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  return is_clear(points, *context);
+}
+
+Result<bool> World::is_clear(const Point& from, const Point& to, QueryContext& context) const {
+  const std::array<Point, 2> ends = {from, to};
+  return is_clear(ends, context);
+}
+
+Result<bool> World::is_clear(const Point& from, const Point& to) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  return is_clear(from, to, *context);
+}
+
+bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
+  const base::FloatEnvironment environment;
+  return !points.empty() && impl_->change_log.meets(points, since);
+}
+
+void World::find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const {
+  affected.clear();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (is_affected(paths[i].points, since)) affected.push_back(i);
+  }
+}
+
+}  // namespace waywright

@@ -1,0 +1,26 @@
+#include "waywright/point.hpp"
+
+#include "waywright/assert.hpp"
+
+#include "base/float_environment.hpp"
+#include "text/text.hpp"
+
+namespace waywright {
+
+std::string to_string(const Point& point) {
+  const base::FloatEnvironment environment;
+  std::string text = "(";
+  text::append_number(text, point.x);
+  text += ", ";
+  text::append_number(text, point.y);
+  return text += ')';
+}
+
+Box Box::of(PointSpan points) {
+  WAYWRIGHT_ASSERT(!points.empty(), "Box::of: there is no point");
+  Box box{points.front(), points.front()};
+  for (const Point& point : points) box.expand(point);
+  return box;
+}
+
+}  // namespace waywright

@@ -1,0 +1,127 @@
+#include "waywright/world.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/float_environment.hpp"
+#include "constraint/item_queries.hpp"
+#include "world/point_error.hpp"
+#include "world/query_scratch.hpp"
+#include "world/world_impl.hpp"
+
+// Questions about places, segments and boxes.
+
+namespace waywright {
+
+namespace {
+
+/// Of a segment that a query is about.
+std::optional<Error> find_ends_error(const Box& domain, const Point& from, const Point& to) {
+  if (auto error = find_point_error(domain, from, 0, "the start")) return error;
+  return find_point_error(domain, to, 1, "the end");
+}
+
+}  // namespace
+
+Result<void> World::locate(Point point, QueryContext& context, Location& location) const {
+  const base::FloatEnvironment environment;
+  const Impl& impl = *impl_;
+  const constraint::ExactTriangulation& triangulation = impl.triangulation;
+  if (auto error = find_point_error(triangulation.domain(), point, 0, "the point")) return *std::move(error);
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto& delaunay = triangulation.triangulation();
+  const locate::Located place = delaunay.locate(point);
+  constexpr std::array<Place, 3> kPlaces = {Place::vertex, Place::edge, Place::face};
+  const auto spot = static_cast<std::size_t>(place.spot);
+  location.at = kPlaces[spot];
+  location.corner_count = spot + 1;
+  std::array<mesh::Vertex, 3> corners = {mesh.origin(place.h), mesh.target(place.h), mesh.apex(place.h)};
+  const auto end = corners.begin() + static_cast<std::ptrdiff_t>(location.corner_count);
+  const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); };
+  std::rotate(corners.begin(), std::min_element(corners.begin(), end, before), end);
+  for (std::size_t i = 0; i < location.corner_count; ++i) {
+    location.corners[i] = delaunay.geometry().nearest(number(corners[i]));
+  }
+  location.inside.clear();
+  nav::KeptCover& cover = context.scratch_->cover;
+  cover.use(impl.kept_abstraction());
+  for (const std::uint32_t item : cover.of_place(triangulation, place)) {
+    location.inside.push_back(triangulation.items().id(item));
+  }
+  std::sort(location.inside.begin(), location.inside.end());
+  return {};
+}
+
+Result<Location> World::locate(Point point) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  Location location;
+  if (auto done = locate(point, *context, location); !done) return done.error();
+  return location;
+}
+
+Result<void> World::items_at(Point point, QueryContext& context, std::vector<ItemId>& items) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
+  detail::QueryScratch& scratch = *context.scratch_;
+  scratch.cover.use(impl_->kept_abstraction());
+  constraint::items_at(impl_->triangulation, scratch.cover, point, scratch.items, items);
+  return {};
+}
+
+Result<std::vector<ItemId>> World::items_at(Point point) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  std::vector<ItemId> items;
+  if (auto done = items_at(point, *context, items); !done) return done.error();
+  return items;
+}
+
+Result<void> World::items_crossed(Point from, Point to, QueryContext& context, std::vector<CrossedItem>& items) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
+  constraint::items_crossed(impl_->triangulation, from, to, context.scratch_->items, items);
+  return {};
+}
+
+Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  std::vector<CrossedItem> items;
+  if (auto done = items_crossed(from, to, *context, items); !done) return done.error();
+  return items;
+}
+
+Result<void> World::ray(Point from, Point to, RayHit& hit) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
+  constraint::first_wall(impl_->triangulation, from, to, hit);
+  return {};
+}
+
+Result<RayHit> World::ray(Point from, Point to) const {
+  RayHit hit;
+  if (auto done = ray(from, to, hit); !done) return done.error();
+  return hit;
+}
+
+Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_range_error(box.min, 0, "the box's min")) return *std::move(error);
+  if (auto error = find_range_error(box.max, 1, "the box's max")) return *std::move(error);
+  if (box.min.x > box.max.x || box.min.y > box.max.y) {
+    return Error{ErrorCode::bad_domain, "a box needs min.x <= max.x and min.y <= max.y", {}, 0};
+  }
+  items.clear();
+  if (!box.overlaps(domain())) return {};
+  detail::QueryScratch& scratch = *context.scratch_;
+  scratch.cover.use(impl_->kept_abstraction());
+  constraint::items_in(impl_->triangulation, scratch.cover, box, scratch.items, items);
+  return {};
+}
+
+Result<std::vector<ItemId>> World::items_in(const Box& box) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  std::vector<ItemId> items;
+  if (auto done = items_in(box, *context, items); !done) return done.error();
+  return items;
+}
+
+}  // namespace waywright

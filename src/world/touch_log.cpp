@@ -1,0 +1,61 @@
+#include "world/touch_log.hpp"
+
+#include <algorithm>
+
+namespace waywright {
+
+// A search reads of a face it looks at, and of the faces that share a corner with it. So all faces around the corners
+// of those that were made count as touched.
+void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
+  if (searches_.load(std::memory_order_relaxed) == 0 || entries_.size() > kLongest) {
+    entries_.clear();
+    return note_everything();
+  }
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto add = [&](mesh::Face f) { entries_.push_back({version_ + 1, f}); };
+  mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
+    if (entries_.size() > kLongest) return;
+    add(f);
+    if (!mesh.is_alive(f)) return;
+    for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
+      if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
+      mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) {
+        if (entries_.size() <= kLongest) add(mesh::face(around));
+      });
+    }
+  });
+  if (entries_.size() > kLongest) {
+    entries_.clear();
+    return note_everything();
+  }
+  if (entries_.capacity() - entries_.size() < kSpare) entries_.reserve(2 * entries_.size() + kSpare);
+}
+
+void TouchLog::note_abstraction(const nav::Abstraction& abstraction) {
+  if (complete_since_ > version_) return;  // everything is noted
+  const bool is_told = abstraction.for_each_changed_face([&](mesh::Face f) {
+    if (entries_.size() < entries_.capacity()) {
+      entries_.push_back({version_ + 1, f});
+    } else {
+      note_everything();
+    }
+  });
+  if (!is_told) note_everything();
+}
+
+void TouchLog::shrink_to_fit() {
+  if (searches_.load(std::memory_order_relaxed) == 0) {
+    entries_.clear();
+    complete_since_ = version_;
+  }
+  memory::shrink(entries_);
+}
+
+bool TouchLog::has_touched(const path::LookedAt& looked_at, std::uint64_t since) const {
+  if (since < complete_since_) return true;
+  const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
+  const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
+  return std::any_of(first, entries_.end(), [&](const Entry& entry) { return looked_at.has(entry.face); });
+}
+
+}  // namespace waywright

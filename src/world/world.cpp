@@ -1,0 +1,96 @@
+#include "waywright/world.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/float_environment.hpp"
+#include "constraint/canonical.hpp"
+#include "constraint/dump.hpp"
+#include "text/sha256.hpp"
+#include "world/point_error.hpp"
+#include "world/query_scratch.hpp"
+#include "world/world_impl.hpp"
+
+namespace waywright {
+
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const Box& domain, const WorldOptions& options) {
+  const base::FloatEnvironment environment;
+  if (auto error = find_range_error(domain.min, 0, "the domain's min")) return *std::move(error);
+  if (auto error = find_range_error(domain.max, 1, "the domain's max")) return *std::move(error);
+  if (!(domain.min.x < domain.max.x && domain.min.y < domain.max.y)) {
+    return Error{ErrorCode::bad_domain, "a domain needs min.x < max.x and min.y < max.y", {}, 0};
+  }
+  const Box normalised{{domain.min.x + 0.0, domain.min.y + 0.0}, {domain.max.x + 0.0, domain.max.y + 0.0}};
+  return World(std::make_unique<Impl>(normalised, options));
+}
+
+const Box& World::domain() const { return impl_->triangulation.domain(); }
+
+std::uint64_t World::version() const { return impl_->touch_log->version(); }
+
+std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }
+
+// Each vertex on the border makes one of the ghost faces. A triangulated sphere has 2 V - 4 faces.
+std::size_t World::triangle_count() const {
+  const mesh::TriangleMesh& mesh = impl_->triangulation.topology();
+  std::size_t border = 0;
+  mesh.for_each_outgoing(impl_->triangulation.triangulation().ghost(), [&](mesh::HalfEdge) { ++border; });
+  return mesh.face_count() - border;
+}
+
+MemoryUse World::memory() const {
+  MemoryUse use;
+  use.spare = sizeof(Impl) + sizeof(TouchLog);
+  impl_->triangulation.count_memory(use);
+  impl_->change_log.count_memory(use);
+  impl_->touch_log->count_memory(use);
+  memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
+  if (impl_->abstraction) impl_->abstraction->count_memory(use);
+  return use;
+}
+
+void World::shrink_to_fit() {
+  impl_->triangulation.shrink_to_fit();
+  if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
+  impl_->change_log.shrink_to_fit();
+  impl_->touch_log->shrink_to_fit();
+  impl_->spare_context.release();
+  memory::release(impl_->outline.corners, impl_->outline.ring_ends);
+}
+
+Validation World::validate() const {
+  const base::FloatEnvironment environment;
+  auto fault = impl_->triangulation.find_fault();
+  if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
+  if (!fault) return {};
+  return {false, *std::move(fault)};
+}
+
+ItemsHash World::items_hash() const { return {impl_->triangulation.items().hash()}; }
+
+MeshHash World::mesh_hash() const { return {text::sha256(dump())}; }
+
+void World::snapshot(QueryContext& context, MeshSnapshot& snapshot) const {
+  const base::FloatEnvironment environment;
+  constraint::take_snapshot(impl_->triangulation, context.scratch_->order, snapshot);
+}
+
+MeshSnapshot World::snapshot() const {
+  QueryContext context;
+  MeshSnapshot snapshot;
+  this->snapshot(context, snapshot);
+  return snapshot;
+}
+
+std::string World::dump() const {
+  const base::FloatEnvironment environment;
+  return constraint::dump(impl_->triangulation);
+}
+
+}  // namespace waywright

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "waywright/world.hpp"
+
+#include "world/change_log.hpp"
+#include "constraint/exact_triangulation.hpp"
+#include "nav/abstraction.hpp"
+#include "world/spare_context.hpp"
+#include "world/touch_log.hpp"
+
+namespace waywright {
+
+struct WAYWRIGHT_INTERNAL World::Impl {
+  Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
+    if (options.keep_abstraction) abstraction.emplace(triangulation);
+  }
+  ~Impl() { touch_log->note_world_gone(); }
+
+  /// Inserts a batch as one operation.
+  template <class Batch>
+  void insert_all(const Batch& batch, const threads::Crew& crew = {});
+  /// Takes note, for those who ask whether a path is affected, of items that come and of one that goes.
+  template <class Batch>
+  void note_changes(const Batch& batch);
+  template <class Rings>
+  void note_item(ItemKind kind, const Rings& rings);
+  void note_removal(std::uint32_t slot);
+  /// Or null.
+  [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
+
+  constraint::ExactTriangulation triangulation;
+  std::optional<nav::Abstraction> abstraction;
+  std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
+  ChangeLog change_log;
+  constraint::Outline outline;  ///< scratch
+  SpareContext spare_context;
+};
+
+/// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.
+class WAYWRIGHT_INTERNAL World::Operation {
+ public:
+  explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
+    if (impl_.abstraction) impl_.abstraction->begin();
+    impl_.change_log.begin();
+  }
+
+  void insert(const Shape& shape, ItemId id) {
+    impl_.triangulation.insert(shape, id);
+    if (shape.kind == ItemKind::polygon) note_inserted(id);
+    impl_.note_item(shape.kind, shape.rings);
+  }
+  template <class Batch>
+  void insert_all(const Batch& batch, const threads::Crew& crew = {}) {
+    impl_.triangulation.insert_all(batch, crew);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (batch.kind(i) == ItemKind::polygon) note_inserted(batch.id(i));
+    }
+    impl_.note_changes(batch);
+  }
+  void remove(ItemId id) {
+    const std::uint32_t slot = impl_.triangulation.items().slot(id);
+    impl_.note_removal(slot);
+    if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
+    impl_.triangulation.remove(id);
+  }
+  void commit() {
+    impl_.touch_log->note_mesh(impl_.triangulation);
+    impl_.change_log.reserve();
+    if (impl_.abstraction) {
+      impl_.abstraction->update(impl_.triangulation);
+      impl_.touch_log->note_abstraction(*impl_.abstraction);
+    }
+    // Nothing fails from here on.
+    operation_.commit();
+    impl_.touch_log->commit();
+    impl_.change_log.commit(impl_.touch_log->version());
+  }
+
+ private:
+  void note_inserted(ItemId id) {
+    if (impl_.abstraction) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  }
+
+  Impl& impl_;
+  constraint::ExactTriangulation::Operation operation_;
+};
+
+/// A world without items is made anew: a batch then needs no operation to be all or nothing.
+template <class Batch>
+void World::Impl::insert_all(const Batch& batch, const threads::Crew& crew) {
+  if (triangulation.items().size() != 0) {
+    Operation operation(*this);
+    operation.insert_all(batch, crew);
+    return operation.commit();
+  }
+  constraint::ExactTriangulation made(triangulation.domain(), batch, crew);
+  made.see(triangulation.items().largest_id_seen());
+  change_log.begin();
+  note_changes(batch);
+  change_log.reserve();
+  if (abstraction) abstraction = nav::Abstraction(made);
+  triangulation = std::move(made);
+  touch_log->note_everything();
+  touch_log->commit();
+  change_log.commit(touch_log->version());
+}
+
+template <class Batch>
+void World::Impl::note_changes(const Batch& batch) {
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    note_item(batch.kind(i), batch.rings(i));
+  }
+}
+
+/// Points are no walls, so they are no changes to note.
+template <class Rings>
+void World::Impl::note_item(ItemKind kind, const Rings& rings) {
+  if (kind == ItemKind::point) return;
+  change_log.add_item();
+  for (const auto& ring : rings) {
+    for (const Point& p : ring) change_log.add_point(p);
+  }
+}
+
+}  // namespace waywright
