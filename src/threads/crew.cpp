@@ -39,7 +39,7 @@ class Calls {
 
   /// Throws nothing: a task keeps what it throws for its result.
   void make(std::size_t i) {
-    if (!calls_[i].is_made.exchange(true)) calls_[i].task();
+    if (calls_[i].is_made.exchange(1) == 0) calls_[i].task();
   }
   /// Makes the calls that nobody has made. Throws what the first one that failed has thrown.
   void finish() {
@@ -52,7 +52,7 @@ class Calls {
   struct Call {
     std::packaged_task<void()> task;
     std::future<void> result;
-    std::atomic<bool> is_made = false;
+    std::atomic<std::uint32_t> is_made = 0;  // not bool: some processors need a library to exchange one byte
   };
 
   std::vector<Call> calls_;

@@ -1,6 +1,5 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -8,19 +7,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "support/case_count.hpp"
 #include "support/changes_check.hpp"
 #include "support/random_changes.hpp"
 #include "support/random_scenes.hpp"
 
 namespace waywright::test {
 namespace {
-
-/// Scripts of each flavour; the environment variable WAYWRIGHT_SCRIPTS asks for more, or fewer.
-int scripts_per_flavour() {
-  const char* asked = std::getenv("WAYWRIGHT_SCRIPTS");
-  const int count = asked == nullptr ? 0 : std::atoi(asked);
-  return count > 0 ? count : 100;
-}
 
 struct Lengths {
   std::size_t steps = 0;
@@ -47,7 +40,7 @@ void check_flavour(Flavour flavour, const std::string& what, const Lengths& larg
   };
   rc::detail::TestParams params;
   params.seed = 20090301 + static_cast<std::uint64_t>(flavour);
-  params.maxSuccess = scripts_per_flavour();
+  params.maxSuccess = static_cast<int>(case_count());
   const rc::detail::TestResult result = rc::detail::checkTestable(property, rc::detail::TestMetadata(), params);
   if (result.template is<rc::detail::SuccessResult>()) return;
   std::ostringstream message;

@@ -1,10 +1,10 @@
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "support/case_count.hpp"
 #include "support/path_scene_check.hpp"
 #include "support/random_path_cases.hpp"
 #include "support/random_scenes.hpp"
@@ -14,27 +14,20 @@ namespace {
 
 constexpr std::size_t kQueries = 5;
 
-/// Scenes of each kind; the environment variable WAYWRIGHT_SCRIPTS asks for more, or fewer.
-std::uint64_t scenes_per_kind() {
-  const char* asked = std::getenv("WAYWRIGHT_SCRIPTS");
-  const int count = asked == nullptr ? 0 : std::atoi(asked);
-  return count > 0 ? static_cast<std::uint64_t>(count) : 100;
-}
-
 /// No path may be longer than the shortest by more than this on average.
 constexpr double kLargestMeanRatio = 1.02;
 
 template <class MakeCase>
 void check_cases(const std::string& kind, const MakeCase& make) {
   std::array<PathRatios, kPathAlgorithms.size()> ratios;
-  for (std::uint64_t seed = 1; seed <= scenes_per_kind(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= case_count(); ++seed) {
     const PathCase path_case = make(seed);
     const PathReport report = check_paths(path_case);
     if (report.fault) FAIL() << report_failure(path_case, "path-" + kind + "-" + std::to_string(seed));
     for (std::size_t i = 0; i < ratios.size(); ++i) ratios.at(i) += report.ratios.at(i);
   }
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    EXPECT_GT(ratios.at(i).count, scenes_per_kind()) << to_string(kPathAlgorithms.at(i));
+    EXPECT_GT(ratios.at(i).count, case_count()) << to_string(kPathAlgorithms.at(i));
     EXPECT_LE(ratios.at(i).mean(), kLargestMeanRatio) << to_string(kPathAlgorithms.at(i));
   }
 }

@@ -1,6 +1,5 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -9,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "support/case_count.hpp"
 #include "support/random_scenes.hpp"
 #include "support/scene_check.hpp"
 
@@ -16,13 +16,6 @@ namespace waywright::test {
 namespace {
 
 using CheckOfSeed = std::function<SceneReport(const Scene&, Flavour, std::uint64_t)>;
-
-/// Scenes of each flavour; the environment variable WAYWRIGHT_SCRIPTS asks for more, or fewer.
-int scripts_per_flavour() {
-  const char* asked = std::getenv("WAYWRIGHT_SCRIPTS");
-  const int count = asked == nullptr ? 0 : std::atoi(asked);
-  return count > 0 ? count : 100;
-}
 
 /// A scene that failed, as its seed and size.
 struct Failure {
@@ -45,7 +38,7 @@ void check_flavour(Flavour flavour, const std::string& what, const CheckOfSeed& 
   };
   rc::detail::TestParams params;
   params.seed = 20090101 + static_cast<std::uint64_t>(flavour);
-  params.maxSuccess = scripts_per_flavour();
+  params.maxSuccess = static_cast<int>(case_count());
   const rc::detail::TestResult result = rc::detail::checkTestable(property, rc::detail::TestMetadata(), params);
   if (result.template is<rc::detail::SuccessResult>()) return;
   std::ostringstream message;

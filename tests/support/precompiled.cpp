@@ -1,0 +1,1 @@
+// CMake compiles precompiled.hpp for the target that this file makes.
