@@ -11,8 +11,8 @@ case ${1:-} in
 esac
 
 list_files() {
-  git ls-files -z --cached --others --exclude-standard -- '*.cpp' '*.hpp' 2>/dev/null ||
-    find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print0
+  git ls-files -z --cached --others --exclude-standard -- '*.cpp' '*.hpp' '*.inl' 2>/dev/null ||
+    find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' '*.inl' \) -print0
 }
 
 list_files | while IFS= read -r -d '' file; do

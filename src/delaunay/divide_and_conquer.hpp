@@ -13,10 +13,10 @@
 
 #include "delaunay/tie_rule.hpp"
 #include "exact/sign.hpp"
-#include "threads/crew.hpp"
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "threads/crew.hpp"
 
 namespace waywright::delaunay {
 

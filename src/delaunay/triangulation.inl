@@ -2,13 +2,12 @@
 
 // The bodies of Triangulation, for the source files that instantiate it.
 
-#include "delaunay/triangulation.hpp"
-
 #include <utility>
 
 #include "delaunay/divide_and_conquer.hpp"
 #include "delaunay/force_edge.inl"
 #include "delaunay/remove_vertex.inl"
+#include "delaunay/triangulation.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::delaunay {

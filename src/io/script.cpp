@@ -146,7 +146,7 @@ bool ScriptParser::read_header() {
   std::string_view word;
   if (!next_line(word)) {
     error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(),
-                          "expected the header 'waywright 1', found the end of the text");
+                            "expected the header 'waywright 1', found the end of the text");
     return false;
   }
   if (word != "waywright") return fail("the header 'waywright 1'", word);
@@ -163,7 +163,7 @@ bool ScriptParser::read_lines() {
   }
   if (script_.domain_line != 0) return true;
   error_ = text::error_at(ErrorCode::malformed, name_, lines_.number(),
-                        "expected 'domain X0 Y0 X1 Y1', found the end of the text");
+                          "expected 'domain X0 Y0 X1 Y1', found the end of the text");
   return false;
 }
 
@@ -302,8 +302,7 @@ bool ScriptParser::read_path_options(Operation& operation) {
 /// Whether a world over `domain` takes the shape.
 bool fits(const Shape& shape, const Box& domain) {
   const auto takes = [&](Point p) {
-    return is_in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y &&
-           p.y <= domain.max.y;
+    return is_in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y && p.y <= domain.max.y;
   };
   const std::span<const Point> points = shape.rings.points();
   return std::all_of(points.begin(), points.end(), takes);

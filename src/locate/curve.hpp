@@ -63,6 +63,7 @@ struct SortedPoints {
 
 /// Requires: the points lie in the box, and none has a coordinate of -0. Cost: linear where keys are spread evenly,
 /// O(n log n) at most.
-[[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const threads::Crew& crew = {});
+[[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points,
+                                            const threads::Crew& crew = {});
 
 }  // namespace waywright::locate

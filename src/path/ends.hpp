@@ -7,8 +7,8 @@
 
 #include "constraint/cover.hpp"
 #include "nav/abstraction.hpp"
-#include "path/free_places.hpp"
 #include "nav/kept_cover.hpp"
+#include "path/free_places.hpp"
 
 namespace waywright::path {
 

@@ -149,8 +149,8 @@ bool Finder::search_optimal(std::size_t limit, Path& path) {
   return true;
 }
 
-void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction* abstraction, const ManyGoalsQuery& query,
-                      std::vector<Path>& paths) {
+void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction* abstraction,
+                      const ManyGoalsQuery& query, std::vector<Path>& paths) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
   paths.resize(query.goals.size());

@@ -22,8 +22,8 @@ class Finder {
   /// abstraction; both stay as they are until the search is done or given up. If `looked_at` is not null, the search
   /// notes there at which faces it looks. Then the mesh may change as long as none of these is touched: by a face that
   /// is made, rebuilt or freed and has a corner in common with it, or by another place in the abstraction.
-  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query, Path& path,
-             LookedAt* looked_at = nullptr);
+  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
+             Path& path, LookedAt* looked_at = nullptr);
   /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. `path` is the
   /// best so far.
   bool step(std::size_t expansions, Path& path);
@@ -53,7 +53,7 @@ class Finder {
 
   const Triangulation* triangulation_ = nullptr;
   const nav::Abstraction* abstraction_ = nullptr;  ///< or null
-  LookedAt* looked_at_ = nullptr;             ///< or null
+  LookedAt* looked_at_ = nullptr;                  ///< or null
   PathQuery query_;
   bool is_done_ = true;
   bool is_searched_ = false;  ///< whether there was anything to search

@@ -37,8 +37,8 @@ class Optimal {
 
   /// Starts anew. The ends' start, the triangulation and its abstraction, if it has one, must stay as they are.
   /// `looked_at`, if it is not null, notes the faces that the search looks at.
-  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends, bool wants_channel,
-             LookedAt* looked_at = nullptr);
+  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
+             bool wants_channel, LookedAt* looked_at = nullptr);
   /// A goal that isn't at a face of the start, and the open faces around it. Without any, there is nothing to find.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
   /// To be called once all goals are known. Paths that are not shorter than `known_length` are left out.

@@ -1,6 +1,6 @@
-#include "waywright/world.hpp"
-
 #include <utility>
+
+#include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
 #include "constraint/batch.hpp"

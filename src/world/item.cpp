@@ -1,10 +1,11 @@
+#include "waywright/item.hpp"
+
 #include <cstddef>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "waywright/assert.hpp"
-#include "waywright/item.hpp"
 
 #include "base/float_environment.hpp"
 

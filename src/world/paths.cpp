@@ -1,9 +1,9 @@
-#include "waywright/world.hpp"
-
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
+
+#include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
 #include "threads/crew.hpp"

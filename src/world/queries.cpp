@@ -1,7 +1,7 @@
-#include "waywright/world.hpp"
-
 #include <algorithm>
 #include <array>
+
+#include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
 #include "constraint/item_queries.hpp"

@@ -4,8 +4,8 @@
 
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
-#include "path/finder.hpp"
 #include "nav/kept_cover.hpp"
+#include "path/finder.hpp"
 #include "path/polyline_walk.hpp"
 
 namespace waywright::detail {

@@ -7,9 +7,9 @@
 
 #include "waywright/world.hpp"
 
-#include "world/change_log.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
+#include "world/change_log.hpp"
 #include "world/spare_context.hpp"
 #include "world/touch_log.hpp"
 

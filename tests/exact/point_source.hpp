@@ -56,8 +56,7 @@ class PointSource {
 
  private:
   static bool in_range(const exact::Crossing& crossing) {
-    return is_in_range(crossing.a) && is_in_range(crossing.b) && is_in_range(crossing.c) &&
-           is_in_range(crossing.d);
+    return is_in_range(crossing.a) && is_in_range(crossing.b) && is_in_range(crossing.c) && is_in_range(crossing.d);
   }
   static bool is_parallel(const exact::Crossing& crossing) {
     const RationalPoint a = rational(crossing.a), b = rational(crossing.b), c = rational(crossing.c),

@@ -9,8 +9,8 @@
 
 #include "waywright/world.hpp"
 
-#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
+#include "support/oracle_adapter.hpp"
 #include "support/point_text.hpp"
 #include "support/random.hpp"
 #include "support/random_path_cases.hpp"

@@ -11,9 +11,9 @@
 #include "waywright/item.hpp"
 #include "waywright/world.hpp"
 
-#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 #include "support/live_items.hpp"
+#include "support/oracle_adapter.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "support/oracle_adapter.hpp"
 #include "oracle/first_wall.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/shortest_paths.hpp"
+#include "support/oracle_adapter.hpp"
 #include "support/point_text.hpp"
 #include "support/scene_check.hpp"
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <gmock/gmock.h>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,7 +22,6 @@
 #include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck.h>

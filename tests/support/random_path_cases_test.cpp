@@ -9,9 +9,9 @@
 
 #include "waywright/world.hpp"
 
-#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/shortest_paths.hpp"
+#include "support/oracle_adapter.hpp"
 #include "support/path_scene_check.hpp"
 
 namespace waywright::test {

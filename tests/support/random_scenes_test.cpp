@@ -12,8 +12,8 @@
 
 #include "waywright/item.hpp"
 
-#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
+#include "support/oracle_adapter.hpp"
 
 namespace waywright::test {
 namespace {

@@ -12,8 +12,8 @@
 #include "waywright/item.hpp"
 #include "waywright/world.hpp"
 
-#include "support/oracle_adapter.hpp"
 #include "oracle/oracle.hpp"
+#include "support/oracle_adapter.hpp"
 #include "support/point_text.hpp"
 #include "support/random.hpp"
 
