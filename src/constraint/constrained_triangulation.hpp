@@ -16,6 +16,7 @@
 #include "constraint/use_lists.hpp"
 #include "delaunay/triangulation.hpp"
 #include "locate/curve.hpp"
+#include "memory/journaled_array.hpp"
 
 namespace waywright::constraint {
 
@@ -176,8 +177,7 @@ class ConstrainedTriangulation {
   ItemTable items_;
   UseLists uses_;
   Triangulation triangulation_;
-  std::vector<Uses> corner_uses_;
-  std::vector<std::pair<mesh::Vertex, Uses>> corner_uses_log_;  ///< what they were
+  memory::JournaledArray<Uses> corner_uses_;  ///< by vertex: the items with a corner there
 
   // Scratch, kept for its memory.
   std::vector<mesh::HalfEdge> crossed_;

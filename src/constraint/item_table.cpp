@@ -19,11 +19,11 @@ void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home
 
 // Where memory runs out, what is logged is what was done, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
-  if (first_free_item_ == kNone) {
+  if (free_items_.is_empty()) {
     items_.emplace_back();
-    first_free_item_ = static_cast<std::uint32_t>(items_.size() - 1);
+    items_.back().place = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
   }
-  const std::uint32_t slot = first_free_item_;
+  const std::uint32_t slot = free_items_.first();
   const bool is_slot_id = id.value == slot;
   if (!is_slot_id) {
     make_room_in_index(1);
@@ -31,8 +31,8 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
     ids_.make_room(slot);
     ids_[slot] = id;
   }
-  log_.push_back({slot, false});
-  first_free_item_ = items_[slot].place;
+  journal_.add({slot, false});
+  free_items_.pop(items_[slot].place);
   items_[slot] = {kNone, kind, is_slot_id, false, kind == ItemKind::polygon ? fill : FillRule::even_odd};
   enter(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
@@ -59,12 +59,11 @@ void ItemTable::set_outline(std::uint32_t item, const Outline& outline) {
 }
 
 void ItemTable::add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring) {
-  if (first_free_side_ == kNone) {
+  if (free_sides_.is_empty()) {
     sides_.push_back({{}, kNone});
-    first_free_side_ = static_cast<std::uint32_t>(sides_.size() - 1);
+    sides_.back().next = free_sides_.push(static_cast<std::uint32_t>(sides_.size() - 1));
   }
-  const std::uint32_t slot = first_free_side_;
-  first_free_side_ = sides_[slot].next & ~kEndsRing;
+  const std::uint32_t slot = free_sides_.pop(sides_[free_sides_.first()].next & ~kEndsRing);
   std::uint32_t& last = items_[item].place;
   std::uint32_t next = slot;
   if (last != kNone) {
@@ -85,7 +84,7 @@ void ItemTable::outline(std::uint32_t item, Outline& outline) const {
 }
 
 void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
-  log_.push_back({slot, true});
+  journal_.add({slot, true});
   leave(slot);
   ItemHash::subtract_from(hash_, hash);
   polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
@@ -93,10 +92,10 @@ void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
 }
 
 void ItemTable::begin() {
-  for (const Undo& change : log_) {
+  journal_.for_each([&](const Undo& change) {
     if (change.is_removal) recycle(change.slot);
-  }
-  log_.clear();
+  });
+  journal_.begin();
   largest_id_before_ = largest_id_seen_;
   hash_before_ = hash_;
   polygon_count_before_ = polygon_count_;
@@ -105,15 +104,14 @@ void ItemTable::begin() {
 
 // An id that goes back into the index finds room there: it has held as many before.
 void ItemTable::roll_back() {
-  for (; !log_.empty(); log_.pop_back()) {
-    const auto [slot, is_removal] = log_.back();
-    if (is_removal) {
-      enter(slot);
+  journal_.roll_back([&](const Undo& change) {
+    if (change.is_removal) {
+      enter(change.slot);
     } else {
-      leave(slot);
-      recycle(slot);
+      leave(change.slot);
+      recycle(change.slot);
     }
-  }
+  });
   largest_id_seen_ = largest_id_before_;
   hash_ = hash_before_;
   polygon_count_ = polygon_count_before_;
@@ -125,11 +123,9 @@ void ItemTable::recycle(std::uint32_t slot) {
   Record& record = items_[slot];
   if (record.kind != ItemKind::point && record.place != kNone) {
     const std::uint32_t first = sides_[record.place].next & ~kEndsRing;
-    sides_[record.place].next = first_free_side_;
-    first_free_side_ = first;
+    sides_[record.place].next = free_sides_.push(first);  // the whole ring
   }
-  record.place = first_free_item_;
-  first_free_item_ = slot;
+  record.place = free_items_.push(slot);
 }
 
 void ItemTable::enter(std::uint32_t slot) {

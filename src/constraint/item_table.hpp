@@ -10,6 +10,8 @@
 
 #include "constraint/item_hash.hpp"
 #include "memory/count.hpp"
+#include "memory/free_list.hpp"
+#include "memory/journal.hpp"
 #include "memory/pages.hpp"
 #include "mesh/index.hpp"
 
@@ -124,18 +126,18 @@ class ItemTable {
     memory::count(use, &MemoryUse::items, sides_);
     memory::count(use, &MemoryUse::items, index_);
     ids_.count_memory(use, &MemoryUse::items);
-    memory::count_spare(use, log_);
+    journal_.count_memory(use);
   }
   /// Gives back spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     memory::shrink(items_, sides_, index_);
     ids_.shrink_to_fit();
-    memory::release(log_);
+    journal_.release();
   }
 
  private:
   static constexpr std::uint32_t kEmpty = 0;  ///< in the index, where the domain never is
-  static constexpr std::uint32_t kNone = 0x7fffffff;
+  static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
   static constexpr std::uint32_t kEndsRing = 0x80000000;
 
   struct Record {
@@ -192,8 +194,8 @@ class ItemTable {
   std::vector<Record> items_;
   memory::Pages<ItemId> ids_;  ///< by slot, of items whose slot is another
   std::vector<Link> sides_;
-  std::uint32_t first_free_item_ = kNone;
-  std::uint32_t first_free_side_ = kNone;
+  memory::FreeList free_items_;       ///< linked by Record::place
+  memory::FreeList free_sides_;       ///< linked by Link::next
   std::vector<std::uint32_t> index_;  ///< slots that aren't their items' ids; at most two thirds are in use
   std::size_t index_size_ = 0;
   std::size_t size_ = 0;
@@ -202,7 +204,7 @@ class ItemTable {
   std::size_t polygon_count_ = 0;
   std::size_t nonzero_count_ = 0;  ///< of the polygons
 
-  std::vector<Undo> log_;
+  memory::Journal<Undo> journal_;
   ItemId largest_id_before_;
   std::size_t polygon_count_before_ = 0;
   std::size_t nonzero_count_before_ = 0;

@@ -15,7 +15,7 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::begin_records() {
   items_.begin();
   uses_.begin();
-  corner_uses_log_.clear();
+  corner_uses_.begin();
 }
 
 // Each part keeps its own log and takes back its own changes; none looks at another while doing so.
@@ -24,10 +24,7 @@ void ConstrainedTriangulation<Geometry>::roll_back() {
   triangulation_.roll_back();
   items_.roll_back();
   uses_.roll_back();
-  for (; !corner_uses_log_.empty(); corner_uses_log_.pop_back()) {
-    const auto& [v, uses] = corner_uses_log_.back();
-    corner_uses_[number(v)] = uses;
-  }
+  corner_uses_.roll_back();
 }
 
 template <class Geometry>
@@ -35,8 +32,8 @@ void ConstrainedTriangulation<Geometry>::count_memory(MemoryUse& use) const {
   triangulation_.count_memory(use);
   items_.count_memory(use);
   uses_.count_memory(use, &MemoryUse::walls);
-  memory::count(use, &MemoryUse::vertices, corner_uses_);
-  memory::count_spare(use, corner_uses_log_, crossed_, touched_, outline_.corners, outline_.ring_ends);
+  corner_uses_.count_memory(use, &MemoryUse::vertices);
+  memory::count_spare(use, crossed_, touched_, outline_.corners, outline_.ring_ends);
 }
 
 template <class Geometry>
@@ -45,20 +42,19 @@ void ConstrainedTriangulation<Geometry>::shrink_to_fit() {
   triangulation_.shrink_to_fit();
   items_.shrink_to_fit();
   uses_.shrink_to_fit();
-  memory::shrink(corner_uses_);
-  memory::release(corner_uses_log_, crossed_, touched_, outline_.corners, outline_.ring_ends);
+  corner_uses_.shrink_to_fit();
+  memory::release(crossed_, touched_, outline_.corners, outline_.ring_ends);
 }
 
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses uses) {
-  corner_uses_log_.emplace_back(v, corner_uses_[number(v)]);
-  corner_uses_[number(v)] = uses;
+  corner_uses_.write(number(v), uses);
 }
 
 /// Gives every vertex a list, those just made an empty one.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::grow_corner_uses() {
-  if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
+  corner_uses_.cover(topology().vertex_slots(), UseLists::kNone);
 }
 
 }  // namespace waywright::constraint

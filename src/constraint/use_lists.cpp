@@ -4,15 +4,15 @@ namespace waywright::constraint {
 
 Uses UseLists::add(Uses list, std::uint32_t user) {
   if (list == kNone) return of(user);
-  if (first_free_ == kNone) {
-    nodes_.push_back({user, list});
+  if (free_nodes_.is_empty()) {
+    nodes_.append({user, list});
     return static_cast<Uses>(nodes_.size() - 1) | kNode;
   }
-  const Uses result = first_free_;
-  const Uses next_free = nodes_[result & ~kNode].rest;
-  write(result, {user, list});
-  first_free_ = next_free;
-  return result;
+  const std::uint32_t index = free_nodes_.first();
+  const std::uint32_t next_free = nodes_[index].rest;
+  nodes_.write(index, {user, list});
+  free_nodes_.pop(next_free);
+  return index | kNode;
 }
 
 Uses UseLists::copy(Uses list) {
@@ -37,7 +37,7 @@ Uses UseLists::remove(Uses list, std::uint32_t user) {
       continue;
     }
     const Uses rest = node.user == user ? node.rest : of(node.user);
-    if (before != kNone) write(before, {nodes_[before & ~kNode].user, rest});
+    if (before != kNone) nodes_.write(before & ~kNode, {nodes_[before & ~kNode].user, rest});
     free_node(at);
     return before == kNone ? rest : list;
   }
@@ -58,27 +58,21 @@ bool UseLists::contains(Uses list, std::uint32_t user) const {
   return list == of(user);
 }
 
+// write() comes first: it may run out of memory.
 void UseLists::free_node(Uses list) {
-  write(list, {nodes_[list & ~kNode].user, first_free_});
-  first_free_ = list;
-}
-
-void UseLists::write(Uses list, const Node& node) {
   const std::uint32_t index = list & ~kNode;
-  log_.push_back({index, nodes_[index]});
-  nodes_[index] = node;
+  nodes_.write(index, {nodes_[index].user, free_nodes_.first()});
+  (void)free_nodes_.push(index);
 }
 
 void UseLists::begin() {
-  log_.clear();
-  size_before_ = nodes_.size();
-  first_free_before_ = first_free_;
+  nodes_.begin();
+  free_nodes_before_ = free_nodes_;
 }
 
 void UseLists::roll_back() {
-  for (; !log_.empty(); log_.pop_back()) nodes_[log_.back().index] = log_.back().node;
-  nodes_.resize(size_before_);
-  first_free_ = first_free_before_;
+  nodes_.roll_back();
+  free_nodes_ = free_nodes_before_;
 }
 
 }  // namespace waywright::constraint

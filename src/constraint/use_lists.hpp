@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "waywright/memory_use.hpp"
 
-#include "memory/count.hpp"
+#include "memory/free_list.hpp"
+#include "memory/journaled_array.hpp"
 
 namespace waywright::constraint {
 
@@ -46,15 +46,9 @@ class UseLists {
   [[nodiscard]] std::uint32_t any(Uses list) const { return is_node(list) ? nodes_[list & ~kNode].user : list - 1; }
 
   /// Counts what lists hold in with that part.
-  void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
-    memory::count(use, part, nodes_);
-    memory::count_spare(use, log_);
-  }
+  void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const { nodes_.count_memory(use, part); }
   /// Gives back spare memory. Requires: nothing has changed since begin().
-  void shrink_to_fit() {
-    memory::shrink(nodes_);
-    memory::release(log_);
-  }
+  void shrink_to_fit() { nodes_.shrink_to_fit(); }
 
  private:
   static constexpr std::uint32_t kNode = 0x80000000;
@@ -67,19 +61,11 @@ class UseLists {
 
   [[nodiscard]] static bool is_node(Uses list) { return (list & kNode) != 0; }
 
-  struct Undo {
-    std::uint32_t index;
-    Node node;
-  };
-
-  void write(Uses list, const Node& node);
   void free_node(Uses list);
 
-  std::vector<Node> nodes_;
-  Uses first_free_ = kNone;  ///< freed nodes, chained by their rests
-  std::vector<Undo> log_;
-  std::size_t size_before_ = 0;
-  Uses first_free_before_ = kNone;
+  memory::JournaledArray<Node> nodes_;
+  memory::FreeList free_nodes_;  ///< linked by Node::rest
+  memory::FreeList free_nodes_before_;
 };
 
 }  // namespace waywright::constraint

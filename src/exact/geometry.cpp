@@ -29,20 +29,19 @@ void Geometry::clear(std::uint32_t vertex) {
 }
 
 void Geometry::begin() {
-  log_.clear();
+  journal_.begin();
   free_crossings_.insert(free_crossings_.end(), left_crossings_.begin(), left_crossings_.end());
   left_crossings_.clear();
 }
 
 void Geometry::roll_back() {
-  for (; !log_.empty(); log_.pop_back()) {
-    const Undo& change = log_.back();
+  journal_.roll_back([&](const Undo& change) {
     places_[change.vertex] = change.place;
-    if (change.vertex >= crossing_of_.size()) continue;
+    if (change.vertex >= crossing_of_.size()) return;
     std::uint32_t& crossing = crossing_of_[change.vertex];
     if (crossing != kExplicit) free_crossings_.push_back(crossing);
     crossing = change.crossing;
-  }
+  });
   left_crossings_.clear();
 }
 

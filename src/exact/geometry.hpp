@@ -14,6 +14,7 @@
 #include "exact/filter.hpp"
 #include "exact/sign.hpp"
 #include "memory/count.hpp"
+#include "memory/journal.hpp"
 
 namespace waywright::exact {
 
@@ -116,13 +117,15 @@ class Geometry {
     memory::count(use, &MemoryUse::vertices, places_);
     memory::count(use, &MemoryUse::crossings, crossing_of_);
     memory::count(use, &MemoryUse::crossings, crossings_);
-    memory::count_spare(use, free_crossings_, left_crossings_, log_);
+    memory::count_spare(use, free_crossings_, left_crossings_);
+    journal_.count_memory(use);
   }
   /// Gives back spare memory, but not that of `free_crossings_`, which roll_back() needs. Requires: nothing has changed
   /// since begin().
   void shrink_to_fit() {
     memory::shrink(places_, crossing_of_, crossings_);
-    memory::release(left_crossings_, log_);
+    memory::release(left_crossings_);
+    journal_.release();
   }
 
  private:
@@ -144,7 +147,7 @@ class Geometry {
     return vertex < crossing_of_.size() ? crossing_of_[vertex] : kExplicit;
   }
   [[nodiscard]] bool is_explicit(const View& view) const { return is_explicit(view.vertex); }
-  void log(std::uint32_t vertex) { log_.push_back({places_[vertex], vertex, crossing_of(vertex)}); }
+  void log(std::uint32_t vertex) { journal_.add({places_[vertex], vertex, crossing_of(vertex)}); }
   [[nodiscard]] ExactPoint exact(const View& view) const;
   [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
@@ -155,7 +158,7 @@ class Geometry {
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_crossings_;  ///< has room for all
   std::vector<std::uint32_t> left_crossings_;  ///< free from the next begin() on; until then they may be taken back
-  std::vector<Undo> log_;
+  memory::Journal<Undo> journal_;
 };
 
 static_assert(AnyGeometry<Geometry>);

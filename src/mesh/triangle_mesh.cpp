@@ -33,9 +33,9 @@ HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
 
 // Memory comes first, then the log, then the change: where memory runs out, what is logged is what was done.
 Vertex TriangleMesh::add_vertex() {
-  const bool is_new = first_free_vertex_ == kEndOfList;
+  const bool is_new = free_vertices_.is_empty();
   if (is_new) outgoing_.reserve(grown_capacity(outgoing_.capacity(), outgoing_.size() + 1));
-  log(ChangeKind::add_vertex, is_new ? vertex_slots() : first_free_vertex_);
+  log(ChangeKind::add_vertex, is_new ? vertex_slots() : free_vertices_.first());
   if (!is_new) return pop_free_vertex();
   outgoing_.push_back(number(kNoHalfEdge));
   return Vertex{vertex_slots() - 1};
@@ -47,8 +47,8 @@ void TriangleMesh::free_vertex(Vertex v) {
 }
 
 Face TriangleMesh::add_face() {
-  const bool is_new = first_free_face_ == kEndOfList;
-  const Face f{is_new ? face_slots() : first_free_face_};
+  const bool is_new = free_faces_.is_empty();
+  const Face f{is_new ? face_slots() : free_faces_.first()};
   if (is_new) {
     corners_.reserve(grown_capacity(corners_.capacity(), corners_.size() + 3));
     labels_.cover(corners_.size() + 3);

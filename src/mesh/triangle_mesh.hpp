@@ -10,6 +10,8 @@
 
 #include "base/compiler.hpp"
 #include "memory/count.hpp"
+#include "memory/free_list.hpp"
+#include "memory/journal.hpp"
 #include "memory/pages.hpp"
 #include "mesh/index.hpp"
 
@@ -140,7 +142,7 @@ class TriangleMesh {
   /// Calls visit(face, touch), or visit(vertex, touch), for each change since begin().
   template <class Visit>
   void for_each_touched_face(Visit&& visit) const {
-    for (const Undo& change : log_) {
+    journal_.for_each([&](const Undo& change) {
       switch (change.kind) {
         case ChangeKind::add_face:
           visit(Face{change.index}, Touch::made);
@@ -165,14 +167,14 @@ class TriangleMesh {
         case ChangeKind::rebuild_label:
           break;
       }
-    }
+    });
   }
   template <class Visit>
   void for_each_touched_vertex(Visit&& visit) const {
-    for (const Undo& change : log_) {
+    journal_.for_each([&](const Undo& change) {
       if (change.kind == ChangeKind::add_vertex) visit(Vertex{change.index}, Touch::made);
       if (change.kind == ChangeKind::free_vertex) visit(Vertex{change.index}, Touch::freed);
-    }
+    });
   }
 
   /// The first broken link, label, loop or free list found, or nothing. Cost: linear.
@@ -182,19 +184,20 @@ class TriangleMesh {
     memory::count(use, &MemoryUse::faces, corners_);
     memory::count(use, &MemoryUse::vertices, outgoing_);
     labels_.count_memory(use, &MemoryUse::walls);
-    memory::count_spare(use, log_, saved_faces_);
+    memory::count_spare(use, saved_faces_);
+    journal_.count_memory(use);
   }
   /// Gives back spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     memory::shrink(corners_, outgoing_);
     labels_.shrink_to_fit();
-    memory::release(log_, saved_faces_);
+    memory::release(saved_faces_);
+    journal_.release();
   }
 
  private:
   static constexpr std::uint32_t kFixed = 0x80000000;
   static constexpr std::uint32_t kFree = 0x80000000;
-  static constexpr std::uint32_t kEndOfList = 0x7fffffff;
 
   enum class ChangeKind : std::uint8_t {
     add_vertex,
@@ -219,7 +222,7 @@ class TriangleMesh {
   };
   using SavedFace = std::array<Corner, 3>;
 
-  void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { log_.push_back({kind, index, saved}); }
+  void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { journal_.add({kind, index, saved}); }
   void undo(const Undo& change);
   void undo_split_face(Face f);
   void undo_split_edge(HalfEdge h);
@@ -244,12 +247,12 @@ class TriangleMesh {
   std::vector<Corner> corners_;
   memory::Pages<Label> labels_;          ///< by half-edge; has room wherever the edge is fixed
   std::vector<std::uint32_t> outgoing_;  ///< by vertex; with kFree set, the next free vertex
-  std::uint32_t first_free_face_ = kEndOfList;
-  std::uint32_t first_free_vertex_ = kEndOfList;
+  memory::FreeList free_faces_;          ///< linked by the twin of the first corner
+  memory::FreeList free_vertices_;       ///< linked by `outgoing_`
   std::size_t free_face_count_ = 0;
   std::size_t free_vertex_count_ = 0;
 
-  std::vector<Undo> log_;
+  memory::Journal<Undo> journal_;
   std::vector<SavedFace> saved_faces_;
 };
 

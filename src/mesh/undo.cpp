@@ -6,16 +6,12 @@
 namespace waywright::mesh {
 
 void TriangleMesh::begin() {
-  log_.clear();
+  journal_.begin();
   saved_faces_.clear();
 }
 
 void TriangleMesh::roll_back() {
-  while (!log_.empty()) {
-    const Undo change = log_.back();
-    log_.pop_back();
-    undo(change);
-  }
+  journal_.roll_back([&](const Undo& change) { undo(change); });
   begin();
 }
 
@@ -110,27 +106,23 @@ void TriangleMesh::restore(Face f, const SavedFace& saved) {
 
 void TriangleMesh::push_free_face(Face f) {
   for (std::uint32_t i = 0; i < 3; ++i) corners_[number(first(f)) + i] = {number(kNoHalfEdge), kNoVertex};
-  corners_[number(first(f))].twin = first_free_face_;
-  first_free_face_ = number(f);
+  corners_[number(first(f))].twin = free_faces_.push(number(f));
   ++free_face_count_;
 }
 
 Face TriangleMesh::pop_free_face() {
-  const Face f{first_free_face_};
-  first_free_face_ = corners_[number(first(f))].twin;
+  const Face f{free_faces_.pop(corners_[number(first(Face{free_faces_.first()}))].twin)};
   --free_face_count_;
   return f;
 }
 
 void TriangleMesh::push_free_vertex(Vertex v) {
-  outgoing_[number(v)] = kFree | first_free_vertex_;
-  first_free_vertex_ = number(v);
+  outgoing_[number(v)] = kFree | free_vertices_.push(number(v));
   ++free_vertex_count_;
 }
 
 Vertex TriangleMesh::pop_free_vertex() {
-  const Vertex v{first_free_vertex_};
-  first_free_vertex_ = outgoing_[number(v)] & ~kFree;
+  const Vertex v{free_vertices_.pop(outgoing_[free_vertices_.first()] & ~kFree)};
   outgoing_[number(v)] = number(kNoHalfEdge);
   --free_vertex_count_;
   return v;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "memory/count.hpp"
+#include "nav/point_agent.hpp"
 
 namespace waywright::nav {
 
@@ -120,7 +121,8 @@ bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
   }
   return component != Components::kNone && std::all_of(made_.begin(), made_.end(), [&](Face f) {
            const mesh::HalfEdge h = mesh::first(f);
-           return !mesh.is_fixed(h) && !mesh.is_fixed(mesh::next(h)) && !mesh.is_fixed(mesh::previous(h));
+           return PointAgent::can_cross(mesh, h) && PointAgent::can_cross(mesh, mesh::next(h)) &&
+                  PointAgent::can_cross(mesh, mesh::previous(h));
          });
 }
 

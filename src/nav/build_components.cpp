@@ -5,6 +5,7 @@
 
 #include "constraint/turns.hpp"
 #include "nav/components.hpp"
+#include "nav/point_agent.hpp"
 
 // The components of a mesh that nothing is known of yet. They are found in place: until they are numbered, a face's
 // label is that of a face before it in its set, or the first face's own.
@@ -40,33 +41,38 @@ Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Tu
 
 }  // namespace
 
-Components::Components(const Triangulation& triangulation) : labels_(triangulation.topology().face_slots(), kNone) {
-  join_faces(triangulation);
-  number_components();
+Components::Components(const Triangulation& triangulation) {
+  std::vector<Label> labels = join_faces(triangulation);
+  number_components(labels);
+  labels_ = memory::JournaledArray<Label>(std::move(labels));
   if (triangulation.items().has_polygons()) cover_components(triangulation);
   begin();
 }
 
+/// Returns trees of faces: each face of the box names another one of its component, or itself.
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
-void Components::join_faces(const Triangulation& triangulation) {
+std::vector<Components::Label> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
+  std::vector<Label> trees(mesh.face_slots(), kNone);
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!triangulation.triangulation().is_in_box(Face{f})) continue;
-    labels_[f] = f;
+    trees[f] = f;
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * f + side};
       const Face other = mesh::face(mesh.twin(h));
-      if (number(other) < f && !mesh.is_fixed(h)) unite(labels_, f, number(other));
+      if (number(other) < f && PointAgent::can_cross(mesh, h)) unite(trees, f, number(other));
     }
   }
+  return trees;
 }
 
-void Components::number_components() {
-  for (std::uint32_t f = 0; f < labels_.size(); ++f) {
-    if (labels_[f] == kNone) continue;
-    const bool is_first = labels_[f] == f;
-    labels_[f] = is_first ? add_record({}) : labels_[labels_[f]];
-    ++records_[labels_[f]].size;
+/// Makes a component of each tree, and the face's component of each entry of `labels`.
+void Components::number_components(std::vector<Label>& labels) {
+  for (std::uint32_t f = 0; f < labels.size(); ++f) {
+    if (labels[f] == kNone) continue;
+    const bool is_first = labels[f] == f;
+    labels[f] = is_first ? add_record({}) : labels[labels[f]];
+    ++records_.unrecorded(labels[f]).size;
   }
 }
 
@@ -87,7 +93,7 @@ void Components::cover_components(const Triangulation& triangulation) {
       if (is_known[beyond]) continue;
       is_known[beyond] = true;
       known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, door->h) : Turns());
-      Uses& cover = records_[beyond].cover;
+      Uses& cover = records_.unrecorded(beyond).cover;
       if (!has_nonzero) cover = cover_beyond(triangulation, door->h, {});
       for (const auto& [polygon, turns] : known.back().second) {
         if (triangulation.items().covers(polygon, turns)) cover = covers_.add(cover, polygon);
@@ -100,7 +106,7 @@ std::vector<Components::Door> Components::find_doors(const mesh::TriangleMesh& m
   std::vector<Door> doors;
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
-    if (!mesh.is_alive(mesh::face(h)) || !mesh.is_fixed(h)) continue;
+    if (!mesh.is_alive(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
     const Label beyond = of(mesh::face(mesh.twin(h)));
     if (beyond != kNone && beyond != of(mesh::face(h))) doors.push_back({of(mesh::face(h)), h});
   }

@@ -99,7 +99,9 @@ void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Fa
   constraint::keep_one_of_each(flooded_);
 }
 
-void Components::set_cover(Label component, Uses cover) { write_record(component, {records_[component].size, cover}); }
+void Components::set_cover(Label component, Uses cover) {
+  records_.write(component, {records_[component].size, cover});
+}
 
 /// A half-edge from a vertex, in a face of the box, with nothing but what comes before the vertex on its right, or what
 /// is beyond the box.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "memory/count.hpp"
+#include "nav/point_agent.hpp"
 
 namespace waywright::nav {
 
@@ -40,12 +41,12 @@ void Components::refill(const mesh::TriangleMesh& mesh, std::span<const Face> go
   for (const Face f : made) write_label(f, component);
   Record record = records_[component];
   record.size += static_cast<std::uint32_t>(made.size()) - gone_count;
-  write_record(component, record);
+  records_.write(component, record);
 }
 
 void Components::make_room(const mesh::TriangleMesh& mesh) {
   marks_.cover(mesh.face_slots());
-  if (labels_.size() < mesh.face_slots()) labels_.resize(mesh.face_slots(), kNone);
+  labels_.cover(mesh.face_slots(), kNone);
 }
 
 /// The changed faces leave their components. One without faces is none.
@@ -54,7 +55,7 @@ void Components::take_out(std::span<const Face> gone) {
   Record record;
   const auto write = [&] {
     if (label == kNone) return;
-    write_record(label, record);
+    records_.write(label, record);
     if (record.size == 0) free_record(label);
   };
   for (const Face f : gone) {
@@ -91,7 +92,7 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t side = 0; side < 3; ++side) {
         const HalfEdge h{3 * number(faces_[i]) + side};
-        if (mesh.is_fixed(h)) continue;
+        if (!PointAgent::can_cross(mesh, h)) continue;
         const Face other = mesh::face(mesh.twin(h));
         if (labels_[number(other)] != kNone) {
           contacts_.push_back({labels_[number(other)], group, other});
@@ -189,7 +190,7 @@ void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   for (std::uint32_t side = 0; side < 3; ++side) {
     const HalfEdge h{3 * number(f) + side};
     const Face other = mesh::face(mesh.twin(h));
-    if (!mesh.is_fixed(h) && labels_[number(other)] != kNone) find(search, other);
+    if (PointAgent::can_cross(mesh, h) && labels_[number(other)] != kNone) find(search, other);
   }
 }
 
@@ -243,7 +244,7 @@ void Components::label_parts(const mesh::TriangleMesh& mesh) {
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
     if (group.label == kNone || top(group_sets_, i) != i) continue;
-    write_record(group.label, {group.size, records_[group.label].cover});
+    records_.write(group.label, {group.size, records_[group.label].cover});
   }
 }
 
@@ -267,7 +268,7 @@ void Components::relabel(const mesh::TriangleMesh& mesh, const Part& part, Label
     stack_.pop_back();
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * number(f) + side};
-      if (!mesh.is_fixed(h)) visit(mesh::face(mesh.twin(h)));
+      if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }
   free_record(part.component);
@@ -284,74 +285,59 @@ void Components::unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::u
   sets[std::max(a, b)] = std::min(a, b);
 }
 
-void Components::write_label(Face f, Label label) {
-  label_log_.emplace_back(f, labels_[number(f)]);
-  labels_[number(f)] = label;
-}
-
-void Components::write_record(Label component, const Record& record) {
-  record_log_.emplace_back(component, records_[component]);
-  records_[component] = record;
-}
-
 Components::Label Components::add_record(const Record& record) {
-  if (first_free_ == kNone) {
-    records_.push_back(record);
+  if (free_records_.is_empty()) {
+    records_.append(record);
     return static_cast<Label>(records_.size() - 1);
   }
-  const Label label = first_free_;
+  const Label label = free_records_.first();
   const Label next_free = records_[label].size;
-  write_record(label, record);
-  first_free_ = next_free;
+  records_.write(label, record);
+  free_records_.pop(next_free);
   --free_count_;
   return label;
 }
 
 void Components::free_record(Label component) {
   covers_.release(records_[component].cover);
-  write_record(component, {first_free_, UseLists::kNone});
-  first_free_ = component;
+  records_.write(component, {free_records_.first(), UseLists::kNone});
+  (void)free_records_.push(component);
   ++free_count_;
 }
 
 void Components::begin() {
   covers_.begin();
-  label_log_.clear();
-  record_log_.clear();
-  record_count_before_ = records_.size();
-  first_free_before_ = first_free_;
+  labels_.begin();
+  records_.begin();
+  free_records_before_ = free_records_;
   free_count_before_ = free_count_;
 }
 
 void Components::roll_back() {
   covers_.roll_back();
-  for (; !label_log_.empty(); label_log_.pop_back()) {
-    labels_[number(label_log_.back().first)] = label_log_.back().second;
-  }
-  for (; !record_log_.empty(); record_log_.pop_back()) {
-    records_[record_log_.back().first] = record_log_.back().second;
-  }
-  records_.resize(record_count_before_);
-  first_free_ = first_free_before_;
+  labels_.roll_back();
+  records_.roll_back();
+  free_records_ = free_records_before_;
   free_count_ = free_count_before_;
 }
 
 void Components::count_memory(MemoryUse& use) const {
-  memory::count(use, &MemoryUse::abstraction, labels_);
+  labels_.count_memory(use, &MemoryUse::abstraction);
   marks_.count_memory(use, &MemoryUse::abstraction);
-  memory::count(use, &MemoryUse::abstraction, records_);
+  records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
-  memory::count_spare(use, label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_,
-                      parts_, parted_, stack_, flooded_, reached_, around_, sides_, polygons_);
+  memory::count_spare(use, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_, parted_, stack_,
+                      flooded_, reached_, around_, sides_, polygons_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
 void Components::shrink_to_fit() {
-  memory::shrink(labels_, records_);
+  labels_.shrink_to_fit();
+  records_.shrink_to_fit();
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
-  memory::release(label_log_, record_log_, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_,
-                  parted_, stack_, flooded_, reached_, around_, sides_, polygons_);
+  memory::release(faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_, parted_, stack_, flooded_,
+                  reached_, around_, sides_, polygons_);
 }
 
 }  // namespace waywright::nav

@@ -13,6 +13,8 @@
 #include "constraint/cover.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/use_lists.hpp"
+#include "memory/free_list.hpp"
+#include "memory/journaled_array.hpp"
 #include "memory/pages.hpp"
 
 namespace waywright::nav {
@@ -68,7 +70,7 @@ class Components {
   /// Calls visit(face) for each face that got another label since begin().
   template <class Visit>
   void for_each_relabelled_face(Visit&& visit) const {
-    for (const auto& [f, label] : label_log_) visit(f);
+    labels_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
   }
 
   /// Starts the log anew.
@@ -121,8 +123,8 @@ class Components {
     Label component;
     mesh::HalfEdge h;
   };
-  void join_faces(const Triangulation& triangulation);
-  void number_components();
+  [[nodiscard]] static std::vector<Label> join_faces(const Triangulation& triangulation);
+  void number_components(std::vector<Label>& labels);
   void cover_components(const Triangulation& triangulation);
   [[nodiscard]] std::vector<Door> find_doors(const mesh::TriangleMesh& mesh) const;
 
@@ -139,8 +141,7 @@ class Components {
   void add_piece(std::uint32_t search, Label component);
   void label_parts(const mesh::TriangleMesh& mesh);
   void relabel(const mesh::TriangleMesh& mesh, const Part& part, Label label);
-  void write_label(mesh::Face f, Label label);
-  void write_record(Label component, const Record& record);
+  void write_label(mesh::Face f, Label label) { labels_.write(number(f), label); }
   [[nodiscard]] Label add_record(const Record& record);
   void free_record(Label component);
 
@@ -170,16 +171,12 @@ class Components {
   void cover_with(const Triangulation& triangulation, const Winding& winding);
   void set_cover(Label component, Uses cover);
 
-  std::vector<Label> labels_;  ///< by face
-  std::vector<Record> records_;
+  memory::JournaledArray<Label> labels_;  ///< by face
+  memory::JournaledArray<Record> records_;
   constraint::UseLists covers_;
-  Label first_free_ = kNone;
+  memory::FreeList free_records_;  ///< linked by Record::size
   std::size_t free_count_ = 0;
-
-  std::vector<std::pair<mesh::Face, Label>> label_log_;  ///< what they were
-  std::vector<std::pair<Label, Record>> record_log_;
-  std::size_t record_count_before_ = 0;
-  Label first_free_before_ = kNone;
+  memory::FreeList free_records_before_;
   std::size_t free_count_before_ = 0;
 
   // Scratch, kept for its memory.

@@ -1,26 +1,29 @@
 #include "nav/two_core.hpp"
 
+#include "nav/point_agent.hpp"
+
 namespace waywright::nav {
 
 using mesh::Face;
 using mesh::HalfEdge;
 
-TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation)
-    : states_(triangulation.topology().face_slots(), kAbsent) {
+TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
+  states_.cover(mesh.face_slots(), kAbsent);
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     if (!triangulation.triangulation().is_in_box(Face{f})) continue;
-    states_[f] = kCore;
+    State& state = states_.unrecorded(f);
+    state = kCore;
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * f + side};
-      if (!mesh.is_fixed(h)) states_[f] |= way(h);
+      if (PointAgent::can_cross(mesh, h)) state |= way(h);
     }
   }
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     peel_from(mesh, Face{f});
     begin();  // there is nothing to take back to
   }
-  log_.shrink_to_fit();
+  states_.shrink_to_fit();
 }
 
 // The core is found from above: a set that is surely large enough is peeled until every face has two ways.
@@ -34,7 +37,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation)
 // core; only if this leaves a ring is there anything to climb for. (Were there a second such face, or had a root or a
 // core gone, the climb might lead through another of the places that changed and back.)
 void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
-  if (states_.size() < mesh.face_slots()) states_.resize(mesh.face_slots(), kAbsent);
+  states_.cover(mesh.face_slots(), kAbsent);
   Surroundings around;
   for (const Face f : gone) {
     around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
@@ -47,22 +50,21 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   if (hangs_on_one) peel(mesh);
   if (around.trees > 0) climb_trees(mesh, made);
   peel(mesh);
-  for (const Face f : made) states_[number(f)] = static_cast<State>(states_[number(f)] & ~kNew);
+  for (const Face f : made) states_.unrecorded(number(f)) = static_cast<State>(states_[number(f)] & ~kNew);
 }
 
 void TwoCore::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
-  if (states_.size() < mesh.face_slots()) states_.resize(mesh.face_slots(), kAbsent);
+  states_.cover(mesh.face_slots(), kAbsent);
   for (const Face f : gone) write(f, kAbsent);
   for (const Face f : made) write(f, kCore | kWays);
 }
 
-void TwoCore::roll_back() {
-  for (; !log_.empty(); log_.pop_back()) states_[number(log_.back().first)] = log_.back().second;
-}
-
 void TwoCore::write(Face f, State state) {
-  if ((states_[number(f)] & kNew) == 0) log_.emplace_back(f, states_[number(f)]);
-  states_[number(f)] = state;
+  if ((states_[number(f)] & kNew) == 0) {
+    states_.write(number(f), state);
+  } else {
+    states_.unrecorded(number(f)) = state;  // its record is from before it was new
+  }
 }
 
 void TwoCore::add_way(HalfEdge h) {
@@ -74,7 +76,7 @@ void TwoCore::add_way(HalfEdge h) {
 void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge h{3 * number(f) + i};
-    if (mesh.is_fixed(h)) continue;
+    if (!PointAgent::can_cross(mesh, h)) continue;
     const HalfEdge back = mesh.twin(h);
     const Face other = mesh::face(back);
     if (leads_up(back)) continue;

@@ -12,6 +12,7 @@
 
 #include "constraint/exact_triangulation.hpp"
 #include "memory/count.hpp"
+#include "memory/journaled_array.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::nav {
@@ -76,22 +77,22 @@ class TwoCore {
   /// Calls visit(face) for each face that update() or refill() has written since begin().
   template <class Visit>
   void for_each_written_face(Visit&& visit) const {
-    for (const auto& [f, state] : log_) visit(f);
+    states_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
   }
 
   /// Starts the log anew.
-  void begin() { log_.clear(); }
+  void begin() { states_.begin(); }
   /// Takes back everything since begin(). Allocates nothing.
-  void roll_back();
+  void roll_back() { states_.roll_back(); }
 
   void count_memory(MemoryUse& use) const {
-    memory::count(use, &MemoryUse::abstraction, states_);
-    memory::count_spare(use, log_, loose_);
+    states_.count_memory(use, &MemoryUse::abstraction);
+    memory::count_spare(use, loose_);
   }
   /// Gives back spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
-    memory::shrink(states_);
-    memory::release(log_, loose_);
+    states_.shrink_to_fit();
+    memory::release(loose_);
   }
 
  private:
@@ -122,8 +123,7 @@ class TwoCore {
   void peel(const mesh::TriangleMesh& mesh);
   void peel_from(const mesh::TriangleMesh& mesh, mesh::Face f);
 
-  std::vector<State> states_;
-  std::vector<std::pair<mesh::Face, State>> log_;  ///< what they were
+  memory::JournaledArray<State> states_;  ///< by face
 
   // Scratch, kept for its memory.
   std::vector<mesh::Face> loose_;  ///< faces of the core that may have fewer than two ways

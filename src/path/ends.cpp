@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constraint/segment_walk.hpp"
+#include "nav/point_agent.hpp"
 
 namespace waywright::path {
 
@@ -33,7 +34,7 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
 
   bool at_edge(HalfEdge h, bool ends_here) {
     if (ends_here || (!is_inside_ && leaves_start())) return true;
-    if (mesh_.is_fixed(h)) return stop();
+    if (!nav::PointAgent::can_cross(mesh_, h)) return stop();
     ends_.crossed_.push_back(h);
     return true;
   }

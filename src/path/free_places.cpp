@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/nearest_on_segment.hpp"
+#include "nav/point_agent.hpp"
 #include "path/distance.hpp"
 
 namespace waywright::path {
@@ -52,17 +53,14 @@ std::optional<Point> FreePlaces::nearest(const Triangulation& triangulation, con
 /// Collects the edges between covered and open faces that may hold the nearest free place. The straight way there
 /// passes through covered faces only, so it crosses edges that are no farther than the place itself.
 void FreePlaces::flood(const locate::Located& place, double limit, const Joined& joined) {
-  if (++query_ == 0) {  // the count has gone once around
-    marks_.clear();
-    query_ = 1;
-  }
+  stamp_.next(1, marks_);
   marks_.cover(triangulation_->topology().face_slots());
   candidates_.clear();
   nearest_ = limit + slack_;
   constraint::faces_at(*triangulation_, place, waiting_);
   for (const HalfEdge h : waiting_) {
     marks_.make_room(number(mesh::face(h)));
-    marks_[number(mesh::face(h))] = query_;
+    marks_[number(mesh::face(h))] = stamp_.value();
   }
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const HalfEdge face = waiting_[i];
@@ -76,13 +74,13 @@ void FreePlaces::visit(HalfEdge h, const Joined& joined) {
   if (triangulation_->triangulation().is_ghost_face(beyond)) return;
   const double distance = distance_to(h);
   if (distance > nearest_ + slack_) return;
-  if (triangulation_->topology().is_fixed(h) && is_open(beyond, joined)) {
+  if (!nav::PointAgent::can_cross(triangulation_->topology(), h) && is_open(beyond, joined)) {
     nearest_ = std::min(nearest_, distance + slack_);
     return candidates_.push_back({h, distance});
   }
   const auto face = number(mesh::face(beyond));
   marks_.make_room(face);
-  if (std::exchange(marks_[face], query_) != query_) waiting_.push_back(beyond);
+  if (std::exchange(marks_[face], stamp_.value()) != stamp_.value()) waiting_.push_back(beyond);
 }
 
 /// In doubles; the error is less than `slack_`.

@@ -11,6 +11,7 @@
 #include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"
 #include "memory/pages.hpp"
+#include "memory/stamp.hpp"
 #include "nav/components.hpp"
 
 namespace waywright::path {
@@ -57,7 +58,7 @@ class FreePlaces {
   double slack_ = 0.0;                  ///< more than the rounding errors of a distance in doubles
   double nearest_ = 0.0;                ///< no candidate's distance in doubles is smaller
   memory::Pages<std::uint32_t> marks_;  ///< by face: the query that reached it last
-  std::uint32_t query_ = 0;
+  memory::Stamp stamp_;
   std::vector<mesh::HalfEdge> waiting_;
   std::vector<Candidate> candidates_;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "memory/pages.hpp"
+#include "memory/stamp.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::path {
@@ -12,10 +13,7 @@ class LookedAt {
  public:
   /// Forgets all faces. The mesh has so many slots for faces.
   void clear(std::uint32_t face_slots) {
-    if (++search_ == 0) {  // the count has gone once around
-      marks_.clear();
-      search_ = 1;
-    }
+    stamp_.next(1, marks_);
     marks_.cover(face_slots);
     is_all_ = false;
   }
@@ -23,17 +21,17 @@ class LookedAt {
   void look_at_all() { is_all_ = true; }
   void look(mesh::Face f) {
     marks_.make_room(number(f));
-    marks_[number(f)] = search_;
+    marks_[number(f)] = stamp_.value();
   }
   /// Makes room for faces that the mesh has got since clear().
   void cover(std::uint32_t face_slots) { marks_.cover(face_slots); }
   [[nodiscard]] bool has(mesh::Face f) const {
-    return is_all_ || (marks_.has_room(number(f)) && marks_[number(f)] == search_);
+    return is_all_ || (marks_.has_room(number(f)) && marks_[number(f)] == stamp_.value());
   }
 
  private:
   memory::Pages<std::uint32_t> marks_;  ///< by face: the search that looked at it last
-  std::uint32_t search_ = 0;
+  memory::Stamp stamp_;
   bool is_all_ = false;
 };
 

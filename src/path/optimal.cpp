@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "nav/point_agent.hpp"
 #include "path/distance.hpp"
 
 namespace waywright::path {
@@ -123,11 +124,7 @@ void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
 }
 
 void Optimal::forget_last_query() {
-  if (++query_ == 0) {  // the count went once around
-    reached_.clear();
-    goals_below_.clear();
-    query_ = 1;
-  }
+  stamp_.next(1, reached_, goals_below_);
   cover_mesh();
 }
 
@@ -154,7 +151,7 @@ void Optimal::count_goal_face(mesh::Face f) {
     look(f);
     if (core_->is_core(f)) return;
     GoalsBelow& below = goals_below_[number(f)];
-    if (below.query != query_) below = {query_, 0};
+    if (below.query != stamp_.value()) below = {stamp_.value(), 0};
     ++below.count;
     const mesh::HalfEdge up = core_->towards_core(f);
     if (up == mesh::kNoHalfEdge) return;
@@ -329,8 +326,8 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
 /// The shortest way to `v` so far: infinite where there is none yet, minus infinite where no path can turn.
 Optimal::Reached& Optimal::reached(mesh::Vertex v) {
   Reached& entry = reached_[number(v)];
-  if (entry.query == query_) return entry;
-  entry = {has_walls(v) ? kInfinity : -kInfinity, query_, mesh::kNoHalfEdge};
+  if (entry.query == stamp_.value()) return entry;
+  entry = {has_walls(v) ? kInfinity : -kInfinity, stamp_.value(), mesh::kNoHalfEdge};
   return entry;
 }
 
@@ -338,7 +335,7 @@ bool Optimal::has_walls(mesh::Vertex v) const {
   const mesh::HalfEdge start = mesh_->outgoing(v);
   mesh::HalfEdge h = start;
   do {
-    if (mesh_->is_fixed(h)) return true;
+    if (!nav::PointAgent::can_cross(*mesh_, h)) return true;
     h = mesh_->next_around(h);
   } while (h != start);
   return false;
@@ -450,10 +447,10 @@ bool Optimal::is_outdone_by(const Reached& way, const Node& window, mesh::HalfEd
 
 /// Whether no wall lies between two free edges from a vertex with walls, on one of the ways around.
 bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
-  for (mesh::HalfEdge at = g; !mesh_->is_fixed(at); at = mesh_->next_around(at)) {
+  for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->next_around(at)) {
     if (at == h) return true;
   }
-  for (mesh::HalfEdge at = g; !mesh_->is_fixed(at); at = mesh_->previous_around(at)) {
+  for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->previous_around(at)) {
     if (at == h) return true;
   }
   return false;

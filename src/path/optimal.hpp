@@ -7,8 +7,10 @@
 
 #include "waywright/path.hpp"
 
+#include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
+#include "nav/point_agent.hpp"
 #include "path/ends.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
@@ -146,7 +148,7 @@ class Optimal {
   void offer(const Node& window);
   [[nodiscard]] bool is_outdone(const Node& window, mesh::HalfEdge from_end) const {
     const Reached& way = reached_[number(mesh_->origin(from_end))];
-    return way.query == query_ && way.spoke != mesh::kNoHalfEdge && is_outdone_by(way, window, from_end);
+    return way.query == stamp_.value() && way.spoke != mesh::kNoHalfEdge && is_outdone_by(way, window, from_end);
   }
   [[nodiscard]] bool is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const;
   [[nodiscard]] bool are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const;
@@ -162,14 +164,14 @@ class Optimal {
   /// Whether no path leaves the face `f` by its side `exit`: for a wall, or because beyond it there is a dead end
   /// without the goal.
   [[nodiscard]] bool is_barred(mesh::Face f, mesh::HalfEdge exit) const {
-    if (core_ == nullptr) return mesh_->is_fixed(exit);
-    return !core_->is_way(f, exit) && (mesh_->is_fixed(exit) || is_dead_end(exit));
+    if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
+    return !core_->is_way(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_dead_end(exit));
   }
   [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const { return is_barred(mesh::face(exit), exit); }
   [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
     const GoalsBelow& below = goals_below_[number(f)];
-    return below.query == query_ ? below.count : 0;
+    return below.query == stamp_.value() ? below.count : 0;
   }
   [[nodiscard]] bool has_walls(mesh::Vertex v) const;
   [[nodiscard]] Reached& reached(mesh::Vertex v);
@@ -198,7 +200,7 @@ class Optimal {
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;
   std::uint64_t goal_bits_ = 0;  ///< the bit_of each of their faces
-  std::uint32_t query_ = 0;
+  memory::Stamp stamp_;
 
   std::size_t expansions_ = 0;
   double at_once_bound_ = 0.0;  ///< windows whose bound is not above are followed at once

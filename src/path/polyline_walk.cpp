@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "constraint/box_test.hpp"
+#include "nav/point_agent.hpp"
 
 namespace waywright::path {
 
@@ -132,7 +133,7 @@ void PolylineWalk::leave_vertex(HalfEdge h) {
   do {
     if (leave_vertex_through(h)) return;
     h = mesh::previous(h);
-    if (mesh_->is_fixed(h)) return;
+    if (!nav::PointAgent::can_cross(*mesh_, h)) return;
     h = mesh_->twin(h);
   } while (h != first);
 }
@@ -165,7 +166,7 @@ void PolylineWalk::leave_edge(HalfEdge h) {
   const Sign end_side = geometry().orientation(view(from), view(to), line_.to);
   if (end_side == Sign::positive) return enter(h);
   if (end_side == Sign::negative) {
-    if (!mesh_->is_fixed(h)) enter(mesh_->twin(h));
+    if (nav::PointAgent::can_cross(*mesh_, h)) enter(mesh_->twin(h));
     return;
   }
   const bool goes_to_target = is_ahead(view(from), view(to));
@@ -201,7 +202,7 @@ void PolylineWalk::cross_faces(HalfEdge exit) {
   const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
   if (end_side == Sign::positive) return arrive(Spot::face, exit);
   if (end_side == Sign::zero) return arrive(Spot::edge, exit);
-  if (!mesh_->is_fixed(exit)) enter(mesh_->twin(exit));
+  if (nav::PointAgent::can_cross(*mesh_, exit)) enter(mesh_->twin(exit));
 }
 
 /// Enters faces by the inside of `entry`, and goes on as long as the piece crosses free edges.
@@ -216,7 +217,7 @@ void PolylineWalk::enter(HalfEdge entry) {
     const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
     if (end_side == Sign::positive) return arrive(Spot::face, exit);
     if (end_side == Sign::zero) return arrive(Spot::edge, exit);
-    if (mesh_->is_fixed(exit)) return;
+    if (!nav::PointAgent::can_cross(*mesh_, exit)) return;
     entry = mesh_->twin(exit);
   }
 }
@@ -247,7 +248,7 @@ void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
 HalfEdge PolylineWalk::first_of_wedge(HalfEdge outgoing) const {
   HalfEdge least = outgoing;
   HalfEdge h = outgoing;
-  while (!mesh_->is_fixed(h)) {
+  while (nav::PointAgent::can_cross(*mesh_, h)) {
     h = mesh_->previous_around(h);
     if (h == outgoing) return least;
     least = std::min(least, h);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "nav/point_agent.hpp"
+
 namespace waywright::path {
 
 void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at) {
@@ -19,24 +21,21 @@ void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedA
 }
 
 void TaStar::forget_entries() {
-  if (++query_ == 0) {  // the count went once around
-    entered_.clear();
-    query_ = 1;
-  }
+  stamp_.next(1, entered_);
   cover_mesh();
 }
 
 bool TaStar::step(std::size_t limit, Path& path) {
   while (!open_.empty() && path.expansions < limit) {
-    if (is_found_ && nodes_[open_.front()].bound >= best_length_) break;
-    const std::uint32_t position = pop();
+    if (is_found_ && open_.least_bound() >= best_length_) break;
+    const std::uint32_t position = open_.pop();
     const Node& node = nodes_[position];
     std::uint32_t& entered = entered_[number(node.entry)];
-    if (entered == query_) {
+    if (entered == stamp_.value()) {
       given_up_bound_ = std::min(given_up_bound_, node.bound);
       continue;
     }
-    entered = query_;
+    entered = stamp_.value();
     ++path.expansions;
     if (looked_at_ != nullptr) looked_at_->look(mesh::face(node.entry));
     if (!ends_->is_goal(mesh::face(node.entry))) {
@@ -47,18 +46,18 @@ bool TaStar::step(std::size_t limit, Path& path) {
     }
   }
   if (is_found_) path.lower_bound = lower_bound();
-  return open_.empty() || (is_found_ && nodes_[open_.front()].bound >= best_length_);
+  return open_.empty() || (is_found_ && open_.least_bound() >= best_length_);
 }
 
 double TaStar::lower_bound() const {
-  const double open_bound = open_.empty() ? best_length_ : nodes_[open_.front()].bound;
+  const double open_bound = open_.empty() ? best_length_ : open_.least_bound();
   return std::min({open_bound, given_up_bound_, best_length_});
 }
 
 // Seen from inside the face, an edge's left end is its target.
 void TaStar::leave_start_face(mesh::HalfEdge h) {
   for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-    if (mesh_->is_fixed(exit)) continue;
+    if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
     const std::uint32_t left = tree_.add_seen(mesh_->target(exit));
     const std::uint32_t right = tree_.add_seen(mesh_->origin(exit));
     open(exit, kNone, {TautTree::kRoot, left, right});
@@ -74,28 +73,15 @@ void TaStar::leave(std::uint32_t position) {
   const mesh::Vertex apex = mesh_->apex(node.entry);
   const mesh::HalfEdge beyond_target = mesh::next(node.entry);
   const mesh::HalfEdge beyond_origin = mesh::previous(node.entry);
-  if (!mesh_->is_fixed(beyond_target)) open(beyond_target, position, tree_.move_left(node.funnel, apex));
-  if (!mesh_->is_fixed(beyond_origin)) open(beyond_origin, position, tree_.move_right(node.funnel, apex));
+  if (nav::PointAgent::can_cross(*mesh_, beyond_target))
+    open(beyond_target, position, tree_.move_left(node.funnel, apex));
+  if (nav::PointAgent::can_cross(*mesh_, beyond_origin))
+    open(beyond_origin, position, tree_.move_right(node.funnel, apex));
 }
 
 void TaStar::open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel) {
   nodes_.push_back({mesh_->twin(exit), before, funnel, bound(funnel)});
-  open_.push_back(static_cast<std::uint32_t>(nodes_.size() - 1));
-  std::push_heap(open_.begin(), open_.end(), [&](std::uint32_t i, std::uint32_t j) { return comes_later(i, j); });
-}
-
-std::uint32_t TaStar::pop() {
-  std::pop_heap(open_.begin(), open_.end(), [&](std::uint32_t i, std::uint32_t j) { return comes_later(i, j); });
-  const std::uint32_t top = open_.back();
-  open_.pop_back();
-  return top;
-}
-
-/// Nodes of equal bound come in the order in which they were opened, which the mesh's geometry alone decides.
-bool TaStar::comes_later(std::uint32_t i, std::uint32_t j) const {
-  const double a = nodes_[i].bound;
-  const double b = nodes_[j].bound;
-  return a > b || (a == b && i > j);
+  open_.push(nodes_.back().bound, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
 bool TaStar::arrive(std::uint32_t position) {

@@ -6,10 +6,12 @@
 
 #include "waywright/path.hpp"
 
+#include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "path/ends.hpp"
 #include "path/funnel.hpp"
 #include "path/looked_at.hpp"
+#include "path/open_list.hpp"
 
 namespace waywright::path {
 
@@ -55,8 +57,6 @@ class TaStar {
   /// Follows the node's string to the goal. Returns whether that betters the best path.
   bool arrive(std::uint32_t position);
   void write_path(Path& path) const;
-  [[nodiscard]] std::uint32_t pop();
-  [[nodiscard]] bool comes_later(std::uint32_t i, std::uint32_t j) const;
   [[nodiscard]] double bound(const Funnel& funnel) const;
   [[nodiscard]] double lower_bound() const;
 
@@ -65,9 +65,9 @@ class TaStar {
   LookedAt* looked_at_ = nullptr;  ///< or null
   TautTree tree_;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> open_;             ///< a heap of positions in `nodes_`
+  OpenList open_;                               ///< positions in `nodes_`
   memory::ZeroedArray<std::uint32_t> entered_;  ///< by half-edge: the query that entered a face by it last
-  std::uint32_t query_ = 0;
+  memory::Stamp stamp_;
   bool is_found_ = false;
   double best_length_ = 0.0;
   std::uint32_t best_corner_ = 0;

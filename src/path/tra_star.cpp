@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "nav/point_agent.hpp"
+
 namespace waywright::path {
 
 using mesh::Face;
@@ -44,17 +46,13 @@ void TraStar::find(Path& path) {
 }
 
 void TraStar::forget_marks() {
-  query_ += kMarks;
-  if (query_ == 0) {  // the count went once around
-    marks_.clear();
-    query_ = kMarks;
-  }
+  stamp_.next(kMarks, marks_);
   marks_.cover(mesh_->face_slots());
 }
 
 void TraStar::mark(Face f, std::uint32_t mark) {
   std::uint32_t& marks = marks_[number(f)];
-  marks = (marks >= query_ ? marks : query_) | mark;
+  marks = (marks >= stamp_.value() ? marks : stamp_.value()) | mark;
 }
 
 bool TraStar::is_joined_to_goal(Face f) const {
@@ -113,7 +111,7 @@ unsigned TraStar::ways_down(Face f) const {
   unsigned ways = 0;
   for (std::uint32_t side = 0; side < 3; ++side) {
     const HalfEdge exit{3 * number(f) + side};
-    if (mesh_->is_fixed(exit)) continue;
+    if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
     const HalfEdge entry = mesh_->twin(exit);
     const Face below = mesh::face(entry);
     const bool hangs_here = core_->leads_up(entry);

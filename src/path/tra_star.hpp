@@ -5,6 +5,7 @@
 
 #include "waywright/path.hpp"
 
+#include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
 #include "path/ends.hpp"
@@ -55,7 +56,7 @@ class TraStar {
 
   void forget_marks();
   [[nodiscard]] std::uint32_t marks_of(mesh::Face f) const {
-    return marks_[number(f)] >= query_ ? marks_[number(f)] - query_ : 0;
+    return marks_[number(f)] >= stamp_.value() ? marks_[number(f)] - stamp_.value() : 0;
   }
   void mark(mesh::Face f, std::uint32_t mark);
   [[nodiscard]] bool is_joined_to_goal(mesh::Face f) const;
@@ -90,8 +91,8 @@ class TraStar {
 
   std::vector<Node> nodes_;
   OpenList open_;                             ///< positions in `nodes_`
-  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: `query_` and marks, if it is this query's
-  std::uint32_t query_ = 0;                   ///< a multiple of kMarks
+  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp and marks, if this search wrote them
+  memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
   std::vector<mesh::Face> tops_;              ///< faces of the core, and roots, above the goal; then faces below them
   std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the goal back
   std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces before them
