@@ -27,6 +27,10 @@ else()
   else()
     # With -Ofast, clang assumes that the program flushes subnormal numbers to zero.
     list(APPEND WAYWRIGHT_IEEE_OPTIONS -fdenormal-fp-math=ieee)
+    if(EMSCRIPTEN)
+      # WebAssembly has one rounding mode, and clang warns about each option that names another.
+      list(APPEND WAYWRIGHT_IEEE_OPTIONS -Wno-unsupported-floating-point-opt)
+    endif()
   endif()
 endif()
 
