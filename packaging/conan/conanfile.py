@@ -1,4 +1,4 @@
-"""Builds the sources that this recipe lies in, with Conan 2: conan create packaging/conan --build=missing"""
+"""Builds the sources that contain this recipe, with Conan 2. Run: conan create packaging/conan --build=missing"""
 
 import os
 import re
@@ -38,7 +38,7 @@ class WaywrightConan(ConanFile):
         cmake_layout(self)
 
     def requirements(self):
-        # Headers only, and inside the library's sources only.
+        # Only the library's sources use Boost, and only its headers.
         self.requires("boost/[>=1.74.0]", headers=True, libs=False, visible=False)
 
     def validate(self):
@@ -60,7 +60,7 @@ class WaywrightConan(ConanFile):
     def package(self):
         copy(self, "LICENSE", src=self.source_folder, dst=os.path.join(self.package_folder, "licenses"))
         CMake(self).install()
-        # Conan writes its own.
+        # Conan writes these files itself.
         for folder in (os.path.join("lib", "cmake"), os.path.join("lib", "pkgconfig"), "share"):
             rmdir(self, os.path.join(self.package_folder, folder))
 

@@ -1,4 +1,4 @@
-# Builds the sources that this port lies in: vcpkg install waywright --overlay-ports=packaging/vcpkg
+# Builds the sources that contain this port. Run: vcpkg install waywright --overlay-ports=packaging/vcpkg
 
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
