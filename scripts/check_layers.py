@@ -53,7 +53,7 @@ ROOMS = {
     "tools": room(["base"], ALL, ALL),
     "examples": room([], ALL),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
-    "tests": room(WORLD | {"world", "io", "oracle"}, ALL, ALL),
+    "tests": room(WORLD | {"world", "io", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),
 }
 
@@ -91,7 +91,7 @@ class Checker:
     def find(self, file, path):
         """The file that an include between quotes names, relative to the root, or None."""
         part = file.parts[0]
-        for folder in (file.parent, Path(part), Path("src"), Path("include")):
+        for folder in (file.parent, Path(part), Path("src"), Path("include"), Path("bench")):
             if (self.root / folder / path).is_file():
                 return folder / path
         return None

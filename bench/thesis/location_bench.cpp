@@ -8,7 +8,7 @@
 
 #include "constraint/exact_triangulation.hpp"
 #include "harness.hpp"
-#include "locate/strategies.hpp"
+#include "location_strategies.hpp"
 #include "thesis/registers.hpp"
 #include "workloads.hpp"
 
@@ -46,9 +46,8 @@ class By {
   explicit By(const Box& box) : strategy_(make(box)) {}
 
   locate::Located find(const Triangulation& triangulation, const Point& point) {
-    const locate::Ground<exact::Geometry> ground{triangulation.topology(), triangulation.geometry(),
-                                                 triangulation.ghost()};
-    return locate::locate_by(strategy_, ground, point);
+    const Ground<exact::Geometry> ground{triangulation.topology(), triangulation.geometry(), triangulation.ghost()};
+    return locate_by(strategy_, ground, point);
   }
   void found(const Point& point, mesh::HalfEdge h) { strategy_.found(point, h); }
 
@@ -132,9 +131,9 @@ void register_way(const std::string& contender, std::size_t count) {
 void register_location() {
   for (std::size_t count = 1000; count <= 10000; count += 1000) {
     register_way<OwnSectors>("waywright", count);
-    register_way<By<locate::LastFace>>("last_face", count);
-    register_way<By<locate::CubeRootSampling>>("cube_root", count);
-    register_way<By<locate::SectorsOfSearches>>("sectors_16", count);
+    register_way<By<LastFace>>("last_face", count);
+    register_way<By<CubeRootSampling>>("cube_root", count);
+    register_way<By<SectorsOfSearches>>("sectors_16", count);
   }
 }
 

@@ -60,10 +60,23 @@ std::optional<Error> ChangeCheck::add_replacement(ItemId id, const Shape& shape)
   return check_shape(id, shape);
 }
 
-std::optional<Error> ChangeCheck::add_point(const Point& point, std::size_t i, ItemId id) {
-  if (auto error = check_new_id(id)) return error;
-  if (auto error = find_point_error(triangulation_.domain(), point, i)) return about(id, std::move(error));
-  return about(id, add_vertices(1));
+std::optional<Error> ChangeCheck::add_points(std::span<const Point> points, ItemId first) {
+  const Box& domain = triangulation_.domain();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ItemId id{first.value + i};
+    const bool is_new_id = id > largest_ && id.value <= ItemId::kLargest;
+    if (is_new_id && is_point_of(domain, points[i])) [[likely]]
+      continue;
+    if (auto error = check_point(i, points[i], id)) return error;
+  }
+  return about(first, add_vertices(points.size()));
+}
+
+std::optional<Error> ChangeCheck::check_point(std::size_t i, const Point& point, ItemId id) const {
+  auto error = check_new_id(id);
+  if (!error) error = about(id, find_point_error(triangulation_.domain(), point, i));
+  if (error) error->index = i;
+  return error;
 }
 
 std::optional<Error> ChangeCheck::check_new_id(ItemId id) const {

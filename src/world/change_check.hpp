@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -33,11 +34,12 @@ class ChangeCheck {
   [[nodiscard]] std::optional<Error> add_insertion(const Shape& shape, ItemId& id);
   [[nodiscard]] std::optional<Error> add_removal(ItemId id);
   [[nodiscard]] std::optional<Error> add_replacement(ItemId id, const Shape& shape);
-  /// The insertion of the i-th point of many.
-  [[nodiscard]] std::optional<Error> add_point(const Point& point, std::size_t i, ItemId id);
+  /// The insertion of points under ids that count up from `first`, which is not null.
+  [[nodiscard]] std::optional<Error> add_points(std::span<const Point> points, ItemId first);
 
  private:
   [[nodiscard]] std::optional<Error> check_new_id(ItemId id) const;
+  [[nodiscard]] std::optional<Error> check_point(std::size_t i, const Point& point, ItemId id) const;
   [[nodiscard]] std::optional<Error> check_shape(ItemId id, const Shape& shape);
   [[nodiscard]] std::optional<Error> add_vertices(std::size_t count);
   [[nodiscard]] bool is_alive(ItemId id) const;

@@ -151,12 +151,7 @@ Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOp
   const base::FloatEnvironment environment;
   if (first.is_null()) first = {impl_->triangulation.items().largest_id_seen().value + 1};
   ChangeCheck check(impl_->triangulation, ChangeCheck::Record::no);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (auto error = check.add_point(points[i], i, {first.value + i})) {
-      error->index = i;
-      return *std::move(error);
-    }
-  }
+  if (auto error = check.add_points(points, first)) return *std::move(error);
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
   impl_->insert_all(constraint::PointBatch{points, first}, crew_of(options, points.size()));
   if (options.progress) options.progress(points.size(), points.size());

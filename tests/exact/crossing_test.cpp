@@ -34,7 +34,8 @@ class Rounding : public testing::TestWithParam<PointSource::Kind> {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Rounding,
                          testing::Values(PointSource::Kind::small_lattice, PointSource::Kind::large_integers,
-                                         PointSource::Kind::doubles, PointSource::Kind::mixed_sizes));
+                                         PointSource::Kind::doubles, PointSource::Kind::mixed_sizes),
+                         kind_name);
 
 TEST_P(Rounding, IsToNearest) {
   PointSource source(GetParam(), 5);

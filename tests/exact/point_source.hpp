@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <deque>
+#include <string>
+
+#include <gtest/gtest.h>
 
 #include "exact/crossing.hpp"
 #include "exact/exact_point.hpp"
@@ -68,5 +71,20 @@ class PointSource {
   Random random_;
   std::deque<exact::Crossing> crossings_;
 };
+
+/// The name of a kind in the names of tests.
+inline std::string kind_name(const testing::TestParamInfo<PointSource::Kind>& kind) {
+  switch (kind.param) {
+    case PointSource::Kind::small_lattice:
+      return "SmallLattice";
+    case PointSource::Kind::large_integers:
+      return "LargeIntegers";
+    case PointSource::Kind::doubles:
+      return "Doubles";
+    case PointSource::Kind::mixed_sizes:
+      return "MixedSizes";
+  }
+  return "Unknown";
+}
 
 }  // namespace waywright::test

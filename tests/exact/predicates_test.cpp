@@ -23,20 +23,6 @@ using exact::Sign;
 
 class Predicates : public testing::TestWithParam<PointSource::Kind> {};
 
-std::string kind_name(const testing::TestParamInfo<PointSource::Kind>& kind) {
-  switch (kind.param) {
-    case PointSource::Kind::small_lattice:
-      return "SmallLattice";
-    case PointSource::Kind::large_integers:
-      return "LargeIntegers";
-    case PointSource::Kind::doubles:
-      return "Doubles";
-    case PointSource::Kind::mixed_sizes:
-      return "MixedSizes";
-  }
-  return "Unknown";
-}
-
 INSTANTIATE_TEST_SUITE_P(Kinds, Predicates,
                          testing::Values(PointSource::Kind::small_lattice, PointSource::Kind::large_integers,
                                          PointSource::Kind::doubles, PointSource::Kind::mixed_sizes),

@@ -1,10 +1,11 @@
+#include "memory/journal.hpp"
+
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "memory/free_list.hpp"
-#include "memory/journal.hpp"
 #include "memory/journaled_array.hpp"
 #include "memory/stamp.hpp"
 #include "support/random.hpp"

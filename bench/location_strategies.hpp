@@ -12,12 +12,12 @@
 #include "locate/walk.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-// Where a walk starts: the three ways that Chen 2009 compares (section 3.2.1), each to be given to locate_by(). They
-// are here for experiments and tests. The library has a way of its own (sectors.hpp), which queries only read.
+// The three strategies for the start of a walk that Chen 2009 compares (section 3.2.1). Pass one to locate_by(). The
+// library itself uses another one: locate/sectors.hpp.
 
-namespace waywright::locate {
+namespace waywright::bench {
 
-/// What a strategy chooses from: a triangulated box, the places of its vertices, and the vertex beyond it.
+/// What a strategy chooses from: a triangulated box, the positions of its vertices, and the ghost vertex.
 template <class Geometry>
 struct Ground {
   const mesh::TriangleMesh& mesh;
@@ -27,7 +27,7 @@ struct Ground {
   [[nodiscard]] bool is_inside(mesh::HalfEdge h) const {
     return mesh.origin(h) != ghost && mesh.target(h) != ghost && mesh.apex(h) != ghost;
   }
-  /// Whether `h`, remembered from some time, stands for a face of the box today.
+  /// Whether `h`, a half-edge from an earlier mesh, belongs to a face of the box now.
   [[nodiscard]] bool holds(mesh::HalfEdge h) const {
     return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
   }
@@ -54,7 +54,7 @@ class LastFace {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// Jump and walk: of n^(1/3) random vertices, n being their number, the nearest. The choice is seeded by the point.
+/// Jump and walk: takes n^(1/3) random vertices of n and starts at the nearest. The point seeds the choice.
 /// Source: Mücke, Saias and Zhu, *Fast randomized point location without preprocessing in two- and three-dimensional
 /// Delaunay triangulations*, 1996.
 class CubeRootSampling {
@@ -62,7 +62,7 @@ class CubeRootSampling {
   template <class Geometry>
   [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point& point) const {
     const std::size_t vertex_count = ground.mesh.vertex_count();
-    Random random(point);
+    locate::Random random(point);
     mesh::HalfEdge nearest = ground.somewhere();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t tries = 0; tries * tries * tries < vertex_count; ++tries) {
@@ -79,8 +79,8 @@ class CubeRootSampling {
   void found(const Point&, mesh::HalfEdge) {}
 };
 
-/// A grid of 16 x 16 sectors over the box, each of which remembers the face where the last search in it ended; where
-/// that is gone, the face where the last search of all ended.
+/// A grid of 16 x 16 sectors over the box. Each sector remembers the face where the last search in it ended. If this
+/// face no longer exists, the walk starts at the face where the last search of all ended.
 class SectorsOfSearches {
  public:
   explicit SectorsOfSearches(const Box& box) : box_(box) { sectors_.fill(mesh::kNoHalfEdge); }
@@ -112,14 +112,15 @@ class SectorsOfSearches {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// Where `point`, which lies in the box, is: the walk from where `strategy` says, which then learns where it ended.
+/// The location of `point`, which lies in the box. Starts the walk where `strategy` says, and reports to it where the
+/// walk ended.
 template <class Strategy, class Geometry>
-[[nodiscard]] Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {
+[[nodiscard]] locate::Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {
   const mesh::HalfEdge start = strategy.start(ground, point);
-  const Located place =
-      walk(ground.mesh, ground.geometry, ground.geometry.view(point), point, mesh::face(start), ground.ghost);
+  const locate::Located place =
+      locate::walk(ground.mesh, ground.geometry, ground.geometry.view(point), point, mesh::face(start), ground.ghost);
   strategy.found(point, place.h);
   return place;
 }
 
-}  // namespace waywright::locate
+}  // namespace waywright::bench

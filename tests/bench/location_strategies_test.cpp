@@ -1,4 +1,4 @@
-#include "locate/strategies.hpp"
+#include "location_strategies.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace waywright::test {
 namespace {
 
 using Triangulation = delaunay::Triangulation<exact::Geometry>;
-using Ground = locate::Ground<exact::Geometry>;
+using Ground = bench::Ground<exact::Geometry>;
 using locate::Located;
 using locate::Spot;
 using mesh::HalfEdge;
@@ -56,7 +56,7 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
     const Point point = random_point(random);
     const Ground ground = ground_of(triangulation);
     ASSERT_TRUE(ground.holds(strategy.start(ground, point)));
-    const Located place = locate::locate_by(strategy, ground, point);
+    const Located place = bench::locate_by(strategy, ground, point);
     const Located right = locate::search_all(ground.mesh, ground.geometry, exact::Geometry::view(point), ground.ghost);
     ASSERT_EQ(place.spot, right.spot);
     ASSERT_EQ(name(triangulation, place), name(triangulation, right));
@@ -65,14 +65,12 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
   for (const std::size_t count : counts) EXPECT_GT(count, 10U);
 }
 
-TEST(Strategies, LastFaceFindsWhatIsThere) { expect_what_search_of_all_faces_finds(locate::LastFace()); }
+TEST(Strategies, LastFaceFindsWhatIsThere) { expect_what_search_of_all_faces_finds(bench::LastFace()); }
 
-TEST(Strategies, CubeRootSamplingFindsWhatIsThere) {
-  expect_what_search_of_all_faces_finds(locate::CubeRootSampling());
-}
+TEST(Strategies, CubeRootSamplingFindsWhatIsThere) { expect_what_search_of_all_faces_finds(bench::CubeRootSampling()); }
 
 TEST(Strategies, SectorsOfSearchesFindWhatIsThere) {
-  expect_what_search_of_all_faces_finds(locate::SectorsOfSearches(kBox));
+  expect_what_search_of_all_faces_finds(bench::SectorsOfSearches(kBox));
 }
 
 /// Two hundred points, and two faces far from each other.
@@ -89,7 +87,7 @@ struct World {
 
 TEST(Strategies, LastFaceStartsWhereTheLastSearchEnded) {
   const World world;
-  locate::LastFace strategy;
+  bench::LastFace strategy;
   strategy.found({3.3, 3.1}, world.low);
   strategy.found({29.3, 29.1}, world.high);
   EXPECT_EQ(strategy.start(ground_of(world.triangulation), {3.3, 3.1}), world.high);
@@ -98,7 +96,7 @@ TEST(Strategies, LastFaceStartsWhereTheLastSearchEnded) {
 TEST(Strategies, SectorsRememberTheLastSearchInEach) {
   const World world;
   const Ground ground = ground_of(world.triangulation);
-  locate::SectorsOfSearches strategy(kBox);
+  bench::SectorsOfSearches strategy(kBox);
   strategy.found({3.3, 3.1}, world.low);
   strategy.found({29.3, 29.1}, world.high);
   // Sectors are 2 x 2: the first two share theirs with what was found, the third is in one where nothing was.
@@ -112,7 +110,7 @@ TEST(Strategies, SectorsRememberTheLastSearchInEach) {
 TEST(Strategies, CubeRootSamplingStartsNear) {
   const World world;
   const Ground ground = ground_of(world.triangulation);
-  const locate::CubeRootSampling strategy;
+  const bench::CubeRootSampling strategy;
   Random random(13);
   double sum = 0.0;
   constexpr int kRounds = 200;
