@@ -16,10 +16,11 @@ namespace waywright::exact::lattice {
 
 namespace {
 
-/// Offsets so small that products of two, and sums of two of those, fit 64 bits.
+/// For offsets of at most this many bits, a product of two offsets fits 64 bits, and so does a sum of two such
+/// products.
 constexpr int kSmallBits = 30;
 
-/// The given points as offsets from a point of the last one's.
+/// The points as offsets from an origin: the last point, or a point of its crossing.
 template <std::size_t kCount>
 class Gathered {
  public:
@@ -63,8 +64,8 @@ class Gathered {
 
 // The sign of | a.x a.y a.w |
 //             | b.x b.y b.w |
-//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0. An explicit c is the
-//             origin.
+//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0. If c is explicit, it is
+//             the origin.
 template <std::size_t kW>
 Sign orientation_of(const std::array<LatticePoint<kW>, 3>& points, bool is_last_origin) {
   const auto& [a, b, c] = points;
@@ -80,8 +81,8 @@ struct Row {
   WideInteger<2 * kW> one;
 };
 
-// By Laplace along the first two columns: minors of those times the complementary minors of the last two. An explicit
-// last point is the origin, which leaves three rows and three columns.
+// Laplace expansion along the first two columns: each 2 x 2 minor of these columns times the complementary minor of the
+// last two columns. If the last point is explicit, it is the origin, and three rows and three columns remain.
 template <std::size_t kW>
 Sign in_circle_of(const std::array<LatticePoint<kW>, 4>& points, bool is_last_origin) {
   std::array<Row<kW>, 4> row;
@@ -116,8 +117,9 @@ WideInteger<2> lift(const LatticeVector& p) { return Offset(p.x) * Offset(p.x) +
 std::int64_t small_cross(const LatticeVector& p, const LatticeVector& q) { return p.x * q.y - p.y * q.x; }
 std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; }
 
-/// From `origin`, whose coordinates are whole, to `p`, where its are too and no further off than 2^kSmallBits: by far
-/// the most common lattice, seen at once.
+/// The vector from `origin` to `p`. Empty unless the coordinates of `p` are whole numbers that differ from those of
+/// `origin` by at most 2^kSmallBits. This test recognises by far the most common lattice without a search for it.
+/// Requires: the coordinates of `origin` are whole numbers.
 std::optional<LatticeVector> whole_offset(const ExactPoint& p, const ExactPoint& origin) {
   constexpr double kFurthest = std::int64_t{1} << kSmallBits;
   const double x = p.x - origin.x;
@@ -160,7 +162,7 @@ std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b,
   return (lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q)).sign();
 }
 
-/// Puts an explicit point last, where there is one; whether that swapped two.
+/// Moves an explicit point to the last position, if there is one. Returns whether it swapped two points.
 template <std::size_t kCount>
 bool put_explicit_last(std::array<const ExactPoint*, kCount>& points) {
   if (points.back()->is_explicit()) return false;
@@ -184,7 +186,8 @@ std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const 
   return is_swapped ? -sign : sign;
 }
 
-// Where the squares of all offsets make at most 2^30, no term of the determinant is larger than 2^60, nor is their sum.
+// If the sum of the squares of all offsets is at most 2^30, neither a term of the determinant nor the sum of its terms
+// exceeds 2^60.
 std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                     const ExactPoint& d) {
   constexpr double kMostSquares = 0x1p30;
