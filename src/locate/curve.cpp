@@ -21,8 +21,8 @@ constexpr int kLowestBit = 64 - 3 * kDigitBits;
 constexpr std::size_t kWorthwhile = 1024;
 constexpr std::size_t kAhead = 16;
 
-/// A stable sort by the digit that starts at `bit`. Each thread counts and moves a part of its own; its entries of a
-/// digit come after those of the threads before it.
+/// Sorts stably by the digit that starts at `bit`. Each thread counts and moves the entries of its own range. Within a
+/// digit, its entries come after those of the threads with lower numbers.
 void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const threads::Crew& crew) {
   const auto digit = [bit](const Entry& entry) { return static_cast<std::size_t>(entry.key >> bit & (kDigits - 1)); };
   std::vector<std::array<std::uint32_t, kDigits>> places(crew.threads());
@@ -38,14 +38,15 @@ void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int b
   });
 }
 
-/// The first place from `at` on, below `end`, where a run of entries starts whose keys agree from `bit` on; or `end`.
+/// The first index from `at` on at which a run starts, or `end`. A run is a maximal range of entries whose keys agree
+/// in all bits from `bit` on.
 std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, std::size_t end, int bit) {
   while (at > 0 && at < end && entries[at].key >> bit == entries[at - 1].key >> bit) ++at;
   return at;
 }
 
-/// Sorts by the key's upper half, which tells apart as many cells as there may be points, and the runs that agree in it
-/// by all there is.
+/// Sorts by the upper bits of the keys, which distinguish more cells than there can be points, and then sorts each run
+/// of entries with equal upper bits by the whole key and by (x, y).
 void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const threads::Crew& crew) {
   const auto before = [&](const Entry& a, const Entry& b) {
     if (a.key != b.key) return a.key < b.key;
@@ -64,7 +65,7 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
       entries.swap(other);
     }
   }
-  // Before any thread moves an entry, for no thread may look at another's.
+  // Found before any thread moves an entry, because a thread must not read entries that another thread moves.
   std::vector<std::size_t> shares;
   for (std::size_t t = 0; t <= crew.threads(); ++t) {
     shares.push_back(start_of_run(entries, crew.start_of_share(entries.size(), t), entries.size(), kLowestBit));

@@ -12,12 +12,13 @@
 #include "locate/walk.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-// Where a walk starts: the three ways that Chen 2009 compares (section 3.2.1), each to be given to locate_by(). They
-// are here for experiments and tests. The library has a way of its own (sectors.hpp), which queries only read.
+// The three strategies that Chen 2009 compares (section 3.2.1) for the start of a walk; locate_by() takes one of them.
+// They serve experiments and tests. The library uses a strategy of its own (sectors.hpp), which queries only read.
 
 namespace waywright::locate {
 
-/// What a strategy chooses from: a triangulated box, the places of its vertices, and the vertex beyond it.
+/// The data from which a strategy chooses a start: a triangulated box, the positions of its vertices, and the ghost
+/// vertex.
 template <class Geometry>
 struct Ground {
   const mesh::TriangleMesh& mesh;
@@ -27,13 +28,13 @@ struct Ground {
   [[nodiscard]] bool is_inside(mesh::HalfEdge h) const {
     return mesh.origin(h) != ghost && mesh.target(h) != ghost && mesh.apex(h) != ghost;
   }
-  /// Whether `h`, remembered from some time, stands for a face of the box today.
+  /// Whether `h`, which was stored earlier, now represents a face in the box.
   [[nodiscard]] bool holds(mesh::HalfEdge h) const {
     return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
   }
-  /// Some face of the box: the one on the inner side of some edge on its border.
+  /// A face in the box: a face at the box's border.
   [[nodiscard]] mesh::HalfEdge somewhere() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
-  /// Some face of the box at `v`, which is alive and not the ghost.
+  /// A face in the box that has `v` as a corner. Requires: `v` is alive and is not the ghost.
   [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
     mesh::HalfEdge h = mesh.outgoing(v);
     while (!is_inside(h)) h = mesh.next_around(h);
@@ -41,7 +42,7 @@ struct Ground {
   }
 };
 
-/// The face where the last search ended.
+/// Starts at the face where the last search ended.
 class LastFace {
  public:
   template <class Geometry>
@@ -54,7 +55,7 @@ class LastFace {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// Jump and walk: of n^(1/3) random vertices, n being their number, the nearest. The choice is seeded by the point.
+/// Jump and walk: starts at the vertex nearest to the point among n^(1/3) random vertices of n. The point is the seed.
 /// Source: Mücke, Saias and Zhu, *Fast randomized point location without preprocessing in two- and three-dimensional
 /// Delaunay triangulations*, 1996.
 class CubeRootSampling {
@@ -79,8 +80,8 @@ class CubeRootSampling {
   void found(const Point&, mesh::HalfEdge) {}
 };
 
-/// A grid of 16 x 16 sectors over the box, each of which remembers the face where the last search in it ended; where
-/// that is gone, the face where the last search of all ended.
+/// A grid of 16 x 16 sectors over the box. Each sector remembers the face where the last search in it ended. If that
+/// face no longer exists, starts at the face where the last search in the whole box ended.
 class SectorsOfSearches {
  public:
   explicit SectorsOfSearches(const Box& box) : box_(box) { sectors_.fill(mesh::kNoHalfEdge); }
@@ -112,7 +113,8 @@ class SectorsOfSearches {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// Where `point`, which lies in the box, is: the walk from where `strategy` says, which then learns where it ended.
+/// Locates `point` by a walk from the face that `strategy` chooses, and then tells the strategy where the walk ended.
+/// Requires: `point` lies in the box.
 template <class Strategy, class Geometry>
 [[nodiscard]] Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {
   const mesh::HalfEdge start = strategy.start(ground, point);
