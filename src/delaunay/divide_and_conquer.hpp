@@ -13,38 +13,39 @@
 
 #include "delaunay/tie_rule.hpp"
 #include "exact/sign.hpp"
-#include "threads/crew.hpp"
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "threads/crew.hpp"
 
 namespace waywright::delaunay {
 
-/// The Delaunay triangulation of a set of points and the ghost beyond their hull, from nothing: points are parted by
-/// axis-parallel lines down to three or fewer, and the triangulations of both sides are zipped together along the line.
+/// Computes the Delaunay triangulation of a set of points, with a ghost vertex beyond their convex hull. Axis-parallel
+/// lines divide the points recursively into ranges of at most three; then the triangulations on both sides of each line
+/// are merged along the line.
 ///
-/// m points and the ghost are a sphere of 2 m - 2 faces, whatever the points; so the points [i, j) own the faces 2 i to
-/// 2 j - 3, a merge at k adds the faces 2 k - 2 and 2 k - 1, and nothing is ever moved or allocated.
+/// For any m points, they and the ghost form a sphere of 2 m - 2 faces. Hence the points [i, j) own the faces from 2 i
+/// to 2 j - 3, a merge at k adds the faces 2 k - 2 and 2 k - 1, and the algorithm neither moves nor allocates anything.
 ///
-/// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cutting both ways:
-/// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghosts that become
-/// the new faces: Shewchuk, *Triangle*, 1996. Departure: cuts are those of the curve's cells, which need no medians,
-/// and ties are broken, which leaves one result.
+/// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cuts in both directions:
+/// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghost faces that
+/// become the new faces: Shewchuk, *Triangle*, 1996. Departures: the cuts are those between the cells of the curve, so
+/// there is no search for medians; and ties are broken, so the result is unique.
 template <class Geometry>
 class DivideAndConquer {
  public:
   using Corner = mesh::TriangleMesh::Corner;
   using Key = locate::Curve::Key;
 
-  /// `geometry` answers questions about points as they are. `points` in the order of their `keys`, those of one key in
-  /// (x, y) order; all distinct. Point i becomes vertex i + 1, the ghost is vertex 0. `corners` has room for 6
-  /// (points.size() - 1).
+  /// `geometry` is asked about points, never about vertices. `points` are distinct and in the order of their `keys`,
+  /// points with the same key in (x, y) order. Point i becomes vertex i + 1; the ghost is vertex 0. `corners` has room
+  /// for 6 (points.size() - 1) corners.
   DivideAndConquer(const Geometry& geometry, std::span<const Point> points, std::span<const Key> keys,
                    std::span<Corner> corners)
       : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
 
-  /// Triangulates all points, of which there are two or more, and does `jobs` meanwhile. Reports how many points are
-  /// done.
+  /// Triangulates all points and does `jobs` in the meantime. Reports how many points are done. Requires: there are at
+  /// least two points.
   void run(const threads::Crew& crew, std::span<const threads::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
@@ -53,19 +54,20 @@ class DivideAndConquer {
   using HalfEdge = mesh::HalfEdge;
   using Vertex = mesh::Vertex;
   using Sign = exact::Sign;
-  /// A triangulated part. Each of its hull's edges has a ghost face, and the half-edge there that is opposite to the
-  /// ghost stands for it: it runs clockwise around the part.
+  /// A triangulated range of points. Each edge of its convex hull has a ghost face. The half-edge of this face that is
+  /// opposite to the ghost represents the hull edge: it runs clockwise around the part.
   struct Part {
-    Vertex any{};                       ///< one of its vertices
-    HalfEdge hull = mesh::kNoHalfEdge;  ///< some hull edge, where there is more than one vertex
+    Vertex any{};                       ///< a vertex of the part
+    HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the part has more than one vertex
   };
-  /// How a cut parts: by x, or by y.
+  /// Whether a cut divides points by x or by y.
   enum class Cut : std::uint8_t { x, y };
 
-  // The zip's two sides, before its first step and between any two: `base` is the uppermost edge joined so far, from
-  // the right part's vertex to the left one's, its twin's face still to come. `left` is the hull edge of the left part
-  // that ends at the base, `right` that of the right part which starts there; either is missing where the part is a
-  // single vertex. `left_open` and `right_open` are the edges from the base to the ghost above it that have no twin.
+  // The state of a merge before its first step and between two steps. `l`, in the left part, and `r`, in the right
+  // part, are the ends of the uppermost edge between the parts so far. `base` is the half-edge of this edge from r to
+  // l; the face of its twin is still missing. `left` is the hull edge of the left part that ends at l, and `right` is
+  // the hull edge of the right part that starts at r. Each is missing if its part is a single vertex. `left_open` and
+  // `right_open` are the half-edges between l or r and the ghost above the base; they have no twin yet.
   struct Zip {
     Vertex l, r;
     HalfEdge base;
@@ -106,11 +108,11 @@ class DivideAndConquer {
     corners_[3 * std::size_t{f} + 2].origin = c;
     return HalfEdge{3 * f};
   }
-  /// The hull edge after `hull`, or before it, counter-clockwise around the part.
+  /// The hull edge after `hull` and the one before it, counter-clockwise around the part.
   [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
   [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
 
-  /// Points that are triangulated by one thread, and what comes out.
+  /// A range of points that one thread triangulates, and the result.
   struct Task {
     std::uint32_t begin, end;
     Part part;
@@ -146,7 +148,7 @@ class DivideAndConquer {
   std::vector<Task> tasks_;
 };
 
-// The cuts are the same whoever works: tasks are parts that would come about anyway.
+// The cuts do not depend on the number of threads: each task is a range that the recursion makes in any case.
 template <class Geometry>
 void DivideAndConquer<Geometry>::run(const threads::Crew& crew, std::span<const threads::Job> jobs) {
   const auto count = static_cast<std::uint32_t>(points_.size());
@@ -187,8 +189,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge_task
   return merge(left, right, 2 * middle - 2, cut);
 }
 
-// Of the cells' common prefix, the first bit that differs parts the cells by a line. Points of one cell are in (x, y)
-// order: any place parts them by a line that is all but vertical.
+// The highest bit in which the keys differ divides their cells by a line. Points in one cell are in (x, y) order:
+// there, an almost vertical line divides them at any index.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std::uint32_t begin,
                                                                              std::uint32_t end) const {
@@ -256,7 +258,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_trian
   return {a, ba};
 }
 
-/// Three on a line, in order.
+/// Makes the triangulation of three points on a line, which are given in order.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
                                                                                  Vertex c) {
@@ -273,7 +275,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain
   return {a, ab};
 }
 
-/// Of the hull edges, the one that starts, counter-clockwise, at the last vertex in the cut's direction.
+/// The hull edge that starts, counter-clockwise, at the last vertex in the direction of the cut.
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) const {
   Vertex v = target(hull);
@@ -293,7 +295,7 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) con
   }
 }
 
-/// Of the hull edges, the one that ends, counter-clockwise, at the first vertex in the cut's direction.
+/// The hull edge that ends, counter-clockwise, at the first vertex in the direction of the cut.
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) const {
   Vertex v = origin(hull);
@@ -313,8 +315,8 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) co
   }
 }
 
-// From the two vertices nearest to the cut down to where both parts lie on the left of the way from l to r, or on it.
-// Of several vertices on it, l and r stay the nearest.
+// Starts at the two vertices nearest to the cut and moves down until both parts lie left of the line from l to r, or on
+// it. If several vertices of a part lie on this line, l or r is the one nearest to the cut.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tangent(const Part& left, const Part& right,
                                                                                    Cut cut) const {
@@ -351,10 +353,10 @@ typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tange
   return zip;
 }
 
-//       ghost
-//      /     \          The ghost face below the lower tangent takes its place among the ghosts of both hulls. The
-//    l ------- r        edges from l and from r to the ghost, which it parts from one another, are open until the
-//      \     /          upper tangent has a ghost face as well.
+//       ghost       Makes the ghost face below the lower tangent and links it to the ghost faces of both hulls. It
+//      /     \      separates the edges from l and from r to the ghost. Their half-edges above it have no twins until
+//    l ------- r    the upper tangent has a ghost face, too.
+//      \     /
 //       ghost
 template <class Geometry>
 void DivideAndConquer<Geometry>::open(Zip& zip, std::uint32_t f) {
@@ -373,10 +375,10 @@ void DivideAndConquer<Geometry>::open(Zip& zip, std::uint32_t f) {
   }
 }
 
-//          x                  x
-//        /   \              / |        The hull edge l - p goes while the circle through l, r and p holds the vertex
-//      p ----- l    ->    p   | l      beyond it: the face there becomes a ghost's, and x the candidate. The edge from
-//        ghost             ghost       l to the ghost stays as it is.
+//          x                  x      Removes the hull edge l - p as long as the circle through l, r and p contains the
+//        /   \              / |      vertex x beyond the edge. The face of l, p and x becomes a ghost face, and x
+//      p ----- l    ->    p   | l    becomes the candidate. The edge from l to the ghost stays as it is.
+//        ghost             ghost
 template <class Geometry>
 void DivideAndConquer<Geometry>::uncover_left(Zip& zip, Vertex& candidate) {
   for (;;) {
@@ -394,7 +396,7 @@ void DivideAndConquer<Geometry>::uncover_left(Zip& zip, Vertex& candidate) {
   }
 }
 
-/// The same on the other side: the hull edge is r - q.
+/// Does the same as uncover_left() in the right part, where the hull edge is r - q.
 template <class Geometry>
 void DivideAndConquer<Geometry>::uncover_right(Zip& zip, Vertex& candidate) {
   for (;;) {
@@ -412,7 +414,7 @@ void DivideAndConquer<Geometry>::uncover_right(Zip& zip, Vertex& candidate) {
   }
 }
 
-/// The ghost face at the left hull edge becomes the face of l, r and the candidate.
+/// Turns the ghost face at the left hull edge into the face of l, r and the candidate.
 template <class Geometry>
 void DivideAndConquer<Geometry>::join_left(Zip& zip, Vertex candidate) {
   const HalfEdge lr = next(zip.left);
@@ -437,7 +439,8 @@ void DivideAndConquer<Geometry>::join_right(Zip& zip, Vertex candidate) {
   zip.right = next(zip.right_open);
 }
 
-// A circle through the base rises between the two parts until it meets the next vertex of either.
+// Each step finds the face above the base: a circle through the ends of the base grows upwards between the parts until
+// it meets the next vertex of either part.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
                                                                             std::uint32_t f, Cut cut) {

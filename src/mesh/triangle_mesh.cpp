@@ -162,10 +162,9 @@ std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
   return {first(f), first(g), first(k)};
 }
 
-//          c                       c
-//        /   \                   / | \         h runs from a to b before, and from a to v afterwards. The faces (v, b,
-//        c)
-//      /       \               /   |   \       and (v, a, d) are new.
+//          c                       c          h runs from a to b before, and from a to v afterwards. The faces (v, b,
+//        /   \                   / | \        c) and (v, a, d) are new.
+//      /       \               /   |   \.
 //    a --- h --> b    ->     a --- v --- b
 //      \       /               \   |   /
 //        \   /                   \ | /
@@ -228,12 +227,11 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   return {diagonal, previous(t)};
 }
 
-//            apex             A new triangle uses the face of one of its two sides. That side keeps its half-edge, so
-//           /    \            its twin needs no change; nothing else needs the face. If both sides lie on the hole's
-//      one /      \ other     border, the other side moves to this face, and its old face is freed. A triangle between
-//         /        \          two bases of new triangles takes a freed face. The base of a new triangle has no twin
-//         yet:
-//    from -------- to         it is open. It replaces the triangle's two sides in `sides`.
+//            apex            A new triangle uses the face of one of its two sides. That side keeps its half-edge, so
+//           /    \           its twin needs no change; nothing else needs the face. If both sides lie on the hole's
+//      one /      \ other    border, the other side moves to this face, and its old face is freed. A triangle between
+//         /        \         two bases of new triangles takes a freed face. A new base has no twin yet: it is open. It
+//    from -------- to        replaces the triangle's two sides in `sides`.
 //           base
 HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles) {
   for (const HalfEdge side : sides) save(face(side));
