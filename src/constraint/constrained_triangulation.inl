@@ -1,10 +1,10 @@
 #pragma once
 
-// The bodies of ConstrainedTriangulation, for the source files that instantiate it or its member templates.
-
-#include "constraint/constrained_triangulation.hpp"
+// The definitions of ConstrainedTriangulation's members, for the source files that instantiate it or its member
+// templates.
 
 #include "constraint/bulk.inl"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/find_fault.inl"
 #include "constraint/insert_item.inl"
 #include "constraint/operation.inl"

@@ -18,7 +18,7 @@ void ConstrainedTriangulation<Geometry>::begin_records() {
   corner_uses_log_.clear();
 }
 
-// Each part keeps its own log and takes back its own changes; none looks at another while doing so.
+// Each member has its own undo log and undoes its own changes without reading the other members.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::roll_back() {
   triangulation_.roll_back();
@@ -55,7 +55,7 @@ void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses us
   corner_uses_[number(v)] = uses;
 }
 
-/// Gives every vertex a list, those just made an empty one.
+/// Makes room for the list of every vertex. The list of a new vertex is empty.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::grow_corner_uses() {
   if (corner_uses_.size() < topology().vertex_slots()) corner_uses_.resize(topology().vertex_slots(), UseLists::kNone);
