@@ -23,8 +23,8 @@ namespace waywright::constraint {
 /// the reason why each vertex exists.
 ///
 /// The label of an edge is the list of the sides that lie on it. A vertex exists because items have corners there
-/// (`corner_uses`, a list of item slots) or because two sides cross there. A vertex without corners has more than two
-/// fixed edges; one with fewer is not needed and is removed.
+/// (`corner_uses`, a list of item slots) or because two sides cross there. A vertex without corners and with at most
+/// two fixed edges is not needed and is removed.
 template <class Geometry>
 class ConstrainedTriangulation {
  public:

@@ -183,8 +183,10 @@ class ItemTable {
   [[nodiscard]] std::size_t position(ItemId id) const;
   /// The position of the gap for an id that is not in the index.
   [[nodiscard]] std::size_t gap_for(ItemId id) const;
+  /// The position at which the search for an id starts.
   [[nodiscard]] std::size_t home(ItemId id) const;
   [[nodiscard]] std::size_t next_position(std::size_t at) const { return at + 1 == index_.size() ? 0 : at + 1; }
+  /// The number of positions from `from` to `to`, onwards through the index.
   [[nodiscard]] std::size_t probe_distance(std::size_t from, std::size_t to) const {
     return to >= from ? to - from : to + index_.size() - from;
   }

@@ -108,7 +108,7 @@ class DivideAndConquer {
     corners_[3 * std::size_t{f} + 2].origin = c;
     return HalfEdge{3 * f};
   }
-  /// The hull edge after `hull` and the one before it, counter-clockwise around the part.
+  /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the part.
   [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
   [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
 
@@ -353,9 +353,9 @@ typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tange
   return zip;
 }
 
-//       ghost       Makes the ghost face below the lower tangent and links it to the ghost faces of both hulls. It
-//      /     \      separates the edges from l and from r to the ghost. Their half-edges above it have no twins until
-//    l ------- r    the upper tangent has a ghost face, too.
+//       ghost       Makes the ghost face below the lower tangent. Its edges l - ghost and ghost - r take over the twins
+//      /     \      that the ghost faces at `left` and `right` had there. The half-edges that lose their twins are
+//    l ------- r    `left_open` and `right_open`. They stay open until the upper tangent has a ghost face, too.
 //      \     /
 //       ghost
 template <class Geometry>

@@ -34,7 +34,7 @@ class Triangulation {
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
   /// Makes the triangulation of the box with a vertex at each of `sorted`, all at once, and does `jobs` in the
   /// meantime. `sorted` is the result of a sort whose first four points were the box's corners in the order of
-  /// corners_of(); its ranks stay valid. Source: see DivideAndConquer.
+  /// corners_of(). The constructor does not change its ranks. Source: see DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
                 const threads::Crew& crew = {}, std::span<const threads::Job> jobs = {});
 
@@ -112,7 +112,7 @@ class Triangulation {
   /// has not changed, and its vertex is no corner of the box. Source: Chen 2009, section 3.4, algorithm 17; for the
   /// hole, Devillers 2011.
   mesh::HalfEdge remove_vertex(const Star& star);
-  /// Prefetches the memory that says where `v` and its star are.
+  /// Prefetches the position of `v` and the index of one of its half-edges.
   // Always inlined: GCC otherwise removes the call of a function that only prefetches.
   WAYWRIGHT_ALWAYS_INLINE void prefetch(mesh::Vertex v) const {
     mesh_.prefetch(v);
@@ -120,7 +120,7 @@ class Triangulation {
   }
   /// Prefetches the faces that were made together with `v`. Some of them are likely to be in its star still.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_faces_made_with(mesh::Vertex v) const {
-    const std::uint32_t end = 2 * number(v);  // without removals, the mesh then had `end` - 4 faces
+    const std::uint32_t end = 2 * number(v);  // the mesh had 2 v - 4 faces before v, if no vertex was ever removed
     if (end < 4 || end > mesh_.face_slots()) return;
     for (std::uint32_t f = end - 4; f < end; ++f) mesh_.prefetch(mesh::first(mesh::Face{f}));
   }

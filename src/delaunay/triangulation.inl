@@ -103,8 +103,8 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
 }
 
 /// A half-edge of a face in the box near the point. It comes from the last change or from the vertex that the point's
-/// sector remembers, whichever is nearer. If both are far away, because the slot of the remembered vertex may now be
-/// that of a vertex elsewhere, the function also asks the sectors around.
+/// sector remembers, whichever is nearer. If both are far away (the slot of the remembered vertex may have been used
+/// again for a vertex elsewhere), the function also asks the sectors around.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {

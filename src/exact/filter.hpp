@@ -25,9 +25,8 @@
 //
 // Constructed points. Their stored coordinates are rounded to nearest. A true coordinate differs from the stored one by
 // at most u m, where m is the largest magnitude of the stored coordinates. A true difference is then d^ (1 + e) + n
-// with
-// n| <= 2 u m. Let S be the sum of all |d^|, and L the largest of them. The terms n alone change the determinants by at
-// most
+// with |n| <= 2 u m. Let S be the sum of all |d^|, and L the largest of them. The terms n alone change the determinants
+// by at most
 //   orientation: 2 u m (1 + u) S + 2 (2 u m)^2, because each of its two products changes by at most
 //                |n1 d2| + |n2 d1| + |n1 n2|;
 //   in-circle:   96 u m (L (1 + u) + 2 u m)^3, because each of its 12 monomials of degree 4 changes by at most

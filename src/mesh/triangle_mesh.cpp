@@ -162,8 +162,8 @@ std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
   return {first(f), first(g), first(k)};
 }
 
-//          c                       c          h runs from a to b before, and from a to v afterwards. The faces (v, b,
-//        /   \                   / | \        c) and (v, a, d) are new.
+//          c                       c
+//        /   \                   / | \         h = a -> b becomes a -> v. The faces (v, b, c) and (v, a, d) are new.
 //      /       \               /   |   \.
 //    a --- h --> b    ->     a --- v --- b
 //      \       /               \   |   /
