@@ -55,7 +55,7 @@ void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& turns) {
 /// (x, y) order, then around this neighbour, until it reaches the domain's first corner, and there it leaves the
 /// domain. This ends, because every other vertex has a neighbour that comes before it.
 template <class Visit>
-void go_out(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
+void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   while (!delaunay.is_ghost_face(h)) {
@@ -107,10 +107,10 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
   if (triangulation.items().has_nonzero_polygons()) {
-    go_out(triangulation, h, [&](mesh::HalfEdge edge) { append_turns(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_turns(triangulation, edge, crossed_); });
     keep_covering(triangulation.items(), crossed_);
   } else {
-    go_out(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
     keep_odd(crossed_);
   }
   return crossed_;
@@ -119,7 +119,7 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
 std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
   std::int32_t turns = 0;
   with_winding(triangulation, polygon, [&](const auto& winding) {
-    go_out(triangulation, h, [&](mesh::HalfEdge edge) { turns += winding.across(edge); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { turns += winding.across(edge); });
   });
   return turns;
 }

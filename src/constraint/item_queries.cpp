@@ -35,7 +35,7 @@ void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v
 
 /// The position where a segment meets a constrained edge, rounded to doubles. If the segment starts or ends on the
 /// edge's line, this is that end: the segment may run along the edge.
-Point meeting_place(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
+Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
   const auto& geometry = triangulation.triangulation().geometry();
   const Side& side = triangulation.items().side(triangulation.uses().any(triangulation.topology().label(h)));
   const Point& c = geometry.nearest(number(side.from));
@@ -77,7 +77,7 @@ class CrossedItems : public SegmentVisitor {
     if (!triangulation_.topology().is_fixed(h)) return true;
     scratch_.slots.clear();
     append_items_of_edge(triangulation_, h, scratch_.slots);
-    report_items(meeting_place(triangulation_, h, from_, to_));
+    report_items(meeting_point(triangulation_, h, from_, to_));
     return true;
   }
 
@@ -121,7 +121,7 @@ class FirstWall : public SegmentVisitor {
   bool at_edge(mesh::HalfEdge h, bool /*ends_here*/) {
     if (!triangulation_.topology().is_fixed(h)) return true;
     append_items(h);
-    hit_.at = meeting_place(triangulation_, h, from_, to_);
+    hit_.at = meeting_point(triangulation_, h, from_, to_);
     return false;
   }
 

@@ -68,7 +68,7 @@ class DivideAndConquer {
   // l; the face of its twin is still missing. `left` is the hull edge of the left part that ends at l, and `right` is
   // the hull edge of the right part that starts at r. Each is missing if its part is a single vertex. `left_open` and
   // `right_open` are the half-edges between l or r and the ghost above the base; they have no twin yet.
-  struct Zip {
+  struct MergeState {
     Vertex l, r;
     HalfEdge base;
     HalfEdge left, right;
@@ -134,12 +134,12 @@ class DivideAndConquer {
   Part merge(const Part& left, const Part& right, std::uint32_t f, Cut cut);
   [[nodiscard]] HalfEdge find_last(HalfEdge hull, Cut cut) const;
   [[nodiscard]] HalfEdge find_first(HalfEdge hull, Cut cut) const;
-  [[nodiscard]] Zip lower_tangent(const Part& left, const Part& right, Cut cut) const;
-  void open(Zip& zip, std::uint32_t f);
-  void uncover_left(Zip& zip, Vertex& candidate);
-  void uncover_right(Zip& zip, Vertex& candidate);
-  void join_left(Zip& zip, Vertex candidate);
-  void join_right(Zip& zip, Vertex candidate);
+  [[nodiscard]] MergeState lower_tangent(const Part& left, const Part& right, Cut cut) const;
+  void open(MergeState& state, std::uint32_t f);
+  void uncover_left(MergeState& state, Vertex& candidate);
+  void uncover_right(MergeState& state, Vertex& candidate);
+  void join_left(MergeState& state, Vertex candidate);
+  void join_right(MergeState& state, Vertex candidate);
 
   const Geometry& geometry_;
   std::span<const Point> points_;
@@ -279,13 +279,13 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) const {
   Vertex v = target(hull);
-  bool has_climbed = false;
+  bool has_advanced = false;
   for (Vertex w = origin(hull); comes_before(v, w, cut); w = origin(hull)) {
     hull = hull_next(hull);
     v = w;
-    has_climbed = true;
+    has_advanced = true;
   }
-  if (has_climbed) return hull;
+  if (has_advanced) return hull;
   for (;;) {
     const HalfEdge before = hull_previous(hull);
     const Vertex w = target(before);
@@ -299,13 +299,13 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) con
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) const {
   Vertex v = origin(hull);
-  bool has_climbed = false;
+  bool has_advanced = false;
   for (Vertex w = target(hull); comes_before(w, v, cut); w = target(hull)) {
     hull = hull_previous(hull);
     v = w;
-    has_climbed = true;
+    has_advanced = true;
   }
-  if (has_climbed) return hull;
+  if (has_advanced) return hull;
   for (;;) {
     const HalfEdge after = hull_next(hull);
     const Vertex w = origin(after);
@@ -318,39 +318,40 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) co
 // Starts at the two vertices nearest to the cut and moves down until both parts lie left of the line from l to r, or on
 // it. If several vertices of a part lie on this line, l or r is the one nearest to the cut.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tangent(const Part& left, const Part& right,
-                                                                                   Cut cut) const {
-  Zip zip{left.any, right.any, {}, left.hull, right.hull, {}, {}};
+typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Part& left,
+                                                                                          const Part& right,
+                                                                                          Cut cut) const {
+  MergeState state{left.any, right.any, {}, left.hull, right.hull, {}, {}};
   const bool has_left = left.hull != mesh::kNoHalfEdge;
   const bool has_right = right.hull != mesh::kNoHalfEdge;
   if (has_left) {
-    zip.left = find_last(left.hull, cut);
-    zip.l = target(zip.left);
+    state.left = find_last(left.hull, cut);
+    state.l = target(state.left);
   }
   if (has_right) {
-    zip.right = find_first(right.hull, cut);
-    zip.r = origin(zip.right);
+    state.right = find_first(right.hull, cut);
+    state.r = origin(state.right);
   }
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
     if (has_left) {
-      const HalfEdge below = hull_previous(zip.left);
-      if (orientation(zip.l, zip.r, target(below)) == Sign::negative) {
-        zip.left = below;
-        zip.l = target(below);
+      const HalfEdge below = hull_previous(state.left);
+      if (orientation(state.l, state.r, target(below)) == Sign::negative) {
+        state.left = below;
+        state.l = target(below);
         has_moved = true;
       }
     }
     if (has_right) {
-      const HalfEdge below = hull_next(zip.right);
-      if (orientation(zip.l, zip.r, origin(below)) == Sign::negative) {
-        zip.right = below;
-        zip.r = origin(below);
+      const HalfEdge below = hull_next(state.right);
+      if (orientation(state.l, state.r, origin(below)) == Sign::negative) {
+        state.right = below;
+        state.r = origin(below);
         has_moved = true;
       }
     }
   }
-  return zip;
+  return state;
 }
 
 //       ghost       Makes the ghost face below the lower tangent. Its edges l - ghost and ghost - r take over the twins
@@ -359,19 +360,19 @@ typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tange
 //      \     /
 //       ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::open(Zip& zip, std::uint32_t f) {
-  zip.base = make_face(f, zip.r, zip.l, kGhost);
-  const HalfEdge l_to_ghost = next(zip.base);
-  const HalfEdge ghost_to_r = previous(zip.base);
-  zip.left_open = l_to_ghost;
-  zip.right_open = ghost_to_r;
-  if (zip.left != mesh::kNoHalfEdge) {
-    zip.left_open = next(zip.left);
-    link(l_to_ghost, twin(zip.left_open));
+void DivideAndConquer<Geometry>::open(MergeState& state, std::uint32_t f) {
+  state.base = make_face(f, state.r, state.l, kGhost);
+  const HalfEdge l_to_ghost = next(state.base);
+  const HalfEdge ghost_to_r = previous(state.base);
+  state.left_open = l_to_ghost;
+  state.right_open = ghost_to_r;
+  if (state.left != mesh::kNoHalfEdge) {
+    state.left_open = next(state.left);
+    link(l_to_ghost, twin(state.left_open));
   }
-  if (zip.right != mesh::kNoHalfEdge) {
-    zip.right_open = previous(zip.right);
-    link(ghost_to_r, twin(zip.right_open));
+  if (state.right != mesh::kNoHalfEdge) {
+    state.right_open = previous(state.right);
+    link(ghost_to_r, twin(state.right_open));
   }
 }
 
@@ -380,16 +381,16 @@ void DivideAndConquer<Geometry>::open(Zip& zip, std::uint32_t f) {
 //      p ----- l    ->    p   | l    becomes the candidate. The edge from l to the ghost stays as it is.
 //        ghost             ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_left(Zip& zip, Vertex& candidate) {
+void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candidate) {
   for (;;) {
-    const HalfEdge lp = twin(zip.left);
+    const HalfEdge lp = twin(state.left);
     const HalfEdge xl = previous(lp);
     const Vertex x = origin(xl);
-    if (x == kGhost || !circle_holds(zip.l, zip.r, candidate, x)) return;
-    const HalfEdge ghost_to_p = previous(zip.left);
-    set_origin(zip.left, x);
+    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    const HalfEdge ghost_to_p = previous(state.left);
+    set_origin(state.left, x);
     set_origin(lp, kGhost);
-    link(zip.left, twin(xl));
+    link(state.left, twin(xl));
     link(lp, twin(ghost_to_p));
     link(ghost_to_p, xl);
     candidate = x;
@@ -398,16 +399,16 @@ void DivideAndConquer<Geometry>::uncover_left(Zip& zip, Vertex& candidate) {
 
 /// Does the same as uncover_left() in the right part, where the hull edge is r - q.
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_right(Zip& zip, Vertex& candidate) {
+void DivideAndConquer<Geometry>::uncover_right(MergeState& state, Vertex& candidate) {
   for (;;) {
-    const HalfEdge qr = twin(zip.right);
+    const HalfEdge qr = twin(state.right);
     const HalfEdge rx = next(qr);
     const Vertex x = target(rx);
-    if (x == kGhost || !circle_holds(zip.l, zip.r, candidate, x)) return;
-    const HalfEdge q_to_ghost = next(zip.right);
+    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    const HalfEdge q_to_ghost = next(state.right);
     set_origin(q_to_ghost, x);
     set_origin(rx, kGhost);
-    link(zip.right, twin(rx));
+    link(state.right, twin(rx));
     link(qr, twin(q_to_ghost));
     link(q_to_ghost, rx);
     candidate = x;
@@ -416,27 +417,27 @@ void DivideAndConquer<Geometry>::uncover_right(Zip& zip, Vertex& candidate) {
 
 /// Turns the ghost face at the left hull edge into the face of l, r and the candidate.
 template <class Geometry>
-void DivideAndConquer<Geometry>::join_left(Zip& zip, Vertex candidate) {
-  const HalfEdge lr = next(zip.left);
-  const HalfEdge up = previous(zip.left);
-  link(lr, zip.base);
-  set_origin(up, zip.r);
-  zip.base = up;
-  zip.l = candidate;
-  zip.left_open = twin(up);
-  zip.left = previous(zip.left_open);
+void DivideAndConquer<Geometry>::join_left(MergeState& state, Vertex candidate) {
+  const HalfEdge lr = next(state.left);
+  const HalfEdge up = previous(state.left);
+  link(lr, state.base);
+  set_origin(up, state.r);
+  state.base = up;
+  state.l = candidate;
+  state.left_open = twin(up);
+  state.left = previous(state.left_open);
 }
 
 template <class Geometry>
-void DivideAndConquer<Geometry>::join_right(Zip& zip, Vertex candidate) {
-  const HalfEdge lr = previous(zip.right);
-  const HalfEdge up = next(zip.right);
-  link(lr, zip.base);
-  set_origin(lr, zip.l);
-  zip.base = up;
-  zip.r = candidate;
-  zip.right_open = twin(up);
-  zip.right = next(zip.right_open);
+void DivideAndConquer<Geometry>::join_right(MergeState& state, Vertex candidate) {
+  const HalfEdge lr = previous(state.right);
+  const HalfEdge up = next(state.right);
+  link(lr, state.base);
+  set_origin(lr, state.l);
+  state.base = up;
+  state.r = candidate;
+  state.right_open = twin(up);
+  state.right = next(state.right_open);
 }
 
 // Each step finds the face above the base: a circle through the ends of the base grows upwards between the parts until
@@ -444,27 +445,27 @@ void DivideAndConquer<Geometry>::join_right(Zip& zip, Vertex candidate) {
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
                                                                             std::uint32_t f, Cut cut) {
-  Zip zip = lower_tangent(left, right, cut);
-  open(zip, f);
+  MergeState state = lower_tangent(left, right, cut);
+  open(state, f);
   for (;;) {
-    Vertex p = zip.left == mesh::kNoHalfEdge ? zip.l : origin(zip.left);
-    Vertex q = zip.right == mesh::kNoHalfEdge ? zip.r : target(zip.right);
-    const bool has_p = orientation(zip.l, zip.r, p) == Sign::positive;
-    const bool has_q = orientation(zip.l, zip.r, q) == Sign::positive;
+    Vertex p = state.left == mesh::kNoHalfEdge ? state.l : origin(state.left);
+    Vertex q = state.right == mesh::kNoHalfEdge ? state.r : target(state.right);
+    const bool has_p = orientation(state.l, state.r, p) == Sign::positive;
+    const bool has_q = orientation(state.l, state.r, q) == Sign::positive;
     if (!has_p && !has_q) break;
-    if (has_p) uncover_left(zip, p);
-    if (has_q) uncover_right(zip, q);
-    if (!has_p || (has_q && circle_holds(zip.l, zip.r, p, q))) {
-      join_right(zip, q);
+    if (has_p) uncover_left(state, p);
+    if (has_q) uncover_right(state, q);
+    if (!has_p || (has_q && circle_holds(state.l, state.r, p, q))) {
+      join_right(state, q);
     } else {
-      join_left(zip, p);
+      join_left(state, p);
     }
   }
-  const HalfEdge upper = make_face(f + 1, zip.l, zip.r, kGhost);
-  link(upper, zip.base);
-  link(next(upper), zip.right_open);
-  link(previous(upper), zip.left_open);
-  return {zip.l, upper};
+  const HalfEdge upper = make_face(f + 1, state.l, state.r, kGhost);
+  link(upper, state.base);
+  link(next(upper), state.right_open);
+  link(previous(upper), state.left_open);
+  return {state.l, upper};
 }
 
 }  // namespace waywright::delaunay

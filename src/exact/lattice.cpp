@@ -22,9 +22,9 @@ constexpr int kSmallBits = 30;
 
 /// The points as offsets from an origin: the last point, or a point of its crossing.
 template <std::size_t kCount>
-class Gathered {
+class CommonOffsets {
  public:
-  explicit Gathered(const std::array<const ExactPoint*, kCount>& points)
+  explicit CommonOffsets(const std::array<const ExactPoint*, kCount>& points)
       : points_(points), offsets_(points.back()->is_explicit() ? nearest(*points.back()) : points.back()->crossing->a) {
     for (const ExactPoint* const point : points) {
       if (point->is_explicit()) {
@@ -178,11 +178,11 @@ std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const 
   if (a.is_explicit() && b.is_explicit() && c.is_explicit()) return explicit_orientation(a, b, c);
   std::array points{&a, &b, &c};
   const bool is_swapped = put_explicit_last(points);
-  Gathered<3> gathered(points);
-  if (!gathered.find_lattice()) return std::nullopt;
+  CommonOffsets<3> offsets(points);
+  if (!offsets.find_lattice()) return std::nullopt;
   const bool is_last_origin = points.back()->is_explicit();
-  const Sign sign = gathered.is_narrow() ? orientation_of<1>(gathered.to_lattice<1>(), is_last_origin)
-                                         : orientation_of<2>(gathered.to_lattice<2>(), is_last_origin);
+  const Sign sign = offsets.is_narrow() ? orientation_of<1>(offsets.to_lattice<1>(), is_last_origin)
+                                        : orientation_of<2>(offsets.to_lattice<2>(), is_last_origin);
   return is_swapped ? -sign : sign;
 }
 
@@ -212,16 +212,16 @@ std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const Ex
   if (a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit()) return explicit_in_circle(a, b, c, d);
   std::array points{&a, &b, &c, &d};
   const bool is_swapped = put_explicit_last(points);
-  Gathered<4> gathered(points);
-  if (!gathered.find_lattice()) return std::nullopt;
+  CommonOffsets<4> offsets(points);
+  if (!offsets.find_lattice()) return std::nullopt;
   const bool is_last_origin = points.back()->is_explicit();
-  const Sign sign = gathered.is_narrow() ? in_circle_of<1>(gathered.to_lattice<1>(), is_last_origin)
-                                         : in_circle_of<2>(gathered.to_lattice<2>(), is_last_origin);
+  const Sign sign = offsets.is_narrow() ? in_circle_of<1>(offsets.to_lattice<1>(), is_last_origin)
+                                        : in_circle_of<2>(offsets.to_lattice<2>(), is_last_origin);
   return is_swapped ? -sign : sign;
 }
 
 std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q) {
-  Gathered<2> points({&p, &q});
+  CommonOffsets<2> points({&p, &q});
   if (!points.find_lattice()) return std::nullopt;
   return points.is_narrow() ? compare_of<1>(points.to_lattice<1>()) : compare_of<2>(points.to_lattice<2>());
 }

@@ -108,7 +108,7 @@ class Sectors {
 
   Curve curve_;
   int whole_shift_ = kKeyBits - 2;
-  std::vector<Cell> sectors_;  ///< the whole sectors along the curve, then quarters; four start at each multiple of 4
+  std::vector<Cell> sectors_;  ///< the whole sectors along the curve, then groups of four quarters at multiples of 4
 };
 
 }  // namespace waywright::locate

@@ -15,14 +15,14 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /// Whether an unsigned decimal number outside the range of doubles is too large; if not, it is too small. Such a number
 /// is above 1e308 or below 1e-308, so the position of its first non-zero digit decides.
-bool is_huge(std::string_view number) {
+bool is_too_large(std::string_view number) {
   const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, mantissa_end);
   const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == std::string_view::npos) return false;
-  const auto place = first < point ? static_cast<std::int64_t>(point - first) - 1
-                                   : static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  const auto decimal_exponent = first < point ? static_cast<std::int64_t>(point - first) - 1
+                                              : static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
 
   std::string_view exponent_text = number.substr(std::min(mantissa_end + 1, number.size()));
   const bool is_negative = exponent_text.starts_with('-');
@@ -31,10 +31,11 @@ bool is_huge(std::string_view number) {
   const auto [end, status] =
       std::from_chars(exponent_text.data(), exponent_text.data() + exponent_text.size(), exponent);
   if (status == std::errc::result_out_of_range) return !is_negative;
-  // `place` is at most the length of a text. Hence the sum cannot overflow, except where the exponent decides alone.
+  // `decimal_exponent` is at most the length of a text. Hence the sum cannot overflow, except where the exponent of the
+  // text decides alone.
   constexpr std::int64_t kDecisive = std::numeric_limits<std::int64_t>::max() / 2;
   if (exponent > kDecisive) return !is_negative;
-  return place + (is_negative ? -exponent : exponent) > 0;
+  return decimal_exponent + (is_negative ? -exponent : exponent) > 0;
 }
 
 /// The encoding of a text that is not UTF-8, under the name that iconv uses; empty for UTF-8 and for bytes that are no
@@ -111,7 +112,7 @@ std::optional<double> read_number(std::string_view word) {
   if (stop != end || status == std::errc::invalid_argument) return std::nullopt;
   if (status == std::errc::result_out_of_range) {
     const bool is_negative = word.starts_with('-');
-    const double size = is_huge(word.substr(is_negative ? 1 : 0)) ? std::numeric_limits<double>::infinity() : 0.0;
+    const double size = is_too_large(word.substr(is_negative ? 1 : 0)) ? std::numeric_limits<double>::infinity() : 0.0;
     return is_negative ? -size : size;
   }
   return value;
