@@ -17,7 +17,8 @@
 
 namespace waywright::bench {
 
-/// What a strategy chooses from: a triangulated box, the positions of its vertices, and the ghost vertex.
+/// The data from which a strategy chooses a start: a triangulated box, the positions of its vertices, and the ghost
+/// vertex.
 template <class Geometry>
 struct Ground {
   const mesh::TriangleMesh& mesh;
@@ -27,13 +28,13 @@ struct Ground {
   [[nodiscard]] bool is_inside(mesh::HalfEdge h) const {
     return mesh.origin(h) != ghost && mesh.target(h) != ghost && mesh.apex(h) != ghost;
   }
-  /// Whether `h`, a half-edge from an earlier mesh, belongs to a face of the box now.
+  /// Whether `h`, which was stored earlier, now represents a face in the box.
   [[nodiscard]] bool holds(mesh::HalfEdge h) const {
     return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
   }
-  /// Some face of the box: the one on the inner side of some edge on its border.
+  /// A face in the box: a face at the box's border.
   [[nodiscard]] mesh::HalfEdge somewhere() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
-  /// Some face of the box at `v`, which is alive and not the ghost.
+  /// A face in the box that has `v` as a corner. Requires: `v` is alive and is not the ghost.
   [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
     mesh::HalfEdge h = mesh.outgoing(v);
     while (!is_inside(h)) h = mesh.next_around(h);
@@ -41,7 +42,7 @@ struct Ground {
   }
 };
 
-/// The face where the last search ended.
+/// Starts at the face where the last search ended.
 class LastFace {
  public:
   template <class Geometry>
@@ -54,7 +55,7 @@ class LastFace {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// Jump and walk: takes n^(1/3) random vertices of n and starts at the nearest. The point seeds the choice.
+/// Jump and walk: starts at the vertex nearest to the point among n^(1/3) random vertices of n. The point is the seed.
 /// Source: Mücke, Saias and Zhu, *Fast randomized point location without preprocessing in two- and three-dimensional
 /// Delaunay triangulations*, 1996.
 class CubeRootSampling {
@@ -79,8 +80,8 @@ class CubeRootSampling {
   void found(const Point&, mesh::HalfEdge) {}
 };
 
-/// A grid of 16 x 16 sectors over the box. Each sector remembers the face where the last search in it ended. If this
-/// face no longer exists, the walk starts at the face where the last search of all ended.
+/// A grid of 16 x 16 sectors over the box. Each sector remembers the face where the last search in it ended. If that
+/// face no longer exists, starts at the face where the last search in the whole box ended.
 class SectorsOfSearches {
  public:
   explicit SectorsOfSearches(const Box& box) : box_(box) { sectors_.fill(mesh::kNoHalfEdge); }
@@ -112,8 +113,8 @@ class SectorsOfSearches {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// The location of `point`, which lies in the box. Starts the walk where `strategy` says, and reports to it where the
-/// walk ended.
+/// Locates `point` by a walk from the face that `strategy` chooses, and then tells the strategy where the walk ended.
+/// Requires: `point` lies in the box.
 template <class Strategy, class Geometry>
 [[nodiscard]] locate::Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {
   const mesh::HalfEdge start = strategy.start(ground, point);

@@ -6,7 +6,8 @@
 
 namespace waywright::base {
 
-/// std::bit_cast, which libc++ has from version 14 on only. Not a constant expression before that.
+/// Does what std::bit_cast does; libc++ has that function from version 14 on only. A constant expression only where the
+/// standard library has std::bit_cast.
 template <class To, class From>
 [[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
   static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);

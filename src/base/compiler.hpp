@@ -1,7 +1,7 @@
 #pragma once
 
-/// Everything that depends on the compiler: the other files are standard C++. scripts/check_portable.py refuses such
-/// constructs elsewhere. Each has a form for compilers that know nothing of it.
+/// All code that depends on the compiler. The other files are standard C++: scripts/check_portable.py refuses these
+/// constructs elsewhere. Each construct has a fallback for compilers that do not have it.
 
 #if defined(__GNUC__)
 /// The compiler inlines the function even where it would not by itself.
@@ -18,15 +18,15 @@
 
 namespace waywright::base {
 
-/// Asks the processor to fetch the memory at `address`, which is soon to be read. A hint: it changes no result, and any
-/// address is allowed.
+/// Asks the processor to fetch the memory at `address` because the program will read it soon. This is a hint: it
+/// changes no result, and every address is allowed.
 WAYWRIGHT_ALWAYS_INLINE void prefetch([[maybe_unused]] const void* address) {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address);
 #endif
 }
 
-/// The same for memory that is soon to be written.
+/// Like prefetch(), for memory that the program will write soon.
 WAYWRIGHT_ALWAYS_INLINE void prefetch_to_write([[maybe_unused]] const void* address) {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address, 1);
@@ -35,11 +35,11 @@ WAYWRIGHT_ALWAYS_INLINE void prefetch_to_write([[maybe_unused]] const void* addr
 
 #if defined(__SIZEOF_INT128__)
 #define WAYWRIGHT_HAS_UINT128
-/// An unsigned integer of 128 bits. 64-bit targets of GCC and Clang have one.
+/// An unsigned integer of 128 bits. GCC and Clang have one on 64-bit targets.
 __extension__ using UInt128 = unsigned __int128;
 #endif
 
-/// Whether std::thread can start a thread. WebAssembly that is built without `-pthread` has none.
+/// Whether std::thread can start a thread. It cannot in WebAssembly that is built without `-pthread`.
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
 inline constexpr bool kHasThreads = false;
 #else

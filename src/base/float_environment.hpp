@@ -19,17 +19,19 @@
 
 namespace waywright::base {
 
-/// As long as it lives, the calling thread computes as the library needs it: it rounds to nearest, keeps subnormal
-/// numbers, and no floating-point exception ends the program. Afterwards the thread computes as before.
+/// While an object of this class exists, the calling thread uses the floating-point settings that the library needs: it
+/// rounds to nearest and keeps subnormal numbers, and no floating-point exception ends the program. The destructor
+/// restores the thread's previous settings.
 ///
-/// Each public function that computes in doubles makes one first. Threads that it starts compute as it does; work that
-/// it hands to threads of others makes one, too. For a program may round in another direction (for interval
-/// arithmetic), flush subnormal numbers to zero (for audio; GCC and clang set this at the program's start if it is
-/// linked with -ffast-math), or trap exceptions (to find its own faults). The error bounds of the predicates do not
-/// hold when a thread rounds in another direction. When it takes subnormal numbers for zero, a coordinate of 1e-310
-/// would not be refused, and lengths of ways between crossings next to 0 would differ from those on other machines.
+/// Each public function that computes in doubles first makes such an object. Threads that the function starts use the
+/// same settings. Work that the function gives to threads of another owner makes an object of its own. The reason: a
+/// program may round in another direction (for interval arithmetic), flush subnormal numbers to zero (for audio; GCC
+/// and Clang set this at the program's start if it is linked with -ffast-math), or trap exceptions (to find its own
+/// errors). The error bounds of the predicates do not hold if a thread rounds in another direction. If a thread treats
+/// subnormal numbers as zero, the library would accept a coordinate of 1e-310, and the lengths of paths between
+/// crossings close to 0 would differ from those on other machines.
 ///
-/// Cost: a few instructions where the thread computes so already.
+/// Cost: a few instructions if the thread already uses these settings.
 class FloatEnvironment {
  public:
   FloatEnvironment() {
@@ -55,14 +57,14 @@ class FloatEnvironment {
     return std::fegetround() == FE_TONEAREST;
 #endif
   }
-  // Functions in another file, so that no compiler moves arithmetic across them.
+  // Defined in another file: a compiler then cannot move arithmetic across the calls.
   void switch_to_standard();
   void switch_back();
 
 #if defined(WAYWRIGHT_FLOAT_CONTROL_SSE)
-  /// All of the register MXCSR but its six flags: what to do with subnormals, masks of exceptions, rounding.
+  /// All bits of the register MXCSR except its six exception flags: handling of subnormals, exception masks, rounding.
   static constexpr std::uint32_t kControlBits = 0xffc0;
-  static constexpr std::uint32_t kStandardControl = 0x1f80;  ///< all exceptions masked, nothing else
+  static constexpr std::uint32_t kStandardControl = 0x1f80;  ///< all exceptions are masked, no other bit is set
   [[nodiscard]] static std::uint32_t control() {
 #if defined(__GNUC__)
     return __builtin_ia32_stmxcsr();
@@ -78,7 +80,7 @@ class FloatEnvironment {
 #endif
   }
 #elif defined(WAYWRIGHT_FLOAT_CONTROL_AARCH64)
-  /// The register FPCR, 0 at a program's start.
+  /// Returns the register FPCR. It is 0 at a program's start.
   [[nodiscard]] static std::uint64_t control() {
     std::uint64_t value = 0;
     __asm__ volatile("mrs %0, fpcr" : "=r"(value));

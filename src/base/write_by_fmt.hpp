@@ -15,9 +15,9 @@
 
 namespace waywright::base {
 
-/// The shortest decimal digits that read back as a double: 0.d1 d2 d3 ... times 10^point.
+/// The shortest decimal digits that read back as the same double. The value is 0.d1 d2 d3 ... times 10^point.
 struct ShortestDigits {
-  std::array<char, 24> digits{};  ///< no zeros at either end
+  std::array<char, 24> digits{};  ///< neither the first nor the last digit is 0
   std::ptrdiff_t count = 0;
   std::ptrdiff_t point = 0;
 };
@@ -35,14 +35,15 @@ inline ShortestDigits shortest_digits(double value) {
   for (std::size_t i = first; i <= last; ++i) {
     if (i != point) result.digits[static_cast<std::size_t>(result.count++)] = text[i];
   }
-  // A first digit behind the point has one place less than its distance from it.
+  // If the first digit comes after the decimal point, `first` counts the character of the point, too.
   result.point = static_cast<std::ptrdiff_t>(point) - static_cast<std::ptrdiff_t>(first) + (first > point ? 1 : 0);
   if (mantissa_size < text.size()) result.point += std::strtol(text.data() + mantissa_size + 1, nullptr, 10);
   return result;
 }
 
-/// std::to_chars(first, last, value), by the library fmt: whichever is shorter of digits with a point and digits with
-/// an exponent, the former where both are as long. Whole numbers without an exponent have all their digits.
+/// Does what std::to_chars(first, last, value) does, with the library fmt: writes the shorter one of fixed notation and
+/// scientific notation, and fixed notation if both have the same length. A whole number in fixed notation has all its
+/// digits. Returns the end of the text.
 inline char* write_shortest_by_fmt(char* first, char* last, double value) {
   if (!std::isfinite(value) || value == 0.0) return fmt::format_to(first, FMT_STRING("{}"), value);
   if (value < 0.0) *first++ = '-';
@@ -74,7 +75,7 @@ inline char* write_shortest_by_fmt(char* first, char* last, double value) {
   return std::copy(digits, digits + count, first);
 }
 
-/// std::to_chars(first, last, value, std::chars_format::general, digits), by the library fmt.
+/// Does what std::to_chars(first, last, value, std::chars_format::general, digits) does, with the library fmt.
 inline char* write_rounded_by_fmt(char* first, char* /*last*/, double value, int digits) {
   return fmt::format_to(first, FMT_STRING("{:.{}g}"), value, digits);
 }

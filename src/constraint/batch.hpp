@@ -11,9 +11,9 @@
 
 namespace waywright::constraint {
 
-// Batches as ConstrainedTriangulation::insert_all takes them. They own nothing.
+// Batches of items for ConstrainedTriangulation::insert_all. They own nothing.
 
-/// Elements with a `shape`, under these ids.
+/// A batch of elements with a member `shape`. Element i is the item with the id ids[i].
 template <class Element>
 struct ShapeBatch {
   std::span<const Element> elements;
@@ -26,7 +26,7 @@ struct ShapeBatch {
   [[nodiscard]] const Rings& rings(std::size_t i) const { return elements[i].shape.rings; }
 };
 
-/// Points, as items each under one more than the last.
+/// A batch of points, each of them an item. Their ids count up from `first`.
 struct PointBatch {
   std::span<const Point> points;
   ItemId first;

@@ -11,8 +11,8 @@
 
 namespace waywright::constraint {
 
-/// Tests a closed box against points and segments. A segment misses the box if their extents do not overlap, or if all
-/// four corners of the box lie strictly on one side of the segment's line.
+/// Tests whether points and segments meet a closed box. A segment misses the box if their extents do not overlap, or if
+/// all four corners of the box lie strictly left, or all strictly right, of the segment's line.
 class BoxTest {
  public:
   explicit BoxTest(const Box& box)
@@ -25,8 +25,8 @@ class BoxTest {
   }
 
   /// Whether the segment from `p` to `q` meets the box. The answer is exact for explicit ends. Rounding to nearest is
-  /// monotone, so if rounded extents miss the box, the true ones do, too. For constructed ends that are rounded onto
-  /// the border of the box, the answer can be yes although the segment misses the box.
+  /// monotone, so if the rounded extents miss the box, the exact ones miss it, too. For constructed ends that are
+  /// rounded onto the border of the box, the answer can be true although the segment misses the box.
   [[nodiscard]] bool meets(const exact::ExactPoint& p, const exact::ExactPoint& q) const {
     if (std::max(p.x, q.x) < box_.min.x || std::min(p.x, q.x) > box_.max.x) return false;
     if (std::max(p.y, q.y) < box_.min.y || std::min(p.y, q.y) > box_.max.y) return false;

@@ -7,12 +7,13 @@
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/ring_corners.hpp"
 
-// Many items at once. Corners come in along a curve, so that each is near the last, and near in memory to its
-// neighbours; then the sides, whose ends are known, in the order of their items' first corners.
+// Inserts many items at once. First it inserts the corners along a curve, so that each is near the previous corner, and
+// its neighbours are near it in memory. Then it inserts the sides, whose ends are known, in the order of their items'
+// first corners.
 
 namespace waywright::constraint {
 
-/// The corners of all of a batch's items, after some others.
+/// Sorts `others` and then the corners of all items of a batch along the curve of the domain.
 template <class Batch>
 locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others,
                                   const threads::Crew& crew) {
@@ -31,7 +32,7 @@ locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::sp
   return locate::sort_along_curve(domain, corners, crew);
 }
 
-/// The sum of the hashes of a batch's items. Their corners are where they are given to be, so no mesh is asked.
+/// The sum of the hashes of a batch's items. The corners are hashed as the caller gave them, so no mesh is needed.
 template <class Batch>
 ItemHash::Words hash_of_batch(const Batch& batch) {
   ItemHash::Words sum{};
@@ -48,9 +49,9 @@ ItemHash::Words hash_of_batch(const Batch& batch) {
   return sum;
 }
 
-// Which vertices the corners are is known as soon as they are sorted, so records are made and hashed while the mesh is.
-// Nobody has seen anything of what is made here, so there is nothing to take back, and the logs are emptied now and
-// then.
+// The vertices of the corners are known when the points are sorted, so one job makes the records and another one hashes
+// the items while the triangulation is made. No caller can see this object before it is complete, so there is nothing
+// to undo, and the undo logs are emptied from time to time.
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,

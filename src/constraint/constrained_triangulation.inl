@@ -1,6 +1,7 @@
 #pragma once
 
-// The bodies of ConstrainedTriangulation, for the source files that instantiate it or its member templates.
+// The definitions of ConstrainedTriangulation's members, for the source files that instantiate it or its member
+// templates.
 
 #include "constraint/bulk.inl"
 #include "constraint/constrained_triangulation.hpp"

@@ -9,7 +9,7 @@ namespace waywright::constraint {
 
 namespace {
 
-/// The neighbour of `v` that comes first in (x, y) order, as the half-edge to it.
+/// The half-edge from `v` to its neighbour that comes first in (x, y) order.
 mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Vertex v) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
@@ -21,14 +21,14 @@ mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Ve
   return best;
 }
 
-/// The polygons of an edge's sides, one as often as it has sides there.
+/// Appends the polygons whose sides lie on the edge of `h`, each once per side.
 void append_polygons(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& polygons) {
   triangulation.for_each_side(h, [&](const Side& side) {
     if (triangulation.items().is_polygon(side.item)) polygons.push_back(side.item);
   });
 }
 
-/// Appends an entry for each polygon's side on the edge: twice the polygon, and 1 more where the side runs against `h`.
+/// Appends an entry for each polygon side on the edge: twice the polygon's slot, plus 1 if the side runs against `h`.
 void append_turns(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& turns) {
   triangulation.for_each_side(h, [&](const Side& side) {
     if (!triangulation.items().is_polygon(side.item)) return;
@@ -36,7 +36,8 @@ void append_turns(const ExactTriangulation& triangulation, mesh::HalfEdge h, std
   });
 }
 
-/// Turns the entries of append_turns into the polygons that cover what those turns are around.
+/// Replaces the entries of append_turns by the polygons that cover the face: those whose winding number, the sum of
+/// their entries, says so.
 void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& turns) {
   std::sort(turns.begin(), turns.end());
   std::size_t kept = 0;
@@ -49,12 +50,12 @@ void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& turns) {
   turns.resize(kept);
 }
 
-/// Goes from the face of `h` to beyond the domain and calls visit(edge) for each edge that it crosses, as a half-edge
-/// of the face before it. The way goes through faces around vertices that come ever earlier in (x, y) order, to the
-/// domain's first corner and out: every other vertex has an earlier neighbour, so no way is shorter to describe or
-/// surer to end.
+/// Goes from the face of `h` through faces to the outside of the domain. Calls visit(edge) for each edge that it
+/// crosses, with the half-edge in the face that it leaves. It turns around a vertex to the vertex's first neighbour in
+/// (x, y) order, then around this neighbour, until it reaches the domain's first corner, and there it leaves the
+/// domain. This ends, because every other vertex has a neighbour that comes before it.
 template <class Visit>
-void go_out(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
+void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   while (!delaunay.is_ghost_face(h)) {
@@ -100,16 +101,16 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& pl
   }
 }
 
-// On a way from a face to beyond the domain, the sides crossed add up to the winding number around the face. Where
-// every polygon is even-odd, their count decides.
+// The sides that are crossed between a face and the outside of the domain add up to the winding number of the face. If
+// all polygons are even-odd, the number of sides is enough.
 const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
   if (triangulation.items().has_nonzero_polygons()) {
-    go_out(triangulation, h, [&](mesh::HalfEdge edge) { append_turns(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_turns(triangulation, edge, crossed_); });
     keep_covering(triangulation.items(), crossed_);
   } else {
-    go_out(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
     keep_odd(crossed_);
   }
   return crossed_;
@@ -118,7 +119,7 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
 std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
   std::int32_t turns = 0;
   with_winding(triangulation, polygon, [&](const auto& winding) {
-    go_out(triangulation, h, [&](mesh::HalfEdge edge) { turns += winding.across(edge); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { turns += winding.across(edge); });
   });
   return turns;
 }
@@ -143,7 +144,7 @@ const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& tria
   if (!triangulation.items().has_polygons()) return covering_;
   collect_touching(triangulation, place);
   faces_at(triangulation, place, around_);
-  // A polygon with no side here covers one of the faces around the place when it covers them all.
+  // A polygon without a side or corner at this location covers either all faces around it or none.
   covering_ = of_face(triangulation, around_.front());
   covering_.insert(covering_.end(), touching_.begin(), touching_.end());
   keep_one_of_each(covering_);

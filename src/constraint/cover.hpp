@@ -8,7 +8,7 @@
 
 namespace waywright::constraint {
 
-/// Which polygons cover a face or a point. An object to keep: its memory serves query after query.
+/// Finds the polygons that cover a face or a location. Keep the object: later queries use its memory again.
 class Cover {
  public:
   Cover() = default;
@@ -16,8 +16,9 @@ class Cover {
   Cover(Cover&&) noexcept = default;  // GCOVR_EXCL_LINE: std::optional wants it there, and assigns instead
   Cover& operator=(Cover&&) noexcept = default;
 
-  /// The polygons, by slot, that cover the inside of the face of `h`; in no order. This way of finding them goes
-  /// through faces to the domain's border and makes them ascend; who keeps them by face knows a better one.
+  /// The polygons, by slot, that cover the inside of the face of `h`, in no particular order. This implementation goes
+  /// through faces to the domain's border, and its result is sorted. A subclass that stores the polygons of each face
+  /// overrides it with a faster one.
   virtual const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
 
   /// Whether a polygon covers the inside of the face of `h`.
@@ -25,36 +26,38 @@ class Cover {
     return !of_face(triangulation, h).empty();
   }
 
-  /// The polygons, by slot, that cover the place, their boundary included; each once, in no order.
+  /// The polygons, by slot, that cover the location or have it on their boundary; each once, in no particular order.
   const std::vector<std::uint32_t>& of_place(const ExactTriangulation& triangulation, const locate::Located& place);
 
-  /// Whether the place lies strictly inside some polygon: covered, and on none of that polygon's sides.
+  /// Whether the location lies strictly inside a polygon: the polygon covers it and has no side or corner there.
   bool is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place);
 
-  /// The polygons, by slot, that have the place strictly inside; each once, in no order.
+  /// The polygons, by slot, that have the location strictly inside; each once, in no particular order.
   const std::vector<std::uint32_t>& strictly_covering(const ExactTriangulation& triangulation,
                                                       const locate::Located& place);
 
-  /// The faces around the place that no polygon covers, each by its half-edge: from the vertex, along the edge or, of
-  /// the face itself, the one whose origin comes first in (x, y) order. The order of the faces depends on the mesh's
-  /// geometry alone: counter-clockwise around a vertex from its first neighbour, an edge's left side first.
+  /// The faces around the location that no polygon covers, each by a half-edge. At a vertex, it starts at the vertex;
+  /// on an edge, it lies on the edge; inside a face, it is the one whose origin comes first in (x, y) order. The order
+  /// of the faces depends only on the geometry of the mesh: counter-clockwise around a vertex from its first neighbour
+  /// in (x, y) order; on an edge, first the face left of the edge in (x, y) order.
   const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation, const locate::Located& place);
 
  private:
   void collect_touching(const ExactTriangulation& triangulation, const locate::Located& place);
 
-  std::vector<std::uint32_t> crossed_;   ///< an entry for each side crossed; then, the polygons around the face at hand
-  std::vector<std::uint32_t> touching_;  ///< polygons with a side or corner at the place; ascending
+  std::vector<std::uint32_t> crossed_;   ///< an entry for each side crossed; then the polygons that cover the face
+  std::vector<std::uint32_t> touching_;  ///< the polygons with a side or corner at the location; ascending
   std::vector<std::uint32_t> covering_;
   std::vector<mesh::HalfEdge> around_;
   std::vector<mesh::HalfEdge> open_;
 };
 
-/// The half-edges whose faces meet at the place, in the order that Cover::open_faces describes, ghost faces left out.
+/// Finds the faces that meet at the location, by the half-edges and in the order that Cover::open_faces describes,
+/// without ghost faces.
 void faces_at(const ExactTriangulation& triangulation, const locate::Located& place,
               std::vector<mesh::HalfEdge>& faces);
 
-/// The polygon's winding number around the face of `h`; of an even-odd polygon only its parity counts. The function
+/// The winding number of the polygon in the face of `h`. For an even-odd polygon only its parity counts. The function
 /// crosses the same edges as Cover::of_face.
 [[nodiscard]] std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h,
                                         std::uint32_t polygon);

@@ -6,7 +6,7 @@
 
 namespace waywright::constraint {
 
-/// The mesh as canonical text, its coordinates as reduced fractions: see World::dump.
+/// Returns the mesh as canonical text, with its coordinates as reduced fractions: see World::dump.
 [[nodiscard]] std::string dump(const ExactTriangulation& triangulation);
 
 }  // namespace waywright::constraint

@@ -23,8 +23,8 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_fault() cons
   return find_delaunay_fault();
 }
 
-// A sphere whose faces all turn counter-clockwise, but for the ghosts beyond a closed way once around the box, covers
-// the box exactly once.
+// The triangulation covers the box exactly once if the mesh is a sphere, all faces in the box are counter-clockwise,
+// and the border between them and the ghost faces runs exactly once around the box.
 template <class Geometry>
 std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault() const {
   const mesh::TriangleMesh& mesh = topology();
@@ -37,7 +37,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault(
       return "face " + std::to_string(i) + " is not counter-clockwise";
     }
   }
-  // Around the ghost, clockwise, stand the vertices on the border, counter-clockwise around the box.
+  // The neighbours of the ghost, clockwise around it, are the vertices on the border, counter-clockwise around the box.
   std::size_t corner = 0;
   const auto& corners = triangulation_.box_corners();
   mesh::HalfEdge h = mesh.find(triangulation_.ghost(), corners[0]);
@@ -71,7 +71,8 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_delaunay_fau
   return std::nullopt;
 }
 
-// Every side is walked from end to end over edges that name it; no edge names a side more often than those walks do.
+// Follows every side from end to end over the edges that list it. The lists of the edges must not have more entries
+// than these edges.
 template <class Geometry>
 std::optional<std::string> ConstrainedTriangulation<Geometry>::find_use_fault() const {
   const mesh::TriangleMesh& mesh = topology();
@@ -119,7 +120,8 @@ std::size_t ConstrainedTriangulation<Geometry>::count_edges(std::uint32_t slot) 
   return edges;
 }
 
-// Corners and corner uses are the same pairs; whatever vertex has none must be where sides cross.
+// The corners of the items and the corner uses of the vertices must be the same pairs. A vertex without corner uses
+// must be a crossing of sides.
 template <class Geometry>
 std::optional<std::string> ConstrainedTriangulation<Geometry>::find_vertex_fault() const {
   const mesh::TriangleMesh& mesh = topology();

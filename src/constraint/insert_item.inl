@@ -5,8 +5,8 @@
 
 namespace waywright::constraint {
 
-// Corners first, then sides: a side finds its ends there, and is cut at every vertex on its way, among them the other
-// corners of its own item.
+// Inserts the corners first and then the sides. A side needs its ends as vertices, and it is divided at every vertex
+// that lies on it, for example at another corner of its own item.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   const std::uint32_t slot = items_.add_item(id, shape.kind, shape.fill);
@@ -27,7 +27,7 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
   return hash.words();
 }
 
-/// The corners of a ring; its sides come later.
+/// Inserts the corners of a ring. Its sides come later.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_ring(std::span<const Point> ring, std::uint32_t slot) {
   for_each_corner(ring, items_.kind(slot) == ItemKind::polygon,
@@ -59,7 +59,8 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
   items_.add_hash(hash_of(item, outline_));
 }
 
-// Piece by piece: up to the next vertex on the way, or to a new one on the fixed edge that comes first.
+// Inserts a side piece by piece. A piece ends at the next vertex on the side, or at a new vertex on the first fixed
+// edge that the side crosses.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   const Side side = items_.side(slot);
@@ -91,8 +92,8 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::guide_along(mes
   return guide;
 }
 
-// The faces that the new vertex x is part of are those that its coming rebuilt. As seen from x they are a star, so the
-// way from u to it runs through a few of the faces that it crossed before, as they were, and then stays in the star.
+// The insertion of x has rebuilt exactly the faces around x. They form a star around x. The segment from u to x
+// therefore first crosses some of the faces that `crossed_` lists, which are unchanged, and then stays inside the star.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::step_to_crossing(mesh::Vertex u,
                                                                                                        mesh::Vertex x) {
@@ -118,9 +119,9 @@ mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const St
   return step.along;
 }
 
-//            q         Most sides are edges as soon as their corners are there. Any other leaves u, counter-clockwise
-//          / |         around it, along an edge whose far end lies on it, ahead, or through the face whose corner p
-//        /   |         lies on its right and whose corner q lies on its left.
+//            q         Most sides are edges as soon as their corners are vertices. For any other side, the function
+//          / |         searches counter-clockwise around u for an edge whose target lies on the side, ahead of u, or
+//        /   |         for a face whose corner p lies right of the side and whose corner q lies left of it.
 //      u - - | - ->
 //        \   |
 //          \ p
@@ -151,7 +152,8 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   }
 }
 
-// Where the way so far lay on another side that runs on, that side shows where to: the two are on one line.
+// If the last piece lies on another side that continues beyond the vertex, that side shows the next edge, because both
+// sides lie on one line.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_vertex(
     mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide) {
@@ -162,8 +164,8 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   return {mesh.target(h), h, mesh::kNoHalfEdge};
 }
 
-// On both sides of the new vertex lies half the edge that was cut: the first fixed edge on the right, and the first on
-// the left. The side leaves between them.
+// The halves of the edge that was cut are the first fixed edge on the right and the first one on the left. The side
+// leaves the vertex between them.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_crossing(
     mesh::HalfEdge behind, const Side& side) {
@@ -221,7 +223,7 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   return x;
 }
 
-// The two halves of a parted edge carry the same list; one of them gets a list of its own.
+// Both halves of a split edge have the same list as their label. This function gives one half a copy of its own.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::split_uses(mesh::HalfEdge half) {
   triangulation_.fix(half, uses_.copy(topology().label(half)));

@@ -10,15 +10,16 @@
 
 namespace waywright::constraint {
 
-/// A 128-bit hash of items as a set: the sum of the items' own hashes, word by word, so that items come and go at the
-/// cost of their own points. docs/hashes.md defines it; nothing here may change without a new format version.
+/// The hash of an item. The hash of a set of items is the sum of the items' hashes, word by word, 128 bits, so an
+/// insertion or removal costs only the item's own points. docs/hashes.md defines the hash; a change of the definition
+/// needs a new format version.
 class ItemHash {
  public:
   using Words = std::array<std::uint64_t, 2>;
 
   ItemHash(ItemId id, ItemKind kind, FillRule fill, std::size_t ring_count);
   void begin_ring(std::size_t point_count) { add(point_count); }
-  /// Requires: no coordinate is -0.
+  /// Adds a point. Requires: no coordinate is -0.
   void add(const Point& point);
   [[nodiscard]] const Words& words() const { return words_; }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Slots = std::vector<std::uint32_t>;
 
-/// The ids of the items in `slots`, which are sorted for that.
+/// Fills `ids` with the ids of the items in `slots`, ascending. Sorts `slots` and removes duplicates.
 void fill_ids(const ExactTriangulation& triangulation, Slots& slots, std::vector<ItemId>& ids) {
   keep_one_of_each(slots);
   ids.clear();
@@ -33,9 +33,9 @@ void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v
                                              [&](mesh::HalfEdge h) { append_items_of_edge(triangulation, h, slots); });
 }
 
-/// Where a segment meets a wall's edge, as nearest doubles: a segment that starts on it, or ends on it, meets it there
-/// and may run along it.
-Point meeting_place(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
+/// The position where a segment meets a constrained edge, rounded to doubles. If the segment starts or ends on the
+/// edge's line, this is that end: the segment may run along the edge.
+Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
   const auto& geometry = triangulation.triangulation().geometry();
   const Side& side = triangulation.items().side(triangulation.uses().any(triangulation.topology().label(h)));
   const Point& c = geometry.nearest(number(side.from));
@@ -47,7 +47,7 @@ Point meeting_place(const ExactTriangulation& triangulation, mesh::HalfEdge h, c
   return exact::round_to_nearest({from, to, c, d}).nearest;
 }
 
-/// Turns what a segment walk meets into items and places.
+/// Lists the items that a segment walk meets, with their positions.
 class CrossedItems : public SegmentVisitor {
  public:
   CrossedItems(const ExactTriangulation& triangulation, const Point& from, const Point& to, ItemQueryScratch& scratch,
@@ -65,7 +65,7 @@ class CrossedItems : public SegmentVisitor {
     met.clear();
     append_items_around(triangulation_, v, met);
     std::erase_if(met, [&](std::uint32_t slot) { return std::binary_search(along.begin(), along.end(), slot); });
-    tell_of_met(triangulation_.triangulation().geometry().nearest(number(v)));
+    report_items(triangulation_.triangulation().geometry().nearest(number(v)));
     last_vertex_ = v;
     last_edge_ = mesh::kNoHalfEdge;
     return true;
@@ -77,17 +77,17 @@ class CrossedItems : public SegmentVisitor {
     if (!triangulation_.topology().is_fixed(h)) return true;
     scratch_.slots.clear();
     append_items_of_edge(triangulation_, h, scratch_.slots);
-    tell_of_met(meeting_place(triangulation_, h, from_, to_));
+    report_items(meeting_point(triangulation_, h, from_, to_));
     return true;
   }
 
  private:
-  void tell_of_met(const Point& at) {
+  void report_items(const Point& at) {
     fill_ids(triangulation_, scratch_.slots, scratch_.ids);
     for (const ItemId id : scratch_.ids) found_.push_back({id, at});
   }
 
-  /// The edge by which the segment has come to `v`, if it came along one.
+  /// The edge along which the segment has reached `v`, or kNoHalfEdge if it has crossed a face.
   [[nodiscard]] mesh::HalfEdge edge_run_along(mesh::Vertex v) const {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     if (last_vertex_ != mesh::kNoVertex) return mesh.find(last_vertex_, v);
@@ -99,13 +99,13 @@ class CrossedItems : public SegmentVisitor {
   const ExactTriangulation& triangulation_;
   Point from_;
   Point to_;
-  mesh::Vertex last_vertex_ = mesh::kNoVertex;    ///< where the segment was last, if that was at a vertex
-  mesh::HalfEdge last_edge_ = mesh::kNoHalfEdge;  ///< where it was last, if that was on an edge
+  mesh::Vertex last_vertex_ = mesh::kNoVertex;    ///< the last vertex or edge of the walk, if it was a vertex
+  mesh::HalfEdge last_edge_ = mesh::kNoHalfEdge;  ///< the last vertex or edge of the walk, if it was an edge
   ItemQueryScratch& scratch_;
   std::vector<CrossedItem>& found_;
 };
 
-/// Stops a segment walk at the first wall.
+/// Ends a segment walk at the first constrained edge.
 class FirstWall : public SegmentVisitor {
  public:
   FirstWall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit)
@@ -121,7 +121,7 @@ class FirstWall : public SegmentVisitor {
   bool at_edge(mesh::HalfEdge h, bool /*ends_here*/) {
     if (!triangulation_.topology().is_fixed(h)) return true;
     append_items(h);
-    hit_.at = meeting_place(triangulation_, h, from_, to_);
+    hit_.at = meeting_point(triangulation_, h, from_, to_);
     return false;
   }
 
@@ -137,7 +137,8 @@ class FirstWall : public SegmentVisitor {
   RayHit& hit_;
 };
 
-/// Floods the faces that meet a box, and adds the items whose sides and corners do to the scratch's slots.
+/// Floods the faces that meet a box, and appends the items whose sides or corners meet the box to `slots` of the
+/// scratch.
 class BoxFlood {
  public:
   BoxFlood(const ExactTriangulation& triangulation, const Box& box, ItemQueryScratch& scratch)
@@ -161,7 +162,8 @@ class BoxFlood {
     if (scratch_.reached.insert(number(mesh::face(h)))) scratch_.faces.push_back(h);
   }
 
-  // Sides and corners are explicit, so about them the test is exact; that it may go too far over an edge does no harm.
+  // The ends of sides are explicit, so the test of sides and corners is exact. The test of an edge may be true although
+  // the edge misses the box: then the flood reaches a few faces more than necessary.
   void visit(mesh::HalfEdge h) {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     const exact::Geometry& geometry = triangulation_.triangulation().geometry();
@@ -217,7 +219,7 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
   hit.items.erase(std::unique(hit.items.begin(), hit.items.end()), hit.items.end());
 }
 
-// What covers the whole box without a side or corner in it covers its first corner.
+// A polygon that covers the box, and has no side or corner in it, covers the box's first corner.
 void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box, ItemQueryScratch& scratch,
               std::vector<ItemId>& result) {
   const Box& domain = triangulation.domain();

@@ -14,7 +14,7 @@
 
 namespace waywright::constraint {
 
-/// What the queries work in. An object to keep: its memory serves query after query.
+/// The scratch of the queries. Keep the object: later queries use its memory again.
 struct ItemQueryScratch {
   std::vector<std::uint32_t> slots;
   std::vector<std::uint32_t> along;
@@ -23,20 +23,22 @@ struct ItemQueryScratch {
   SlotSet reached;
 };
 
-/// The items that cover a point, or have a side or corner there; ascending. `cover` is asked for the polygons.
+/// Finds the items that cover a point or have a side or corner there, in ascending order of ids. `cover` finds the
+/// polygons.
 void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point, ItemQueryScratch& scratch,
               std::vector<ItemId>& result);
 
-/// The items whose sides the segment meets, in the order in which it does, and where, as nearest doubles. One that it
-/// runs along is told of where that begins. Items met in one place come by ascending id.
+/// Finds the items whose sides the segment meets, in order from `from` to `to`, each with the position, rounded to
+/// doubles. If the segment runs along a side, the position is the point where the overlap starts. Items at the same
+/// position are in ascending order of ids.
 void items_crossed(const ExactTriangulation& triangulation, const Point& from, const Point& to,
                    ItemQueryScratch& scratch, std::vector<CrossedItem>& result);
 
-/// The first wall that the segment touches on its way.
+/// Finds the first constrained edge that the segment touches on its way from `from` to `to`.
 void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
 
-/// The items that have a point in common with the closed box; ascending. `cover` is asked for the polygons. Requires:
-/// the box meets the domain.
+/// Finds the items that have a point in common with the closed box, in ascending order of ids. `cover` finds the
+/// polygons. Requires: the box meets the domain.
 void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box, ItemQueryScratch& scratch,
               std::vector<ItemId>& result);
 

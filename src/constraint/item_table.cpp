@@ -17,7 +17,7 @@ ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({kNon
 
 void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home(id)]); }
 
-// Where memory runs out, what is logged is what was done, and every slot is in use or free.
+// If memory runs out, the undo log lists exactly the changes that were made, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   if (free_items_.is_empty()) {
     items_.emplace_back();
@@ -102,7 +102,7 @@ void ItemTable::begin() {
   nonzero_count_before_ = nonzero_count_;
 }
 
-// An id that goes back into the index finds room there: it has held as many before.
+// There is room for an id that returns to the index, because the index had as many entries before.
 void ItemTable::roll_back() {
   journal_.roll_back([&](const Undo& change) {
     if (change.is_removal) {
@@ -118,7 +118,7 @@ void ItemTable::roll_back() {
   nonzero_count_ = nonzero_count_before_;
 }
 
-/// Frees a slot and the ring of its sides.
+/// Frees the slot of an item and the slots of its sides, which are linked in a ring.
 void ItemTable::recycle(std::uint32_t slot) {
   Record& record = items_[slot];
   if (record.kind != ItemKind::point && record.place != kNone) {
@@ -153,7 +153,7 @@ void ItemTable::ids(std::vector<ItemId>& result) const {
   std::sort(result.begin(), result.end());
 }
 
-// Linear probing; a removal moves later entries up, so that no search meets a gap.
+// Linear probing. A removal moves later entries to earlier positions, so that no search stops at a gap too early.
 // Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithms L and R.
 std::size_t ItemTable::home(ItemId id) const {
   return static_cast<std::size_t>((mix(id.value) >> 32) * index_.size() >> 32);
@@ -161,14 +161,14 @@ std::size_t ItemTable::home(ItemId id) const {
 
 std::size_t ItemTable::position(ItemId id) const {
   std::size_t at = home(id);
-  while (index_[at] != kEmpty && ids_[index_[at]] != id) at = place_after(at);
+  while (index_[at] != kEmpty && ids_[index_[at]] != id) at = next_position(at);
   return at;
 }
 
-// Looks at no record: those of the ids that share a home lie anywhere.
+// Reads no ids, because the ids of the entries are at unrelated addresses in memory.
 std::size_t ItemTable::gap_for(ItemId id) const {
   std::size_t at = home(id);
-  while (index_[at] != kEmpty) at = place_after(at);
+  while (index_[at] != kEmpty) at = next_position(at);
   return at;
 }
 
@@ -184,8 +184,8 @@ void ItemTable::make_room_in_index(std::size_t count) {
 
 void ItemTable::erase_from_index(ItemId id) {
   std::size_t gap = position(id);
-  for (std::size_t at = place_after(gap); index_[at] != kEmpty; at = place_after(at)) {
-    if (way_round(home(ids_[index_[at]]), at) < way_round(gap, at)) continue;
+  for (std::size_t at = next_position(gap); index_[at] != kEmpty; at = next_position(at)) {
+    if (probe_distance(home(ids_[index_[at]]), at) < probe_distance(gap, at)) continue;
     index_[gap] = index_[at];
     gap = at;
   }

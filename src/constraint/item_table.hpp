@@ -17,15 +17,16 @@
 
 namespace waywright::constraint {
 
-/// One straight side of an item, from corner to corner: what the edges that lie on it are used by. Its ends are
-/// explicit vertices, whatever crosses it.
+/// One side of an item: the straight segment from corner to corner. The edges that lie on it list it as their user. Its
+/// ends are always explicit vertices, whatever crosses the side.
 struct Side {
   std::uint32_t item = 0;  ///< slot in the item table
   mesh::Vertex from{};
   mesh::Vertex to{};
 };
 
-/// An item's corners, ring after ring, points that repeat their predecessor merged; and where each ring's corners end.
+/// The corners of an item, ring after ring, and the ends of the rings in this list. Consecutive points that are equal
+/// are one corner.
 struct Outline {
   std::vector<mesh::Vertex> corners;
   std::vector<std::uint32_t> ring_ends;
@@ -36,12 +37,13 @@ struct Outline {
   }
 };
 
-/// The live items by id and by slot, and their sides. Slot 0 is the domain itself, under the null id. Items that come
-/// and go are logged and can be taken back to the last begin().
+/// The items by id and by slot, and their sides. Slot 0 is the domain itself, with the null id. An undo log records
+/// which items are added and removed; roll_back() returns to the last begin().
 ///
-/// Worlds of a million points are why this is lean: an item owns no memory of its own. Its sides run in a ring through
-/// the table of sides, from the last, which the item knows, to the first. Where ids count up, an item's id is its slot;
-/// the others' ids are kept in pages, and their slots are found in an open table.
+/// The table is compact for worlds of a million points: an item owns no memory of its own. Its sides form a ring of
+/// links in the table of sides; the item stores its last side, which links to the first. If the ids of a world count
+/// up, the id of an item is its slot. Other ids are stored in pages, and a hash table with open addressing (the index)
+/// finds their slots.
 class ItemTable {
  public:
   static constexpr std::uint32_t kDomain = 0;
@@ -49,7 +51,7 @@ class ItemTable {
   ItemTable();
 
   [[nodiscard]] bool contains(ItemId id) const { return is_in_its_own_slot(id) || index_[position(id)] != kEmpty; }
-  /// The slot of a live item. Requires: contains(id).
+  /// The slot of an item. Requires: contains(id).
   [[nodiscard]] std::uint32_t slot(ItemId id) const {
     return is_in_its_own_slot(id) ? static_cast<std::uint32_t>(id.value) : index_[position(id)];
   }
@@ -58,22 +60,22 @@ class ItemTable {
   [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
     return slot != kDomain && items_[slot].kind == ItemKind::polygon;
   }
-  /// Of anything but a polygon, even_odd.
+  /// The fill rule of a polygon; even_odd for all other items.
   [[nodiscard]] FillRule fill(std::uint32_t slot) const { return items_[slot].fill; }
-  /// Whether a polygon of that slot covers what its rings turn around so often.
+  /// Whether the polygon covers a face in which its winding number is `turns`.
   [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t turns) const {
     return fill(slot) == FillRule::even_odd ? turns % 2 != 0 : turns != 0;
   }
   [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot].side; }
-  /// The sum of the hashes of the live items and the domain.
+  /// The sum of the hashes of all items and of the domain.
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }
-  /// Live items, the domain left out.
+  /// The number of items, without the domain.
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool has_polygons() const { return polygon_count_ != 0; }
-  /// Whether any polygon's fill rule is nonzero.
+  /// Whether there is a polygon with the fill rule nonzero.
   [[nodiscard]] bool has_nonzero_polygons() const { return nonzero_count_ != 0; }
 
-  /// Calls visit(side slot) for each of an item's sides that has a length, in order. No side may be added meanwhile.
+  /// Calls visit(side slot) for each side of an item that has a length, in order. `visit` must not add a side.
   template <class Visit>
   void for_each_side(std::uint32_t item, Visit&& visit) const {
     for_each_link(item, [&](std::uint32_t slot) {
@@ -84,34 +86,34 @@ class ItemTable {
   /// Calls visit(corner, ends_ring) for each corner of an item, ring after ring: see Outline.
   template <class Visit>
   void for_each_corner(std::uint32_t item, Visit&& visit) const;
-  /// Fills `outline`, for its memory.
+  /// Fills `outline` with the corners of an item. Uses its memory again.
   void outline(std::uint32_t item, Outline& outline) const;
 
-  /// Makes room for so many more items, of the ids id_of(i) for i below that.
+  /// Makes room for `count` more items, whose ids are id_of(i) for i below `count`.
   template <class IdOf>
   void reserve(std::size_t count, IdOf&& id_of) {
-    std::size_t elsewhere = 0;
-    for (std::size_t i = 0; i < count; ++i) elsewhere += id_of(i).value != items_.size() + i ? 1 : 0;
+    std::size_t index_entries = 0;
+    for (std::size_t i = 0; i < count; ++i) index_entries += id_of(i).value != items_.size() + i ? 1 : 0;
     items_.reserve(items_.size() + count);
-    make_room_in_index(elsewhere);
+    make_room_in_index(index_entries);
   }
-  /// Has the place of an id fetched that is soon to be added.
+  /// Prefetches the position in the index of an id that will soon be added.
   void prefetch(ItemId id) const;
-  /// Requires: no item has that id.
+  /// Adds an item and returns its slot. Requires: no item has this id.
   std::uint32_t add_item(ItemId id, ItemKind kind, FillRule fill);
-  /// Gives an item its corners and sides. To be called once.
+  /// Sets the corners and sides of an item. Call it once for each item.
   void set_outline(std::uint32_t item, const Outline& outline);
-  /// Counts in the hash of an item, or the sum of several. To be called once for each, when its corners are known.
+  /// Adds the hash of an item, or the sum of several. Call it once for each item, when its corners are known.
   void add_hash(const ItemHash::Words& hash) { ItemHash::add_to(hash_, hash); }
-  /// Forgets an item and its hash. Its slot and its sides' are reused from the next begin() on.
+  /// Removes an item and its hash. Its slot and the slots of its sides become free with the next begin().
   void remove_item(std::uint32_t slot, const ItemHash::Words& hash);
 
-  /// Starts the log anew.
+  /// Empties the undo log.
   void begin();
-  /// Takes back everything since begin(). Allocates nothing.
+  /// Undoes all changes since begin(). Allocates nothing.
   void roll_back();
 
-  /// Of the live items, ascending. Fills `result`, for its memory.
+  /// Fills `result` with the ids of all items, ascending. Uses its memory again.
   void ids(std::vector<ItemId>& result) const;
   [[nodiscard]] std::vector<ItemId> ids() const {
     std::vector<ItemId> result;
@@ -128,7 +130,7 @@ class ItemTable {
     ids_.count_memory(use, &MemoryUse::items);
     journal_.count_memory(use);
   }
-  /// Gives back spare memory. Requires: nothing has changed since begin().
+  /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     memory::shrink(items_, sides_, index_);
     ids_.shrink_to_fit();
@@ -136,21 +138,21 @@ class ItemTable {
   }
 
  private:
-  static constexpr std::uint32_t kEmpty = 0;  ///< in the index, where the domain never is
+  static constexpr std::uint32_t kEmpty = 0;  ///< marks a gap in the index, which never contains slot 0, the domain
   static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
   static constexpr std::uint32_t kEndsRing = 0x80000000;
 
   struct Record {
-    /// Of a point, its corner; of anything else, its last side, by slot; of a free slot, the next free one.
+    /// For a point: its corner. For other items: the slot of their last side. For a free slot: the next free slot.
     std::uint32_t place = kNone;
     ItemKind kind = ItemKind::point;
     bool is_slot_id = true;
-    bool is_alive = false;  ///< never the domain
+    bool is_alive = false;  ///< false for the domain, too
     FillRule fill = FillRule::even_odd;
   };
   struct Link {
-    Side side;                   ///< of no length where a ring has one corner
-    std::uint32_t next = kNone;  ///< the item's next side, after the last the first; with kEndsRing, the last of a ring
+    Side side;                   ///< has no length if it is the side of a ring with one corner
+    std::uint32_t next = kNone;  ///< the item's next side, after its last the first; kEndsRing marks the last of a ring
   };
   struct Undo {
     std::uint32_t slot;
@@ -169,40 +171,42 @@ class ItemTable {
   }
   void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
   void recycle(std::uint32_t slot);
-  /// Makes the item of a slot one that is found by its id.
+  /// Makes the item of a slot alive and enters its id; leave() does the opposite.
   void enter(std::uint32_t slot);
   void leave(std::uint32_t slot);
 
-  /// Whether a live item is in the slot that its id names: then the index doesn't have it.
+  /// Whether an item has this id and its slot has the same number. The index does not contain such an item.
   [[nodiscard]] bool is_in_its_own_slot(ItemId id) const {
     if (id.value >= items_.size()) return false;
     const Record& record = items_[static_cast<std::size_t>(id.value)];
     return record.is_alive && record.is_slot_id;
   }
-  /// Where the index has an id, or the gap where it isn't.
+  /// The position of an id in the index, or the position of the gap where a search for it ends.
   [[nodiscard]] std::size_t position(ItemId id) const;
-  /// The gap for an id that the index doesn't have.
+  /// The position of the gap for an id that is not in the index.
   [[nodiscard]] std::size_t gap_for(ItemId id) const;
+  /// The position at which the search for an id starts.
   [[nodiscard]] std::size_t home(ItemId id) const;
-  [[nodiscard]] std::size_t place_after(std::size_t at) const { return at + 1 == index_.size() ? 0 : at + 1; }
-  [[nodiscard]] std::size_t way_round(std::size_t from, std::size_t to) const {
+  [[nodiscard]] std::size_t next_position(std::size_t at) const { return at + 1 == index_.size() ? 0 : at + 1; }
+  /// The number of positions from `from` to `to`, onwards through the index.
+  [[nodiscard]] std::size_t probe_distance(std::size_t from, std::size_t to) const {
     return to >= from ? to - from : to + index_.size() - from;
   }
   void make_room_in_index(std::size_t count);
   void erase_from_index(ItemId id);
 
   std::vector<Record> items_;
-  memory::Pages<ItemId> ids_;  ///< by slot, of items whose slot is another
+  memory::Pages<ItemId> ids_;  ///< by slot, for items whose slot is not their id
   std::vector<Link> sides_;
   memory::FreeList free_items_;       ///< linked by Record::place
   memory::FreeList free_sides_;       ///< linked by Link::next
-  std::vector<std::uint32_t> index_;  ///< slots that aren't their items' ids; at most two thirds are in use
+  std::vector<std::uint32_t> index_;  ///< slots of items whose slot is not their id; at most two thirds are in use
   std::size_t index_size_ = 0;
   std::size_t size_ = 0;
   ItemId largest_id_seen_;
   ItemHash::Words hash_{};
   std::size_t polygon_count_ = 0;
-  std::size_t nonzero_count_ = 0;  ///< of the polygons
+  std::size_t nonzero_count_ = 0;  ///< the number of polygons with the fill rule nonzero
 
   memory::Journal<Undo> journal_;
   ItemId largest_id_before_;

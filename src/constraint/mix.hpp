@@ -4,8 +4,8 @@
 
 namespace waywright::constraint {
 
-/// A bijection under which every bit depends on every other: the finaliser of SplitMix64.
-/// Source: Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014.
+/// A bijection in which every bit of the result depends on every bit of `z`: the finaliser of SplitMix64. Source:
+/// Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014.
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t z) {
   z += 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

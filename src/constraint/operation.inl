@@ -18,7 +18,7 @@ void ConstrainedTriangulation<Geometry>::begin_records() {
   corner_uses_.begin();
 }
 
-// Each part keeps its own log and takes back its own changes; none looks at another while doing so.
+// Each member has its own undo log and undoes its own changes without reading the other members.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::roll_back() {
   triangulation_.roll_back();
@@ -51,7 +51,7 @@ void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses us
   corner_uses_.write(number(v), uses);
 }
 
-/// Gives every vertex a list, those just made an empty one.
+/// Makes room for the list of every vertex. The list of a new vertex is empty.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::grow_corner_uses() {
   corner_uses_.cover(topology().vertex_slots(), UseLists::kNone);

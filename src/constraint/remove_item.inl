@@ -6,13 +6,14 @@
 
 namespace waywright::constraint {
 
-// First the item lets go of its edges and corners, then the edges that nobody holds any more are made Delaunay, and
-// only then do vertices go: taking one out of a Delaunay triangulation leaves one.
+// First takes the item off its edges and corners, then flips the edges that have become free until they are Delaunay,
+// and only then removes vertices: the removal of a vertex from a Delaunay triangulation leaves a Delaunay
+// triangulation.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   const std::uint32_t slot = items_.slot(id);
   items_.outline(slot, outline_);
-  // In a large world, what a removal reads is asked for as soon as it is known where that is.
+  // In a large world, a removal mostly waits for memory. The code prefetches data as soon as it knows the address.
   for (const mesh::Vertex v : outline_.corners) {
     triangulation_.prefetch(v);
     triangulation_.prefetch_faces_made_with(v);
@@ -55,7 +56,8 @@ void ConstrainedTriangulation<Geometry>::strip_corner(mesh::Vertex v, std::uint3
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::drop_if_unneeded(mesh::Vertex v) {
   if (corner_uses_[number(v)] != UseLists::kNone) return;
-  // Without a corner, whatever comes to the vertex goes straight on: two fixed edges are one line, more are a crossing.
+  // All sides at a vertex without corners run straight on. Two fixed edges therefore lie on one line, and more of them
+  // mean a crossing.
   const auto& star = triangulation_.star(v);
   if (star.fixed.size() > 2) return;
   if (star.fixed.size() == 2) uses_.release(topology().label(star.spokes[star.fixed[1]]));

@@ -6,8 +6,9 @@
 
 namespace waywright::constraint {
 
-/// Calls visit(point) for each corner of a ring: points that repeat their predecessor are one, and so are those at the
-/// end of a closed ring that repeat its first. Adding 0 turns -0 into 0, so that equal places have equal bits.
+/// Calls visit(point) for each corner of a ring. Consecutive points that are equal are one corner; in a closed ring, so
+/// are the first point and the last points that are equal to it. Adding 0 changes -0 into 0, so equal points have equal
+/// bits.
 template <class Ring, class Visit>
 void for_each_corner(const Ring& ring, bool is_closed, Visit&& visit) {
   std::size_t end = ring.size();
@@ -17,7 +18,7 @@ void for_each_corner(const Ring& ring, bool is_closed, Visit&& visit) {
   }
 }
 
-/// How many corners for_each_corner visits.
+/// The number of corners that for_each_corner visits.
 template <class Ring>
 [[nodiscard]] std::size_t count_corners(const Ring& ring, bool is_closed) {
   std::size_t count = 0;

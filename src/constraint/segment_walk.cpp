@@ -2,8 +2,8 @@
 
 namespace waywright::constraint {
 
-// Around the vertex: along an edge whose far end lies ahead on the line, or into the face whose first corner lies on
-// the line's right and whose second lies on its left.
+// Searches around the vertex for an edge whose target lies on the line, ahead of the vertex, or for a face whose first
+// corner lies right of the line and whose second corner lies left of it.
 SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
   mesh::HalfEdge h = mesh_.outgoing(u);
   Sign p_side = side(mesh_.target(h));
@@ -17,7 +17,8 @@ SegmentWalk::Stand SegmentWalk::leave_vertex(mesh::Vertex u) const {
   }
 }
 
-/// On the edge, coming from the side that the end isn't on; where that lies on the edge's line, at the vertex ahead.
+/// The start of a segment on an edge. If the end of the segment lies on the edge's line, this is at the vertex ahead.
+/// Otherwise the segment is about to leave the face at the edge that is away from its end.
 SegmentWalk::Stand SegmentWalk::stand_on_start_edge() const {
   const mesh::HalfEdge h = start_.h;
   if (geometry().order(from(), to()) == 0) return {mesh::kNoVertex, h, false, true};
@@ -28,7 +29,7 @@ SegmentWalk::Stand SegmentWalk::stand_on_start_edge() const {
   return {mesh::kNoVertex, end_side == Sign::positive ? mesh_.twin(h) : h};
 }
 
-/// From a place inside the face.
+/// The first step of a segment that starts inside the face of `any`.
 SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
   const std::array<mesh::HalfEdge, 3> sides = {any, mesh::next(any), mesh::previous(any)};
   std::array<Sign, 3> corner{};
@@ -36,7 +37,8 @@ SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     const mesh::Vertex v = mesh_.origin(sides[i]);
-    // A corner on the line lies ahead when the corner after it is on the left and the one before it on the right.
+    // A corner on the line lies ahead if the corner after it is left of the line and the corner before it is right of
+    // it.
     if (corner[i] == Sign::zero && corner[next] == Sign::positive && corner[(i + 2) % 3] == Sign::negative) {
       return stand_at(v, any);
     }
@@ -44,7 +46,7 @@ SegmentWalk::Stand SegmentWalk::leave_face(mesh::HalfEdge any) const {
       return stand_before(sides[i]);
     }
   }
-  // Unreachable: a line through a place inside a face leaves it across a side or through a corner.
+  // Unreachable: a line through a point inside a face leaves the face through an edge or a corner.
   return {mesh::kNoVertex, mesh::kNoHalfEdge, true};  // GCOVR_EXCL_LINE
 }
 

@@ -7,26 +7,26 @@
 
 namespace waywright::constraint {
 
-/// What a segment walk tells of; a visitor has its own of what it wants to know. Where one returns false, the walk
-/// ends.
+/// The events of a segment walk. A visitor derives from this class and redefines the functions for the events that it
+/// needs. If a function returns false, the walk ends.
 class SegmentVisitor {
  public:
   /// The segment runs through the vertex, or starts or ends there.
   bool at_vertex(mesh::Vertex) { return true; }
-  /// It crosses the edge, coming from the face of `h`, or starts or ends on it.
+  /// The segment crosses the edge and comes from the face of `h`, or it starts or ends on the edge.
   bool at_edge(mesh::HalfEdge, bool /*ends_here*/) { return true; }
-  /// It runs through the inside of the face of `h`.
+  /// The segment runs through the inside of the face of `h`.
   bool through_face(mesh::HalfEdge) { return true; }
 };
 
-/// Follows a straight segment through the mesh and tells, in order from `from` to `to`, of every vertex it runs
-/// through, every edge it crosses or starts or ends on, and every face it runs through, both ends included. Exact
-/// throughout.
+/// Follows a straight segment through the mesh from `from` to `to`. It reports, in order, every vertex on the segment,
+/// every edge that the segment crosses or on which it starts or ends, and every face that it runs through, both ends
+/// included. All decisions are exact.
 class SegmentWalk {
  public:
   using Delaunay = ExactTriangulation::Triangulation;
 
-  /// Requires: both ends lie in the domain, `start` is where `from` lies.
+  /// Requires: both ends lie in the domain; `start` is the location of `from`.
   SegmentWalk(const ExactTriangulation& triangulation, const Point& from, const Point& to, const locate::Located& start)
       : delaunay_(triangulation.triangulation()),
         mesh_(triangulation.topology()),
@@ -34,20 +34,20 @@ class SegmentWalk {
         ascends_(geometry().order(this->from(), this->to()) < 0),
         start_(start) {}
 
-  /// Tells a SegmentVisitor.
+  /// Calls the functions of a SegmentVisitor.
   template <class Visitor>
   void run(Visitor&& visitor);
 
  private:
   using Sign = exact::Sign;
 
-  /// Where the segment stands: at a vertex, or at the inner side of an edge that it is about to leave its face by.
+  /// A stop of the walk: at a vertex, or at an edge through which the segment is about to leave a face.
   struct Stand {
     mesh::Vertex vertex = mesh::kNoVertex;
     mesh::HalfEdge exit = mesh::kNoHalfEdge;
-    bool has_ended = false;  ///< before it gets there
+    bool has_ended = false;  ///< the segment ends before this vertex or edge
     bool ends_on_exit = false;
-    mesh::HalfEdge through = mesh::kNoHalfEdge;  ///< of the face on the way there; of none along an edge
+    mesh::HalfEdge through = mesh::kNoHalfEdge;  ///< in the face that leads to this stop; none if an edge leads to it
   };
 
   [[nodiscard]] const exact::Geometry& geometry() const { return delaunay_.geometry(); }
@@ -56,7 +56,7 @@ class SegmentWalk {
   [[nodiscard]] Sign side(mesh::Vertex v) const {
     return v == delaunay_.ghost() ? Sign::zero : geometry().side(line_, delaunay_.view(v));
   }
-  /// Whether the end comes before `v`, a vertex on the segment's line ahead.
+  /// Whether the segment ends before `v`. Requires: `v` lies on the segment's line, ahead.
   [[nodiscard]] bool ends_before(mesh::Vertex v) const {
     const auto order = geometry().order(to(), delaunay_.view(v));
     return ascends_ ? order < 0 : order > 0;
@@ -80,16 +80,17 @@ class SegmentWalk {
   locate::Located start_;
 };
 
-/// The exit edge has the segment's end beyond it, or on it; otherwise the segment ends in the face.
+/// The stop at an exit edge. The segment ends beyond the edge, on it, or before it, inside the face.
 inline SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
   const Sign end_side =
       geometry().orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to());
   return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero, exit};
 }
 
-/// Leaves a face by `exit`, and then one face after the other, as long as the segment crosses the inside of an edge
-/// and runs on. Returns a half-edge of the face that it came to whose apex it comes to, or kNoHalfEdge where it has
-/// ended, or the visitor has ended the walk. Nearly all of a walk happens here.
+/// Leaves a face through `exit`, and then one face after the other, as long as the segment crosses the inside of an
+/// edge and continues. If it reaches a vertex, returns the half-edge through which it has entered the last face; the
+/// vertex is its apex. Returns kNoHalfEdge if the segment has ended, or if the visitor has ended the walk. Nearly all
+/// of a walk happens here.
 template <class Visitor>
 mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) const {
   exact::Geometry::View right = delaunay_.view(mesh_.origin(exit));

@@ -7,18 +7,19 @@
 
 #include "constraint/mix.hpp"
 
-// Sets of items, as lists of their slots. However many polygons lie on one another, making a set of them costs no more
-// than sorting them.
+// Sets of items, as lists of their slots. To make a set costs no more than to sort the list, for any number of polygons
+// that overlap.
 
 namespace waywright::constraint {
 
-/// Sorts the slots and leaves one of each.
+/// Sorts the slots and removes duplicates.
 inline void keep_one_of_each(std::vector<std::uint32_t>& slots) {
   std::sort(slots.begin(), slots.end());
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
 }
 
-/// Sorts the slots and leaves one of each for which keeps(slot, count) is true, the count being how often it is there.
+/// Sorts the slots. Keeps one copy of each for which keeps(slot, count) is true, where `count` is the number of copies
+/// before.
 template <class Keeps>
 void keep_each_if(std::vector<std::uint32_t>& slots, Keeps&& keeps) {
   std::sort(slots.begin(), slots.end());
@@ -31,16 +32,16 @@ void keep_each_if(std::vector<std::uint32_t>& slots, Keeps&& keeps) {
   slots.resize(kept);
 }
 
-/// Sorts the slots and leaves one of each that is there an odd number of times.
+/// Sorts the slots. Keeps one copy of each that occurs an odd number of times.
 inline void keep_odd(std::vector<std::uint32_t>& slots) {
   keep_each_if(slots, [](std::uint32_t, std::size_t count) { return count % 2 == 1; });
 }
 
-/// A set of numbers below 2^32 - 1. An object to keep: its memory serves use after use, and clearing it costs what was
-/// in it.
+/// A set of numbers below 2^32 - 1. Keep the object: later uses take its memory again. The cost of clear() is
+/// proportional to the number of elements.
 class SlotSet {
  public:
-  /// Whether the number was not in the set yet.
+  /// Adds a number. Returns whether it was not in the set yet.
   bool insert(std::uint32_t number) {
     if (3 * (places_.size() + 1) > 2 * table_.size()) grow();
     const std::size_t at = place_of(number);
@@ -57,7 +58,8 @@ class SlotSet {
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffff;
 
-  /// Where the number is, or the gap for it. Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithm L.
+  /// The position of the number, or of the gap for it. Source: Knuth, *The Art of Computer Programming* 3, 6.4,
+  /// algorithm L.
   [[nodiscard]] std::size_t place_of(std::uint32_t number) const {
     const std::size_t mask = table_.size() - 1;
     std::size_t at = static_cast<std::size_t>(mix(number)) & mask;
@@ -76,7 +78,7 @@ class SlotSet {
   }
 
   std::vector<std::uint32_t> table_;   ///< its size is 0 or a power of two; at most two thirds are in use
-  std::vector<std::uint32_t> places_;  ///< in the table, of each number
+  std::vector<std::uint32_t> places_;  ///< by element: its position in the table
 };
 
 }  // namespace waywright::constraint

@@ -4,37 +4,37 @@
 
 #include "constraint/exact_triangulation.hpp"
 
-// How often a polygon's rings turn around a face: its winding number there. From one side of an edge to the other the
-// number changes by the polygon's sides on the edge. An even-odd polygon needs only the number's parity, to which every
-// side adds 1, whichever way it runs. So of such a polygon no side's direction is ever looked at.
+// The winding number of a polygon in a face: how many times its rings turn around the face. Across an edge, the number
+// changes by the polygon's sides on the edge. For an even-odd polygon only the parity of the number counts, and every
+// side changes the parity, whatever its direction. So the code never looks at the directions of such a polygon's sides.
 
 namespace waywright::constraint {
 
-/// Whether a side that lies on the edge of `h` runs the same way as `h`, which has the polygon's inside on its left if
-/// the ring turns counter-clockwise.
+/// Whether a side that lies on the edge of `h` runs in the direction of `h`. If it does, and its ring is
+/// counter-clockwise, the inside of the ring is left of `h`.
 [[nodiscard]] inline bool runs_along(const ExactTriangulation& triangulation, const Side& side, mesh::HalfEdge h) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   return delaunay.comes_before(side.from, side.to) == delaunay.comes_before(mesh.origin(h), mesh.target(h));
 }
 
-/// The winding numbers of one polygon; of an even-odd polygon only their parity counts. Each rule has code of its own,
-/// because even-odd polygons are the most and their code is faster.
+/// The winding numbers of one polygon; for an even-odd polygon only their parity counts. Each fill rule has its own
+/// code, because most polygons are even-odd and their code is faster.
 template <FillRule rule>
 class Winding {
  public:
-  /// Requires: the rule is the polygon's.
+  /// Requires: `rule` is the fill rule of the polygon.
   Winding(const ExactTriangulation& triangulation, std::uint32_t polygon)
       : triangulation_(triangulation), polygon_(polygon) {}
 
   [[nodiscard]] std::uint32_t polygon() const { return polygon_; }
 
-  /// Whether the polygon covers what its rings turn around so many times.
+  /// Whether the polygon covers a face in which its winding number is `turns`.
   [[nodiscard]] static bool covers(std::int32_t turns) {
     return rule == FillRule::even_odd ? (turns & 1) != 0 : turns != 0;
   }
 
-  /// The winding number in the face of `h`, less that in the face beyond.
+  /// The winding number in the face of `h` minus the one in the face of its twin.
   [[nodiscard]] std::int32_t across(mesh::HalfEdge h) const {
     std::int32_t turns = 0;
     triangulation_.for_each_side(h, [&](const Side& side) {
@@ -56,7 +56,7 @@ class Winding {
   std::uint32_t polygon_;
 };
 
-/// Calls visit(winding) with the Winding of a polygon.
+/// Calls visit(winding) with the Winding of a polygon. Returns the result.
 template <class Visit>
 auto with_winding(const ExactTriangulation& triangulation, std::uint32_t polygon, Visit&& visit) {
   if (triangulation.items().fill(polygon) == FillRule::even_odd) {

@@ -25,7 +25,8 @@ Uses UseLists::copy(Uses list) {
   return list == kNone ? result : add(result, list - 1);
 }
 
-// The last node of a list holds two users, its own and the lone one that is its rest; it goes when either does.
+// The last node of a list stands for two users: its own, and the single one in `rest`. The removal of either frees the
+// node.
 Uses UseLists::remove(Uses list, std::uint32_t user) {
   if (!is_node(list)) return kNone;
   Uses before = kNone;

@@ -9,12 +9,12 @@
 
 namespace waywright::constraint {
 
-/// A list of the users of an edge or a vertex, as one 32-bit number: 0 for none; a lone user, by far the most common
-/// list, is told by the number itself and takes no memory.
+/// A list of the users of an edge or a vertex, as one 32-bit number. 0 is the empty list. A list of one user, which is
+/// by far the most common, is encoded in the number itself and takes no memory.
 using Uses = std::uint32_t;
 
-/// Keeps lists of users, numbers below 2^31 - 1. The lists are unordered; a user may be in one more than once. What
-/// happens to them is logged and can be taken back to the last begin().
+/// Stores lists of users, which are numbers below 2^31 - 1. The lists are unordered, and may contain a user more than
+/// once. An undo log records all changes; roll_back() returns to the last begin().
 class UseLists {
  public:
   static constexpr Uses kNone = 0;
@@ -24,28 +24,28 @@ class UseLists {
 
   [[nodiscard]] Uses add(Uses list, std::uint32_t user);
   [[nodiscard]] Uses copy(Uses list);
-  /// The list less one entry of `user`. Requires: `user` is in it.
+  /// Removes one entry of `user` and returns the new list. Requires: `user` is in the list.
   [[nodiscard]] Uses remove(Uses list, std::uint32_t user);
-  /// Gives back what a list holds; the list is not to be used again.
+  /// Frees the memory of a list. The caller must not use the list any more.
   void release(Uses list);
   [[nodiscard]] bool contains(Uses list, std::uint32_t user) const;
 
-  /// Starts the log anew.
+  /// Empties the undo log.
   void begin();
-  /// Takes back everything since begin(). Allocates nothing.
+  /// Undoes all changes since begin(). Allocates nothing.
   void roll_back();
 
-  /// Calls visit(user) for each.
+  /// Calls visit(user) for each user in the list.
   template <class Visit>
   void for_each(Uses list, Visit&& visit) const {
     for (; is_node(list); list = nodes_[list & ~kNode].rest) visit(nodes_[list & ~kNode].user);
     if (list != kNone) visit(list - 1);
   }
 
-  /// Any one of the users. Requires: the list isn't empty.
+  /// One of the users. Requires: the list is not empty.
   [[nodiscard]] std::uint32_t any(Uses list) const { return is_node(list) ? nodes_[list & ~kNode].user : list - 1; }
 
-  /// Counts what lists hold in with that part.
+  /// Adds the memory of the lists to `part`.
   void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const { nodes_.count_memory(use, part); }
   /// Gives back spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() { nodes_.shrink_to_fit(); }
@@ -53,7 +53,7 @@ class UseLists {
  private:
   static constexpr std::uint32_t kNode = 0x80000000;
 
-  /// A user in front of a shorter list.
+  /// A list of two or more users: a user, and the list of the others.
   struct Node {
     std::uint32_t user;
     Uses rest;

@@ -20,31 +20,32 @@
 
 namespace waywright::delaunay {
 
-/// The Delaunay triangulation of a set of points and the ghost beyond their hull, from nothing: points are parted by
-/// axis-parallel lines down to three or fewer, and the triangulations of both sides are zipped together along the line.
+/// Computes the Delaunay triangulation of a set of points, with a ghost vertex beyond their convex hull. Axis-parallel
+/// lines divide the points recursively into ranges of at most three; then the triangulations on both sides of each line
+/// are merged along the line.
 ///
-/// m points and the ghost are a sphere of 2 m - 2 faces, whatever the points; so the points [i, j) own the faces 2 i to
-/// 2 j - 3, a merge at k adds the faces 2 k - 2 and 2 k - 1, and nothing is ever moved or allocated.
+/// For any m points, they and the ghost form a sphere of 2 m - 2 faces. Hence the points [i, j) own the faces from 2 i
+/// to 2 j - 3, a merge at k adds the faces 2 k - 2 and 2 k - 1, and the algorithm neither moves nor allocates anything.
 ///
-/// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cutting both ways:
-/// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghosts that become
-/// the new faces: Shewchuk, *Triangle*, 1996. Departure: cuts are those of the curve's cells, which need no medians,
-/// and ties are broken, which leaves one result.
+/// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cuts in both directions:
+/// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghost faces that
+/// become the new faces: Shewchuk, *Triangle*, 1996. Departures: the cuts are those between the cells of the curve, so
+/// there is no search for medians; and ties are broken, so the result is unique.
 template <class Geometry>
 class DivideAndConquer {
  public:
   using Corner = mesh::TriangleMesh::Corner;
   using Key = locate::Curve::Key;
 
-  /// `geometry` answers questions about points as they are. `points` in the order of their `keys`, those of one key in
-  /// (x, y) order; all distinct. Point i becomes vertex i + 1, the ghost is vertex 0. `corners` has room for 6
-  /// (points.size() - 1).
+  /// `geometry` is asked about points, never about vertices. `points` are distinct and in the order of their `keys`,
+  /// points with the same key in (x, y) order. Point i becomes vertex i + 1; the ghost is vertex 0. `corners` has room
+  /// for 6 (points.size() - 1) corners.
   DivideAndConquer(const Geometry& geometry, std::span<const Point> points, std::span<const Key> keys,
                    std::span<Corner> corners)
       : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
 
-  /// Triangulates all points, of which there are two or more, and does `jobs` meanwhile. Reports how many points are
-  /// done.
+  /// Triangulates all points and does `jobs` in the meantime. Reports how many points are done. Requires: there are at
+  /// least two points.
   void run(const threads::Crew& crew, std::span<const threads::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
@@ -53,20 +54,21 @@ class DivideAndConquer {
   using HalfEdge = mesh::HalfEdge;
   using Vertex = mesh::Vertex;
   using Sign = exact::Sign;
-  /// A triangulated part. Each of its hull's edges has a ghost face, and the half-edge there that is opposite to the
-  /// ghost stands for it: it runs clockwise around the part.
+  /// A triangulated range of points. Each edge of its convex hull has a ghost face. The half-edge of this face that is
+  /// opposite to the ghost represents the hull edge: it runs clockwise around the part.
   struct Part {
-    Vertex any{};                       ///< one of its vertices
-    HalfEdge hull = mesh::kNoHalfEdge;  ///< some hull edge, where there is more than one vertex
+    Vertex any{};                       ///< a vertex of the part
+    HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the part has more than one vertex
   };
-  /// How a cut parts: by x, or by y.
+  /// Whether a cut divides points by x or by y.
   enum class Cut : std::uint8_t { x, y };
 
-  // The zip's two sides, before its first step and between any two: `base` is the uppermost edge joined so far, from
-  // the right part's vertex to the left one's, its twin's face still to come. `left` is the hull edge of the left part
-  // that ends at the base, `right` that of the right part which starts there; either is missing where the part is a
-  // single vertex. `left_open` and `right_open` are the edges from the base to the ghost above it that have no twin.
-  struct Zip {
+  // The state of a merge before its first step and between two steps. `l`, in the left part, and `r`, in the right
+  // part, are the ends of the uppermost edge between the parts so far. `base` is the half-edge of this edge from r to
+  // l; the face of its twin is still missing. `left` is the hull edge of the left part that ends at l, and `right` is
+  // the hull edge of the right part that starts at r. Each is missing if its part is a single vertex. `left_open` and
+  // `right_open` are the half-edges between l or r and the ghost above the base; they have no twin yet.
+  struct MergeState {
     Vertex l, r;
     HalfEdge base;
     HalfEdge left, right;
@@ -106,11 +108,11 @@ class DivideAndConquer {
     corners_[3 * std::size_t{f} + 2].origin = c;
     return HalfEdge{3 * f};
   }
-  /// The hull edge after `hull`, or before it, counter-clockwise around the part.
+  /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the part.
   [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
   [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
 
-  /// Points that are triangulated by one thread, and what comes out.
+  /// A range of points that one thread triangulates, and the result.
   struct Task {
     std::uint32_t begin, end;
     Part part;
@@ -132,12 +134,12 @@ class DivideAndConquer {
   Part merge(const Part& left, const Part& right, std::uint32_t f, Cut cut);
   [[nodiscard]] HalfEdge find_last(HalfEdge hull, Cut cut) const;
   [[nodiscard]] HalfEdge find_first(HalfEdge hull, Cut cut) const;
-  [[nodiscard]] Zip lower_tangent(const Part& left, const Part& right, Cut cut) const;
-  void open(Zip& zip, std::uint32_t f);
-  void uncover_left(Zip& zip, Vertex& candidate);
-  void uncover_right(Zip& zip, Vertex& candidate);
-  void join_left(Zip& zip, Vertex candidate);
-  void join_right(Zip& zip, Vertex candidate);
+  [[nodiscard]] MergeState lower_tangent(const Part& left, const Part& right, Cut cut) const;
+  void open(MergeState& state, std::uint32_t f);
+  void uncover_left(MergeState& state, Vertex& candidate);
+  void uncover_right(MergeState& state, Vertex& candidate);
+  void join_left(MergeState& state, Vertex candidate);
+  void join_right(MergeState& state, Vertex candidate);
 
   const Geometry& geometry_;
   std::span<const Point> points_;
@@ -146,7 +148,7 @@ class DivideAndConquer {
   std::vector<Task> tasks_;
 };
 
-// The cuts are the same whoever works: tasks are parts that would come about anyway.
+// The cuts do not depend on the number of threads: each task is a range that the recursion makes in any case.
 template <class Geometry>
 void DivideAndConquer<Geometry>::run(const threads::Crew& crew, std::span<const threads::Job> jobs) {
   const auto count = static_cast<std::uint32_t>(points_.size());
@@ -187,8 +189,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge_task
   return merge(left, right, 2 * middle - 2, cut);
 }
 
-// Of the cells' common prefix, the first bit that differs parts the cells by a line. Points of one cell are in (x, y)
-// order: any place parts them by a line that is all but vertical.
+// The highest bit in which the keys differ divides their cells by a line. Points in one cell are in (x, y) order:
+// there, an almost vertical line divides them at any index.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std::uint32_t begin,
                                                                              std::uint32_t end) const {
@@ -256,7 +258,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_trian
   return {a, ba};
 }
 
-/// Three on a line, in order.
+/// Makes the triangulation of three points on a line, which are given in order.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
                                                                                  Vertex c) {
@@ -273,17 +275,17 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain
   return {a, ab};
 }
 
-/// Of the hull edges, the one that starts, counter-clockwise, at the last vertex in the cut's direction.
+/// The hull edge that starts, counter-clockwise, at the last vertex in the direction of the cut.
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) const {
   Vertex v = target(hull);
-  bool has_climbed = false;
+  bool has_advanced = false;
   for (Vertex w = origin(hull); comes_before(v, w, cut); w = origin(hull)) {
     hull = hull_next(hull);
     v = w;
-    has_climbed = true;
+    has_advanced = true;
   }
-  if (has_climbed) return hull;
+  if (has_advanced) return hull;
   for (;;) {
     const HalfEdge before = hull_previous(hull);
     const Vertex w = target(before);
@@ -293,17 +295,17 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) con
   }
 }
 
-/// Of the hull edges, the one that ends, counter-clockwise, at the first vertex in the cut's direction.
+/// The hull edge that ends, counter-clockwise, at the first vertex in the direction of the cut.
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) const {
   Vertex v = origin(hull);
-  bool has_climbed = false;
+  bool has_advanced = false;
   for (Vertex w = target(hull); comes_before(w, v, cut); w = target(hull)) {
     hull = hull_previous(hull);
     v = w;
-    has_climbed = true;
+    has_advanced = true;
   }
-  if (has_climbed) return hull;
+  if (has_advanced) return hull;
   for (;;) {
     const HalfEdge after = hull_next(hull);
     const Vertex w = origin(after);
@@ -313,155 +315,157 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) co
   }
 }
 
-// From the two vertices nearest to the cut down to where both parts lie on the left of the way from l to r, or on it.
-// Of several vertices on it, l and r stay the nearest.
+// Starts at the two vertices nearest to the cut and moves down until both parts lie left of the line from l to r, or on
+// it. If several vertices of a part lie on this line, l or r is the one nearest to the cut.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Zip DivideAndConquer<Geometry>::lower_tangent(const Part& left, const Part& right,
-                                                                                   Cut cut) const {
-  Zip zip{left.any, right.any, {}, left.hull, right.hull, {}, {}};
+typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Part& left,
+                                                                                          const Part& right,
+                                                                                          Cut cut) const {
+  MergeState state{left.any, right.any, {}, left.hull, right.hull, {}, {}};
   const bool has_left = left.hull != mesh::kNoHalfEdge;
   const bool has_right = right.hull != mesh::kNoHalfEdge;
   if (has_left) {
-    zip.left = find_last(left.hull, cut);
-    zip.l = target(zip.left);
+    state.left = find_last(left.hull, cut);
+    state.l = target(state.left);
   }
   if (has_right) {
-    zip.right = find_first(right.hull, cut);
-    zip.r = origin(zip.right);
+    state.right = find_first(right.hull, cut);
+    state.r = origin(state.right);
   }
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
     if (has_left) {
-      const HalfEdge below = hull_previous(zip.left);
-      if (orientation(zip.l, zip.r, target(below)) == Sign::negative) {
-        zip.left = below;
-        zip.l = target(below);
+      const HalfEdge below = hull_previous(state.left);
+      if (orientation(state.l, state.r, target(below)) == Sign::negative) {
+        state.left = below;
+        state.l = target(below);
         has_moved = true;
       }
     }
     if (has_right) {
-      const HalfEdge below = hull_next(zip.right);
-      if (orientation(zip.l, zip.r, origin(below)) == Sign::negative) {
-        zip.right = below;
-        zip.r = origin(below);
+      const HalfEdge below = hull_next(state.right);
+      if (orientation(state.l, state.r, origin(below)) == Sign::negative) {
+        state.right = below;
+        state.r = origin(below);
         has_moved = true;
       }
     }
   }
-  return zip;
+  return state;
 }
 
-//       ghost
-//      /     \          The ghost face below the lower tangent takes its place among the ghosts of both hulls. The
-//    l ------- r        edges from l and from r to the ghost, which it parts from one another, are open until the
-//      \     /          upper tangent has a ghost face as well.
+//       ghost       Makes the ghost face below the lower tangent. Its edges l - ghost and ghost - r take over the twins
+//      /     \      that the ghost faces at `left` and `right` had there. The half-edges that lose their twins are
+//    l ------- r    `left_open` and `right_open`. They stay open until the upper tangent has a ghost face, too.
+//      \     /
 //       ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::open(Zip& zip, std::uint32_t f) {
-  zip.base = make_face(f, zip.r, zip.l, kGhost);
-  const HalfEdge l_to_ghost = next(zip.base);
-  const HalfEdge ghost_to_r = previous(zip.base);
-  zip.left_open = l_to_ghost;
-  zip.right_open = ghost_to_r;
-  if (zip.left != mesh::kNoHalfEdge) {
-    zip.left_open = next(zip.left);
-    link(l_to_ghost, twin(zip.left_open));
+void DivideAndConquer<Geometry>::open(MergeState& state, std::uint32_t f) {
+  state.base = make_face(f, state.r, state.l, kGhost);
+  const HalfEdge l_to_ghost = next(state.base);
+  const HalfEdge ghost_to_r = previous(state.base);
+  state.left_open = l_to_ghost;
+  state.right_open = ghost_to_r;
+  if (state.left != mesh::kNoHalfEdge) {
+    state.left_open = next(state.left);
+    link(l_to_ghost, twin(state.left_open));
   }
-  if (zip.right != mesh::kNoHalfEdge) {
-    zip.right_open = previous(zip.right);
-    link(ghost_to_r, twin(zip.right_open));
+  if (state.right != mesh::kNoHalfEdge) {
+    state.right_open = previous(state.right);
+    link(ghost_to_r, twin(state.right_open));
   }
 }
 
-//          x                  x
-//        /   \              / |        The hull edge l - p goes while the circle through l, r and p holds the vertex
-//      p ----- l    ->    p   | l      beyond it: the face there becomes a ghost's, and x the candidate. The edge from
-//        ghost             ghost       l to the ghost stays as it is.
+//          x                  x      Removes the hull edge l - p as long as the circle through l, r and p contains the
+//        /   \              / |      vertex x beyond the edge. The face of l, p and x becomes a ghost face, and x
+//      p ----- l    ->    p   | l    becomes the candidate. The edge from l to the ghost stays as it is.
+//        ghost             ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_left(Zip& zip, Vertex& candidate) {
+void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candidate) {
   for (;;) {
-    const HalfEdge lp = twin(zip.left);
+    const HalfEdge lp = twin(state.left);
     const HalfEdge xl = previous(lp);
     const Vertex x = origin(xl);
-    if (x == kGhost || !circle_holds(zip.l, zip.r, candidate, x)) return;
-    const HalfEdge ghost_to_p = previous(zip.left);
-    set_origin(zip.left, x);
+    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    const HalfEdge ghost_to_p = previous(state.left);
+    set_origin(state.left, x);
     set_origin(lp, kGhost);
-    link(zip.left, twin(xl));
+    link(state.left, twin(xl));
     link(lp, twin(ghost_to_p));
     link(ghost_to_p, xl);
     candidate = x;
   }
 }
 
-/// The same on the other side: the hull edge is r - q.
+/// Does the same as uncover_left() in the right part, where the hull edge is r - q.
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_right(Zip& zip, Vertex& candidate) {
+void DivideAndConquer<Geometry>::uncover_right(MergeState& state, Vertex& candidate) {
   for (;;) {
-    const HalfEdge qr = twin(zip.right);
+    const HalfEdge qr = twin(state.right);
     const HalfEdge rx = next(qr);
     const Vertex x = target(rx);
-    if (x == kGhost || !circle_holds(zip.l, zip.r, candidate, x)) return;
-    const HalfEdge q_to_ghost = next(zip.right);
+    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    const HalfEdge q_to_ghost = next(state.right);
     set_origin(q_to_ghost, x);
     set_origin(rx, kGhost);
-    link(zip.right, twin(rx));
+    link(state.right, twin(rx));
     link(qr, twin(q_to_ghost));
     link(q_to_ghost, rx);
     candidate = x;
   }
 }
 
-/// The ghost face at the left hull edge becomes the face of l, r and the candidate.
+/// Turns the ghost face at the left hull edge into the face of l, r and the candidate.
 template <class Geometry>
-void DivideAndConquer<Geometry>::join_left(Zip& zip, Vertex candidate) {
-  const HalfEdge lr = next(zip.left);
-  const HalfEdge up = previous(zip.left);
-  link(lr, zip.base);
-  set_origin(up, zip.r);
-  zip.base = up;
-  zip.l = candidate;
-  zip.left_open = twin(up);
-  zip.left = previous(zip.left_open);
+void DivideAndConquer<Geometry>::join_left(MergeState& state, Vertex candidate) {
+  const HalfEdge lr = next(state.left);
+  const HalfEdge up = previous(state.left);
+  link(lr, state.base);
+  set_origin(up, state.r);
+  state.base = up;
+  state.l = candidate;
+  state.left_open = twin(up);
+  state.left = previous(state.left_open);
 }
 
 template <class Geometry>
-void DivideAndConquer<Geometry>::join_right(Zip& zip, Vertex candidate) {
-  const HalfEdge lr = previous(zip.right);
-  const HalfEdge up = next(zip.right);
-  link(lr, zip.base);
-  set_origin(lr, zip.l);
-  zip.base = up;
-  zip.r = candidate;
-  zip.right_open = twin(up);
-  zip.right = next(zip.right_open);
+void DivideAndConquer<Geometry>::join_right(MergeState& state, Vertex candidate) {
+  const HalfEdge lr = previous(state.right);
+  const HalfEdge up = next(state.right);
+  link(lr, state.base);
+  set_origin(lr, state.l);
+  state.base = up;
+  state.r = candidate;
+  state.right_open = twin(up);
+  state.right = next(state.right_open);
 }
 
-// A circle through the base rises between the two parts until it meets the next vertex of either.
+// Each step finds the face above the base: a circle through the ends of the base grows upwards between the parts until
+// it meets the next vertex of either part.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
                                                                             std::uint32_t f, Cut cut) {
-  Zip zip = lower_tangent(left, right, cut);
-  open(zip, f);
+  MergeState state = lower_tangent(left, right, cut);
+  open(state, f);
   for (;;) {
-    Vertex p = zip.left == mesh::kNoHalfEdge ? zip.l : origin(zip.left);
-    Vertex q = zip.right == mesh::kNoHalfEdge ? zip.r : target(zip.right);
-    const bool has_p = orientation(zip.l, zip.r, p) == Sign::positive;
-    const bool has_q = orientation(zip.l, zip.r, q) == Sign::positive;
+    Vertex p = state.left == mesh::kNoHalfEdge ? state.l : origin(state.left);
+    Vertex q = state.right == mesh::kNoHalfEdge ? state.r : target(state.right);
+    const bool has_p = orientation(state.l, state.r, p) == Sign::positive;
+    const bool has_q = orientation(state.l, state.r, q) == Sign::positive;
     if (!has_p && !has_q) break;
-    if (has_p) uncover_left(zip, p);
-    if (has_q) uncover_right(zip, q);
-    if (!has_p || (has_q && circle_holds(zip.l, zip.r, p, q))) {
-      join_right(zip, q);
+    if (has_p) uncover_left(state, p);
+    if (has_q) uncover_right(state, q);
+    if (!has_p || (has_q && circle_holds(state.l, state.r, p, q))) {
+      join_right(state, q);
     } else {
-      join_left(zip, p);
+      join_left(state, p);
     }
   }
-  const HalfEdge upper = make_face(f + 1, zip.l, zip.r, kGhost);
-  link(upper, zip.base);
-  link(next(upper), zip.right_open);
-  link(previous(upper), zip.left_open);
-  return {zip.l, upper};
+  const HalfEdge upper = make_face(f + 1, state.l, state.r, kGhost);
+  link(upper, state.base);
+  link(next(upper), state.right_open);
+  link(previous(upper), state.left_open);
+  return {state.l, upper};
 }
 
 }  // namespace waywright::delaunay

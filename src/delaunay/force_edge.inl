@@ -6,11 +6,11 @@
 
 namespace waywright::delaunay {
 
-//              left chain
-//         q ------ r ------ s              The faces between u and w that the edge u - w crosses leave a cavity. Each
-//       /   \    /   \    /   \            of its halves is a polygon over the new edge, triangulated on its own. An
-//      u - - - - - - - - - - - w           edge whose two sides lie both in the cavity dangles into it: the chain walks
-//       \   /    \   /    \   /            it to and fro, and the polygon is one only in a weak sense.
+//              left chain           The faces that the new edge u - w crosses leave a cavity. The new edge divides it
+//         q ------ r ------ s       into two polygons, which are triangulated separately. If both faces of an edge on a
+//       /   \    /   \    /   \     polygon's border lie in the cavity, the edge is dangling: the chain runs along it
+//      u - - - - - - - - - - - w    in both directions, and the polygon is only weakly simple.
+//       \   /    \   /    \   /
 //         p ------ + ------ +
 //              right chain
 template <class Geometry>
@@ -28,8 +28,8 @@ mesh::HalfEdge Triangulation<Geometry>::force_edge(mesh::Vertex u, mesh::Vertex 
   return edge;
 }
 
-// The left chain runs from u to w, the right one from w to u: each has its polygon on the right of its own way and on
-// the left of its base.
+// The left chain runs from u to w, the right chain from w to u. Each polygon lies right of its chain and left of its
+// base.
 template <class Geometry>
 void Triangulation<Geometry>::collect_chains(const std::vector<mesh::HalfEdge>& crossed) {
   left_chain_.clear();
@@ -58,7 +58,8 @@ void Triangulation<Geometry>::append_to(Chain& chain, mesh::HalfEdge inner) {
   chain.push_back(edge);
 }
 
-// Both sides of a dangling edge lie in the same chain, for an edge between the two chains would be crossed.
+// Both half-edges of a dangling edge lie in the same chain, because the new edge crosses every edge between the two
+// chains.
 template <class Geometry>
 void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
   dangling_.clear();
@@ -75,15 +76,16 @@ void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
   }
 }
 
-//          b              Wherever the way along the chain turns right, there is an ear, whichever ears have been
-//        /   \            cut before. Suppose that z, in the triangle or on a - r, comes after r. Some edge that was
-//      a ----- r          crossed joins z to the base. It can't leave through b - r, which is part of the chain or has
-//     /         \         nothing but ears behind it, that let it out nowhere else. So it leaves through a - r and
-//    u - - - - - w        meets the base before the edge of r does; but the edges meet the base in the chain's order.
+//          b          Where the chain turns right at b, the triangle a b r is an ear, whichever ears have been cut
+//        /   \        before: no vertex of the rest of the polygon lies in the triangle or on a - r. Proof: suppose
+//      a ----- r      that such a vertex z comes after r. A crossed edge connects z to the base. This edge cannot leave
+//     /         \     the triangle through b - r: b - r is an edge of the chain, or only ears lie behind it, and the
+//    u - - - - - w    edge cannot leave these elsewhere. So it leaves through a - r and meets the base before the
+//                     crossed edge of r does. But the crossed edges meet the base in the order of the chain.
 //
-// So one pass with a stack cuts the polygon into triangles, as Graham's scan does; flips then make them Delaunay.
+// Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay.
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
-// 1982, where a polygon all of whose points are seen from one edge is cut so.
+// 1982, which triangulates a polygon in this way if all its points are visible from one edge.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex end) {
   const auto last = static_cast<std::uint32_t>(chain.size());
@@ -120,11 +122,12 @@ mesh::HalfEdge Triangulation<Geometry>::cut_ear(Chain& chain, mesh::Vertex a, co
   return base;
 }
 
-/// Flips what is illegal between the chains. Returns whether anything had to be flipped.
+/// Flips the illegal edges between the chains. Returns whether it had to flip an edge.
 ///
-/// A chain's own edges always are legal, so that what lies beyond stays where it is; who forces an edge may hold on to
-/// that. For a triangle on a chain's edge lies in the cavity, where all edges were free: so the face beyond sees its
-/// apex, and a Delaunay face has no vertex that it sees in its circle.
+/// The edges of the chains themselves are always legal, so the faces beyond them stay as they are. Callers of
+/// force_edge() may rely on this. Proof: a triangle on an edge of the chain lies in the cavity, where no edge was
+/// fixed. Hence the face beyond that edge sees the triangle's apex, and the circle of a Delaunay face contains no
+/// vertex that the face sees.
 template <class Geometry>
 bool Triangulation<Geometry>::legalise_cavity() {
   while (!freed_.empty() && is_legal(freed_.back())) freed_.pop_back();

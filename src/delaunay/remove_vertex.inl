@@ -13,8 +13,8 @@ void Triangulation<Geometry>::free_edge(mesh::HalfEdge h) {
   freed_.push_back(h);
 }
 
-// A flip rebuilds two faces, so half-edges that wait on the stack may come to stand for other edges. Every edge of such
-// faces is put on the stack anew, so none is missed.
+// A flip rebuilds two faces. Afterwards, half-edges on the stack may represent other edges. The function pushes all
+// edges of the rebuilt faces again and therefore misses none.
 template <class Geometry>
 void Triangulation<Geometry>::legalise_freed() {
   while (!freed_.empty()) {
@@ -27,8 +27,9 @@ void Triangulation<Geometry>::legalise_freed() {
   }
 }
 
-// Each step waits for the one before, so both ways round are gone at once. What a removal asks about the vertices
-// around comes meanwhile, each as soon as a face tells which it is: the apex of a face is the next one's.
+// Each step around the vertex waits for the memory that the step before has asked for, so the function goes around in
+// both directions at once. In the meantime it prefetches what a removal needs to know about the neighbours, each as
+// soon as a face names it: the apex of a face is the next neighbour.
 template <class Geometry>
 const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh::Vertex v) {
   star_.spokes.clear();
@@ -60,8 +61,8 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex(const Star& star) {
   return star.fixed.empty() ? remove_free_vertex(star) : remove_vertex_on_line(star);
 }
 
-//         w2 ---- w1         The faces around v leave a hole, star-shaped about v. Its border starts at w0; its last
-//        /  \   /  |         side, from w4 to w0, is the base.
+//         w2 ---- w1      The faces around v leave a hole, which is star-shaped around v. Its border starts at w0. Its
+//        /  \   /  |      last side, from w4 to w0, is the base.
 //      w3 --- v --- w0
 //        \   |    /
 //          ---w4--
@@ -77,8 +78,8 @@ mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(const Star& star) {
   return mesh::kNoHalfEdge;
 }
 
-//          a2 --- a1         v lies on the line from p to q. On each side of it, the faces around v leave a hole over
-//        /   \  /   \       the edge p - q that takes the place of p - v and v - q.
+//          a2 --- a1     v lies on the line from p to q. The edge p - q replaces p - v and v - q. On each side of the
+//        /   \  /   \    line, the faces around v leave a hole with the edge p - q as its base.
 //       p --- v --- q
 //        \   / \   /
 //          b1 --- b2
@@ -97,8 +98,8 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(const Star& star) 
   return left;
 }
 
-/// The sides opposite to a star's vertex, in the faces from the spoke at one position to that at another, and the
-/// places of their ends.
+/// Collects the half-edges opposite to a star's vertex in the faces between two spokes, and the positions of their
+/// ends. The faces are those from the spoke at index `from`, counter-clockwise, to the spoke at index `to`.
 template <class Geometry>
 void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, std::size_t to) {
   const std::size_t degree = star.spokes.size();
@@ -113,7 +114,8 @@ void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, s
   hole_places_[count] = view(mesh_.target(hole_sides_[count - 1]));
 }
 
-/// Triangulates the polygon between the hole's sides and the base from its last vertex to its first.
+/// Triangulates the polygon whose border is the hole's sides and the base, which runs from its last vertex to its
+/// first.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
   triangles_.clear();
@@ -126,22 +128,25 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
   return mesh_.refill(hole_sides_, triangles_);
 }
 
-//           m                Over a base, the vertex whose circle with its ends holds no other. On the base stands a
-//        .     .             circle that holds no vertex of the hole: that of the triangle beyond it or, for the first,
-//     from ----- to          that through v (the half-plane beyond it, if v lies on the base). Each vertex has its own
-//        .  n  .             circle through the base's ends, and the first is the one that reaches least far in front
-//           .                of the base. A vertex beyond the base, or on its line, has a circle that reaches less far
-//                            in front than the empty one; taken for a candidate, it gives way to each in front.
+//           m          Finds the triangle on a base: its apex is the vertex whose circle through the base's ends
+//        .     .       contains no other vertex. One circle through these ends is known to contain no vertex of the
+//     from ----- to    hole: the circle of the triangle beyond the base or, for the first base, the circle through v
+//        .  n  .       (if v lies on the base, the half-plane beyond the base). Each vertex has its own circle through
+//           .          these ends. The apex is the vertex whose circle reaches least far in front of the base. A vertex
+//                      beyond the base, or on its line, has a circle that reaches less far in front than the empty
+//                      circle; if such a vertex is the candidate, each vertex in front of the base must replace it.
 //
-// So that need not be asked: where m lies beyond the base, the determinant's sign is turned about, and it is positive
-// for n in front, which lies outside m's circle, as it is where m lies in front and its circle holds n. For n beyond,
-// it is negative where m lies in front, and where neither does, either may be chosen. Ties are those of lifts of which
-// one is lowered by an infinitesimal, and there the same is true. Its sign is that of the determinant but where n is
-// lowered: then n lies in every circle, also in m's, so it can't be that m lies beyond the base and n in front.
+// The code need not test whether the candidate m lies in front. If m lies in front, the determinant is positive for
+// each n in m's circle. If m lies beyond the base, the sign of the determinant is reversed: it is positive for each n
+// in front, because n then lies outside m's circle. For n beyond the base, the determinant is negative if m lies in
+// front; if m lies beyond it, too, the code may choose either. Ties are decided as if one lifted point were lowered by
+// an infinitesimal, and the same argument holds for these points. The sign in a tie is that of the determinant, except
+// if n is the lowered point: then n lies in every circle, also in that of m, so the case that m lies beyond the base
+// and n in front is impossible.
 //
-// No vertex in the circle can be hidden behind a side of the hole, for v lies in the circle and saw them all. Source:
-// Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*, 2011,
-// where tables choose; asking in order costs about as many in-circle tests at the degrees that there are.
+// No side of the hole hides a vertex that lies in the circle, because v lies in the circle and saw all vertices.
+// Source: Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*,
+// 2011, which uses decision tables; at the degrees that occur, tests in order need about as many in-circle tests.
 template <class Geometry>
 typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_over(std::uint32_t from,
                                                                                   std::uint32_t to) const {

@@ -4,11 +4,12 @@
 
 namespace waywright::delaunay {
 
-/// Whether the circle through `a`, `b`, `c` (counter-clockwise) holds `d`, another place on it, ties broken.
+/// Whether the circle through `a`, `b` and `c` (counter-clockwise) contains `d`, another position on the circle. This
+/// function breaks the tie.
 ///
-/// Lowering the first of the four by an infinitesimal decides: if that is d itself, the circle holds it; if it is one
-/// of the others, swapping it with d in the determinant turns it into that case, with the sign of the orientation of d
-/// and the two that remain.
+/// The first of the four lifted points is lowered by an infinitesimal. If the first is d, the circle contains d. If it
+/// is one of the others, a swap of this point and d in the determinant leads to the same case. The orientation of d and
+/// the two remaining points gives the sign: the circle contains d if it is negative.
 template <class Geometry, class View = typename Geometry::View>
 [[nodiscard]] bool tied_circle_holds(const Geometry& geometry, const View& a, const View& b, const View& c,
                                      const View& d) {
@@ -23,7 +24,8 @@ template <class Geometry, class View = typename Geometry::View>
   return rest == exact::Sign::negative;
 }
 
-/// The same of any other place `d`.
+/// Whether the circle through `a`, `b` and `c` (counter-clockwise) contains `d`; breaks ties. Requires: `d` differs
+/// from the other three.
 template <class Geometry, class View = typename Geometry::View>
 [[nodiscard]] bool circle_holds(const Geometry& geometry, const View& a, const View& b, const View& c, const View& d) {
   const exact::Sign sign = geometry.in_circle(a, b, c, d);

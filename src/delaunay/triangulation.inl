@@ -1,6 +1,6 @@
 #pragma once
 
-// The bodies of Triangulation, for the source files that instantiate it.
+// The definitions of Triangulation's members, for the source files that instantiate it.
 
 #include <utility>
 
@@ -17,7 +17,7 @@ using mesh::next;
 using mesh::number;
 using mesh::previous;
 
-// Divide and conquer asks about points as they are, so their sectors can be filled meanwhile.
+// Divide and conquer does not use the sectors, so a job can fill them in the meantime.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
                                        locate::SortedPoints&& sorted, const threads::Crew& crew,
@@ -28,8 +28,8 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
   all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
   DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
-  sorted.keys = std::vector<locate::Curve::Key>();       // not {}, which would keep the memory
-  sorted.points.insert(sorted.points.begin(), Point{});  // the ghost's
+  sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory
+  sorted.points.insert(sorted.points.begin(), Point{});  // the point of the ghost
   place_all(std::move(sorted.points));
   mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
@@ -46,7 +46,7 @@ void Triangulation<Geometry>::place_all(std::vector<Point>&& points) {
   }
 }
 
-// Around the ghost, clockwise, stand the vertices on the border, counter-clockwise around the box.
+// The neighbours of the ghost, clockwise around it, are the vertices on the border, counter-clockwise around the box.
 template <class Geometry>
 void Triangulation<Geometry>::fix_border(const std::array<mesh::Label, 4>& side_labels) {
   mesh::HalfEdge h = mesh_.find(ghost_, box_corners_[0]);
@@ -102,8 +102,9 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
   return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(start), ghost_);
 }
 
-/// A half-edge of a face in the box, as near to the point as is known at no cost: where the last change was, or where
-/// the point's sector says. A vertex that a sector remembers may be elsewhere by now; then those around are asked.
+/// A half-edge of a face in the box near the point. It comes from the last change or from the vertex that the point's
+/// sector remembers, whichever is nearer. If both are far away (the slot of the remembered vertex may have been used
+/// again for a vertex elsewhere), the function also asks the sectors around.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {
@@ -128,7 +129,8 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   return is_ghost_face(h) ? inner_side(h) : h;
 }
 
-/// Where a walk was long although it came from within the point's sector, the sector is crowded.
+/// Divides the point's sector after a long walk, if the vertex that the sector remembers lies in the sector. A walk
+/// that is long in spite of this vertex shows that the sector is crowded.
 template <class Geometry>
 void Triangulation<Geometry>::divide_sector(const Point& point) {
   const mesh::Vertex v = sectors_.near(sectors_.at(point));
@@ -136,7 +138,7 @@ void Triangulation<Geometry>::divide_sector(const Point& point) {
   if (sectors_.are_in_one(point, geometry_.nearest(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }
 
-/// Of a half-edge in a ghost face, one in the face on the other side of the border there.
+/// For a half-edge in a ghost face: a half-edge of the adjacent face in the box.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
   while (mesh_.apex(h) != ghost_) h = next(h);
@@ -157,11 +159,11 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
     remember(place.h);
     return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
   }
-  // In a large world, all of this waits for memory. So what lies beyond the face is fetched at once, while room is made
-  // for the vertex.
+  // In a large world, an insertion mostly waits for memory. The code therefore prefetches the adjacent faces first, and
+  // then makes the vertex.
   for (const mesh::HalfEdge h : {place.h, next(place.h), previous(place.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
-  const bool parts_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
+  const bool splits_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
   const mesh::Vertex end = mesh_.origin(place.h);
   in_doubt_.clear();
   if (place.spot == locate::Spot::face) {
@@ -173,7 +175,7 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
   }
   legalise_around_apex();
   remember(mesh_.outgoing(v));
-  return {v, true, parts_fixed_edge ? mesh_.find(v, end) : mesh::kNoHalfEdge};
+  return {v, true, splits_fixed_edge ? mesh_.find(v, end) : mesh::kNoHalfEdge};
 }
 
 template <class Geometry>
@@ -196,8 +198,8 @@ mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
   return v;
 }
 
-// A queue, for a chain of flips can be as long as the mesh is large, and while an edge waits for its turn, what lies
-// beyond it comes from memory. Source: Lawson, *Software for C1 surface interpolation*, 1977.
+// Uses a queue, because a chain of flips can be as long as the mesh is large. While an edge waits in the queue, the
+// processor fetches the data beyond it. Source: Lawson, *Software for C1 surface interpolation*, 1977.
 template <class Geometry>
 void Triangulation<Geometry>::legalise_around_apex() {
   for (const mesh::HalfEdge h : in_doubt_) prefetch_apex_beyond(h);
@@ -219,8 +221,8 @@ bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
   return is_legal(h, view(mesh_.apex(h)));
 }
 
-//        c
-//      /   \         The edge a - b is legal when d lies outside the circle through a, b and c.
+//        c        The edge a - b is legal if d lies outside the circle through a, b and c.
+//      /   \.
 //    a ----- b
 //      \   /
 //        d
@@ -231,7 +233,7 @@ bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h, const View& c) const {
   return sign == exact::Sign::zero ? is_legal_on_circle(h) : sign == exact::Sign::negative;
 }
 
-// When all four lie on a circle, the edge is legal when the first of them is a or b.
+// If all four vertices lie on a circle, the edge is legal if the first of them in (x, y) order is a or b.
 template <class Geometry>
 bool Triangulation<Geometry>::is_legal_on_circle(mesh::HalfEdge h) const {
   const mesh::HalfEdge t = mesh_.twin(h);

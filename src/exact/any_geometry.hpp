@@ -10,17 +10,18 @@
 
 namespace waywright::exact {
 
-/// What the triangulations ask of the arithmetic below them: the places of vertices, named by index, and four questions
-/// about them; all lie in the box that it is made with. `exact::Geometry` is the library's; its members say what each
-/// of these does. Any other that answers the questions alike may take its place; one whose answers are wrong (rounded
-/// ones) gets meshes that are.
+/// What the triangulations need from the arithmetic below them. It stores the positions of vertices by index and has
+/// four predicates and constructions: orientation, in-circle, order, and the crossing of two lines. The constructor
+/// takes a box that contains all points. `exact::Geometry` is the library's implementation; the comments on its members
+/// describe each function. Any class that gives the same answers can replace it. A class that gives wrong answers
+/// (rounded ones) produces wrong meshes.
 ///
-/// `View` is how a place is handed to a question. One of a vertex stays valid until a vertex is added; one of a point
-/// does so for as long as it is kept.
+/// A `View` is a position in the form that the predicates take. The view of a vertex stays valid until a vertex is
+/// added. The view of a point stays valid as long as the caller keeps it.
 template <class G>
 concept AnyGeometry = std::constructible_from<G, const Box&> && std::semiregular<typename G::View> &&
     requires(G& changed, const G& asked, std::uint32_t vertex, const Point& point, const typename G::View& view) {
-  // Places come and go, and can be taken back to the last begin().
+  // These functions set and clear positions. roll_back() takes all changes since the last begin() back.
   changed.place(vertex, point);
   changed.place_crossing(vertex, vertex, vertex, vertex, vertex);
   changed.clear(vertex);
@@ -29,10 +30,10 @@ concept AnyGeometry = std::constructible_from<G, const Box&> && std::semiregular
 
   { asked.view(vertex) } -> std::convertible_to<typename G::View>;
   { asked.view(point) } -> std::convertible_to<typename G::View>;
-  // The place in doubles, for output and for hints on where to search.
+  // The position, rounded to doubles: for output and for hints where to start a search.
   { asked.nearest(vertex) } -> std::convertible_to<Point>;
 
-  // The other three questions: which side of a line, inside which circle, which comes first.
+  // The three predicates: left or right of a line, inside or outside a circle, first or second in (x, y) order.
   { asked.orientation(view, view, view) } -> std::same_as<Sign>;
   { asked.in_circle(view, view, view, view) } -> std::same_as<Sign>;
   { asked.order(view, view) } -> std::same_as<std::strong_ordering>;

@@ -4,7 +4,8 @@
 
 namespace waywright::exact {
 
-/// Always on. By thread, so that queries that run at once write nothing that another reads; no answer depends on it.
+/// The counters of the calling thread. They are always on, and no answer depends on them. Each thread has its own, so
+/// concurrent queries do not write to memory that another thread reads.
 inline constinit thread_local PredicateCounts counts{};
 
 }  // namespace waywright::exact

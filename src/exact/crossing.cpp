@@ -23,14 +23,15 @@ struct RoundedNumber {
   bool is_exact = true;
 };
 
-/// A quotient's leading bits: 55 or 56 of them, or all.
+/// The leading 55 or 56 bits of a quotient; the whole quotient if the division leaves no remainder.
 struct Quotient {
   std::uint64_t bits;
   bool has_remainder;
 };
 
-// Of at least 55 bits, the last set where the division left a remainder, the conversion rounds as the true value does:
-// the 53 bits kept, the one that decides, and a sticky one. Results are at least 2^-700, so none is subnormal.
+// Sets the last of at least 55 bits if the division left a remainder. The bits then are the 53 bits that a double
+// keeps, the bit that decides the rounding, and a sticky bit: the conversion to double rounds them like the exact
+// quotient. Results are at least 2^-700, so none is subnormal.
 RoundedNumber round(const Quotient& quotient, int exponent, bool is_negative) {
   const std::uint64_t bits = quotient.bits | (quotient.has_remainder ? 1 : 0);
   const auto rounded = static_cast<double>(bits);
@@ -39,7 +40,8 @@ RoundedNumber round(const Quotient& quotient, int exponent, bool is_negative) {
   return {is_negative ? -nearest : nearest, is_exact};
 }
 
-/// For a quotient of 55 or 56 bits: what to shift a numerator of so many bits by, or if negative the denominator.
+/// The number of bits by which to shift the numerator for a quotient of 55 or 56 bits. If it is negative: shift the
+/// denominator by its absolute value instead.
 int shift_for(int numerator_bits, int denominator_bits) { return 55 + denominator_bits - numerator_bits; }
 
 RoundedNumber round_quotient(const Integer& numerator, const Integer& denominator, int exponent) {
@@ -56,7 +58,8 @@ RoundedNumber round_quotient(const Integer& numerator, const Integer& denominato
   return round({static_cast<std::uint64_t>(quotient), remainder != 0}, exponent - shift, numerator < 0);
 }
 
-/// Requires: neither is negative, the quotient is less than 2^57. Guessed in doubles, and put right by what remains.
+/// Guesses the quotient in doubles and corrects the guess by the remainder. Requires: both numbers are non-negative,
+/// the quotient is less than 2^57.
 template <std::size_t kLimbs>
 Quotient divide(const WideInteger<kLimbs>& numerator, const WideInteger<kLimbs>& denominator) {
   const double divisor = denominator.approximate();
@@ -73,7 +76,8 @@ Quotient divide(const WideInteger<kLimbs>& numerator, const WideInteger<kLimbs>&
   return {static_cast<std::uint64_t>(quotient), remainder.sign() != Sign::zero};
 }
 
-// A dividend of 56 bits more than a denominator has fits the limb that coordinates have more than denominators.
+// A shifted numerator has at most 56 bits more than the denominator. It fits, because coordinates have one limb more
+// than denominators.
 template <std::size_t kW>
 RoundedNumber round_quotient(const WideInteger<kW + 1>& numerator, const WideInteger<kW>& denominator, int exponent) {
   if (numerator.sign() == Sign::zero) return {};
@@ -84,7 +88,7 @@ RoundedNumber round_quotient(const WideInteger<kW + 1>& numerator, const WideInt
   return round(quotient, exponent - shift, numerator.is_negative());
 }
 
-/// Of numerators and denominators of any kind.
+/// Rounds both coordinates. Works with every type of integers that has round_quotient().
 template <class Number, class Denominator>
 RoundedCrossing round_both(const Number& x, const Number& y, const Denominator& w, int exponent) {
   const RoundedNumber rounded_x = round_quotient(x, w, exponent);
@@ -126,7 +130,8 @@ bool are_whole(const Crossing& crossing) {
   return fractions.x + fractions.y == 0.0;
 }
 
-/// A product, exactly. Source: Dekker, *A floating-point technique for extending the available precision*, 1971.
+/// The exact product, as the sum of `rounded` and `error`. Source: Dekker, *A floating-point technique for extending
+/// the available precision*, 1971.
 struct Product {
   double rounded;
   double error;
@@ -143,7 +148,7 @@ Product multiply_exactly(double a, double b) {
   return {product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)};
 }
 
-/// Whether a rounded quotient is the quotient itself.
+/// Whether the rounded quotient equals the exact quotient.
 bool is_quotient(double rounded, double numerator, double denominator) {
   const Product product = multiply_exactly(rounded, denominator);
   return product.rounded == numerator && product.error == 0.0;
@@ -153,9 +158,10 @@ double magnitude(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y))
 
 }  // namespace
 
-// Whether a number was rounded shows in its size (see is_whole). So it is enough to look at the results; and at none
-// that is only multiplied, for it then is 0 or no larger than the product, or it is multiplied by 0, and it makes no
-// difference whether it was rounded. Numerators and w being exact, IEEE's division rounds their quotients correctly.
+// All numbers here are whole, so a number below 2^53 was not rounded (see is_whole). It is enough to test the results.
+// A number that is only a factor of a product needs no test of its own: it is 0, or its absolute value is at most that
+// of the product, or the other factor is 0, and then its rounding makes no difference. The numerators and w are exact,
+// so IEEE division rounds their quotients correctly.
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const auto& [a, b, c, d] = crossing;
   if (!are_whole(crossing)) return std::nullopt;
@@ -167,13 +173,13 @@ std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const double w = w_terms.x - w_terms.y;
   const double t = t_terms.x - t_terms.y;
   const Point bases{a.x * w, a.y * w};
-  const Point ways{t * ab.x, t * ab.y};
-  const Point numerator{bases.x + ways.x, bases.y + ways.y};
+  const Point steps{t * ab.x, t * ab.y};
+  const Point numerator{bases.x + steps.x, bases.y + steps.y};
   const double largest =
-      std::max(std::max(std::max(magnitude(w_terms), magnitude(t_terms)), std::max(magnitude(bases), magnitude(ways))),
+      std::max(std::max(std::max(magnitude(w_terms), magnitude(t_terms)), std::max(magnitude(bases), magnitude(steps))),
                std::max(magnitude(numerator), std::abs(w)));
   if (!(largest < kLargestExact)) return std::nullopt;
-  const Point nearest{numerator.x / w + 0.0, numerator.y / w + 0.0};  // never -0
+  const Point nearest{numerator.x / w + 0.0, numerator.y / w + 0.0};  // adding 0 changes -0 into 0
   const bool is_exact = is_quotient(nearest.x, numerator.x, w) && is_quotient(nearest.y, numerator.y, w);
   return RoundedCrossing{nearest, is_exact};
 }

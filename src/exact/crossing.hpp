@@ -10,15 +10,15 @@
 
 namespace waywright::exact {
 
-/// A crossing's coordinates, each rounded to the nearest double (ties to even).
+/// The coordinates of a crossing, each rounded to the nearest double (ties to even).
 struct RoundedCrossing {
   Point nearest;
-  bool is_exact = false;  ///< `nearest` is the crossing itself, and in range
+  bool is_exact = false;  ///< whether `nearest` equals the crossing and is in range
 };
 
-// The stages of round_to_nearest, the cheapest first, as those of the predicates.
+// The stages of round_to_nearest, the cheapest first, like the stages of the predicates.
 namespace by_construction {
-/// Of two lines parallel to the axes, which cross in a pair of their coordinates. Empty where they aren't.
+/// For two lines that are parallel to the axes: their crossing has one coordinate of each line. Empty for other lines.
 [[nodiscard]] inline std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   const auto& [a, b, c, d] = crossing;
   if (a.x == b.x && c.y == d.y) return RoundedCrossing{{a.x, c.y}, true};
@@ -27,11 +27,11 @@ namespace by_construction {
 }
 }  // namespace by_construction
 namespace doubles {
-/// Of whole numbers so small that nothing but the quotient is rounded. Empty where the points aren't such.
+/// For whole numbers that are small enough that only the quotient is rounded. Empty for other numbers.
 [[nodiscard]] std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing);
 }  // namespace doubles
 namespace lattice {
-/// In integers of fixed width. Empty where the points lie on no lattice that is coarse enough.
+/// In integers of fixed width. Empty if no lattice that contains the points is coarse enough.
 [[nodiscard]] std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing);
 }  // namespace lattice
 namespace integers {
@@ -39,11 +39,11 @@ namespace integers {
 }  // namespace integers
 
 namespace detail {
-/// The stages after the first, one after the other.
+/// Runs the stages after the first, one after the other.
 [[nodiscard]] RoundedCrossing round_other_to_nearest(const Crossing& crossing);
 }  // namespace detail
 
-/// Requires: the crossing's two lines are not parallel, its points in range.
+/// Returns the rounded crossing. Requires: the two lines are not parallel, and the four points are in range.
 [[nodiscard]] inline RoundedCrossing round_to_nearest(const Crossing& crossing) {
   if (const auto rounded = by_construction::round_to_nearest(crossing)) {
     ++counts.crossing.doubles;
@@ -52,7 +52,7 @@ namespace detail {
   return detail::round_other_to_nearest(crossing);
 }
 
-/// "XNUM XDEN YNUM YDEN": the point as reduced fractions, denominators positive.
+/// Returns "XNUM XDEN YNUM YDEN": the point as reduced fractions with positive denominators.
 [[nodiscard]] std::string to_fractions(const ExactPoint& point);
 
 }  // namespace waywright::exact

@@ -6,17 +6,18 @@
 
 namespace waywright::exact {
 
-/// Where the line through `a` and `b` meets the line through `c` and `d`: four explicit points, never constructed ones,
-/// so that the degree of no predicate grows with the history. The lines are not parallel.
+/// The point where the line through `a` and `b` meets the line through `c` and `d`. These four points are always
+/// explicit, never constructed, so the degree of the predicates does not grow with the number of operations. Requires:
+/// the lines are not parallel.
 struct Crossing {
   Point a, b, c, d;
 };
 
-/// A point as the predicates see it. Explicit: `crossing` is null and (x, y) is the point. Constructed: the point is
-/// the crossing's, (x, y) each of its coordinates rounded to the nearest double.
+/// A point in the form that the predicates take. An explicit point has no `crossing` (null) and is (x, y). A
+/// constructed point is the crossing, and x and y are its coordinates, each rounded to the nearest double.
 ///
-/// A crossing whose coordinates happen to be doubles in range is kept as an explicit point; so an explicit and a
-/// constructed point are never equal, and equal points have equal (x, y).
+/// The library stores a crossing whose coordinates are doubles in range as an explicit point. Hence an explicit and a
+/// constructed point are never equal. Equal points have equal (x, y).
 struct ExactPoint {
   double x = 0.0;
   double y = 0.0;

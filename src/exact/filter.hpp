@@ -10,54 +10,65 @@
 #include "exact/exact_point.hpp"
 #include "exact/sign.hpp"
 
-// Stage 1 of the predicates: doubles with a proven error bound. Write u = 2^-53, and hats for what is computed. There
-// are three bounds: of orientations in a box, one for all; a coarse one that costs little, holds for points of any kind
-// and decides nearly all that is left; and a fine one.
+// Stage 1 of the predicates: doubles with a proven error bound. Notation: u = 2^-53, and d^ ("d hat") is the computed
+// value of d. There are three bounds: one constant for all orientations in a box; a coarse bound, which is cheap, holds
+// for points of any kind and decides nearly all predicates that the constant leaves open; and a fine bound.
 //
-// Explicit points. With exact inputs a difference is computed as d^ = d (1 + e), |e| <= u, and Shewchuk's analysis
-// (*Adaptive precision floating-point arithmetic*, 1997, section 4) bounds the error of the determinants by
+// Explicit points. The inputs are exact, and the computed value of a difference d is d^ = d (1 + e) with |e| <= u.
+// Shewchuk's analysis (*Adaptive precision floating-point arithmetic*, 1997, section 4) bounds the error of the
+// determinants by
 //   orientation: (3 + 16 u) u (|l^| + |r^|), where the determinant is l - r;
-//   in-circle:   (10 + 96 u) u permanent^, the determinant's own expression with every term taken absolute.
-// In range (exact_point.hpp) nothing overflows, and no non-zero product of up to four differences is below 2^-608.
+//   in-circle:   (10 + 96 u) u permanent^, where the permanent is the expression of the determinant with the absolute
+//                value of every term.
+// For coordinates in range (kLargestCoordinate, kSmallestCoordinate) nothing overflows, and no non-zero product of up
+// to four differences is below 2^-608.
 //
-// Constructed points. Their coordinates are rounded to nearest, so a true coordinate differs from the one at hand by at
-// most u m, where m is the largest magnitude among the coordinates at hand. A true difference is then d^ (1 + e) + n
-// with |n| <= 2 u m. Let S be the sum of all |d^|, and L the largest. On account of the n alone, the determinants move
-// by no more than
-//   orientation: 2 u m (1 + u) S + 2 (2 u m)^2, for each of its two products moves by |n1 d2| + |n2 d1| + |n1 n2|;
-//   in-circle:   96 u m (L (1 + u) + 2 u m)^3, for each of its 12 monomials of degree 4 moves by at most
-//                (L (1 + u) + 2 u m)^4 - (L (1 + u))^4 <= 4 (2 u m) (L (1 + u) + 2 u m)^3,
-// to be added to the bounds above. A coordinate is at most as far from 0 as the last point's in its axis and the two's
-// difference are together, so m is no larger than the sum of the last point's coordinates' magnitudes and S, or L. The
-// constants in the code are a few per cent larger, which covers the rounding of the bounds themselves. A crossing can
-// lie much nearer to 0 than any explicit coordinate, so that products may underflow; each such loss is below 2^-1022,
-// and a sign is only trusted when the determinant exceeds 2^-1000.
+// Constructed points. Their stored coordinates are rounded to nearest. A true coordinate differs from the stored one by
+// at most u m, where m is the largest magnitude of the stored coordinates. A true difference is then d^ (1 + e) + n
+// with |n| <= 2 u m. Let S be the sum of all |d^|, and L the largest of them. The terms n alone change the determinants
+// by at most
+//   orientation: 2 u m (1 + u) S + 2 (2 u m)^2, because each of its two products changes by at most
+//                |n1 d2| + |n2 d1| + |n1 n2|;
+//   in-circle:   96 u m (L (1 + u) + 2 u m)^3, because each of its 12 monomials of degree 4 changes by at most
+//                (L (1 + u) + 2 u m)^4 - (L (1 + u))^4 <= 4 (2 u m) (L (1 + u) + 2 u m)^3.
+// These errors are added to the bounds above. The magnitude of a coordinate is at most the magnitude of the last
+// point's coordinate on the same axis plus the magnitude of their difference. Hence m is at most the sum of the
+// magnitudes of the last point's coordinates and S (for orientation) or L (for in-circle). The constants in the code
+// are a few per cent larger, which covers the rounding errors of the bounds themselves. A crossing can lie much nearer
+// to 0 than any explicit coordinate, so products may underflow. Each underflow loses less than 2^-1022, and the code
+// trusts a sign only if the determinant exceeds 2^-1000.
 //
-// That is the fine bound. The coarse one takes all points for constructed and puts squares for magnitudes. Let s = t^2
-// be the sum of the squares of all d^, and q = |p|^2 that of the last point's coordinates; so m <= |p| + t, and
-// |p| t <= 2^-11 q + 2^9 s, for (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
+// This was the fine bound. The coarse bound treats all points as constructed and uses squares in place of magnitudes.
+// Let s = t^2 be the sum of the squares of all d^, and let q = |p|^2 be the sum of the squares of the last point's
+// coordinates. Then m <= |p| + t, and |p| t <= 2^-11 q + 2^9 s, because (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
 //   Orientation: |l| + |r| <= s / 2 and S <= 2 t, so the error is at most u times
-//     (3 / 2) s + 4 t (|p| + t) <= 2053.5 s + q / 512, and 8 u^2 m^2, which is nothing beside these.
-//   In-circle: the vectors from d have lengths a, b, c, a^2 + b^2 + c^2 = s. By Cauchy-Schwarz the permanent is at
-//     most a b c (a + b + c) <= a^2 b^2 + b^2 c^2 + c^2 a^2 <= s^2 / 3. The gradient by the first vector is at most
-//     2 a b c + b c (b + c), the length of a 2 (b x c) and of b |c|^2 - c |b|^2; all three together are
-//     (a + b) (b + c) (c + a) + 4 a b c <= (12 / 27) (a + b + c)^3 <= 2.3095 t^3. Each vector is off by 2 sqrt(2) u m
-//     at most, so the error is at most u times
+//     (3 / 2) s + 4 t (|p| + t) <= 2053.5 s + q / 512,
+//   plus 8 u^2 m^2, which is negligible beside these terms.
+//   In-circle: let a, b and c be the lengths of the vectors from d to the other points; a^2 + b^2 + c^2 = s. By
+//     Cauchy-Schwarz the permanent is at most
+//     a b c (a + b + c) <= a^2 b^2 + b^2 c^2 + c^2 a^2 <= s^2 / 3.
+//     The gradient with respect to the first vector has the terms a 2 (b x c) and b |c|^2 - c |b|^2, so its length is
+//     at most 2 a b c + b c (b + c). The sum of the three gradients' lengths is at most
+//     (a + b) (b + c) (c + a) + 4 a b c <= (12 / 27) (a + b + c)^3 <= 2.3095 t^3.
+//     Each vector is off by at most 2 sqrt(2) u m, so the error is at most u times
 //     (10 / 3) s^2 + 6.533 t^3 (|p| + t) <= s (3355 s + q / 313),
-//     if t is hardly shorter than on any vectors between the true and the computed ones. It is, where the determinant
-//     exceeds the bound: being at most the permanent, it only can where s > q u / 313, so that u m < 2^-22 t.
-// Again the constants are a few per cent larger.
+//     provided that t is not much shorter than for any vectors between the true and the computed ones. This is the case
+//     whenever the determinant exceeds the bound: the determinant is at most the permanent, so it can exceed the bound
+//     only if s > q u / 313, and then u m < 2^-22 t.
+// The constants in the code are a few per cent larger here, too.
 //
-// In a box of width w and height h whose corners' largest magnitude is M, so are rounded coordinates, for rounding is
-// monotone. So |l| and |r| are at most w h, S is at most 2 (w + h), and m is at most M: which in the coarse bound of
-// in-circle takes the place of |p| + t, so that M^2 may take that of q, also in what says that t is hardly shorter.
+// A box of width w and height h: let M be the largest magnitude of its corners' coordinates. Rounded coordinates also
+// lie in the box, because rounding is monotone. Hence |l| and |r| are at most w h, S is at most 2 (w + h), and m is at
+// most M. In the coarse bound of in-circle, M may replace |p| + t, and M^2 may replace q, also in the argument that t
+// is not much shorter.
 
 namespace waywright::exact::filter {
 
 inline constexpr double kHalfUlp = 0x1p-53;
 inline constexpr double kUnderflow = 0x1p-1000;
 
-/// One branch that is nearly always taken, and none on the sign itself. Zero where the error could hide the sign.
+/// The sign of the determinant, or zero if the error could hide the sign. The function has one branch, which is nearly
+/// always taken, and no branch on the sign itself.
 [[nodiscard]] inline Sign sign_beyond(double determinant, double error) {
   if (std::abs(determinant) > error) [[likely]]
     return determinant > 0.0 ? Sign::positive : Sign::negative;
@@ -69,8 +80,8 @@ template <class Place>
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
-/// The in-circle determinant, and what it is made of: the points as seen from the last, and the squares of their
-/// distances. In plain numbers, not points, which compilers would put together again and take apart.
+/// The in-circle determinant and its terms: the points relative to the last one, and the squares of their distances
+/// from it. The members are numbers and not points, because compilers would pack points and unpack them again.
 struct CircleTerms {
   double adx, ady, bdx, bdy, cdx, cdy;
   double a_lift, b_lift, c_lift;
@@ -99,7 +110,7 @@ template <class Place>
                   std::max(std::abs(box.min.y), std::abs(box.max.y)));
 }
 
-/// What the orientation's determinant of any points in the box is never off by.
+/// An upper bound of the error of the orientation determinant, for all points in the box.
 [[nodiscard]] inline double largest_orientation_error(const Box& box) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
@@ -107,7 +118,7 @@ template <class Place>
   return 6.2 * kHalfUlp * width * height + 4.1 * rounding * (width + height) + 9.0 * rounding * rounding + kUnderflow;
 }
 
-/// That of the rounded coordinates.
+/// Compares the rounded coordinates: first x, then y.
 template <class Place>
 [[nodiscard]] std::strong_ordering order(const Place& p, const Place& q) {
   const bool by_x = p.x != q.x;
@@ -118,8 +129,8 @@ template <class Place>
                        : std::strong_ordering::equal;
 }
 
-/// Of points of any kind, of which only the rounded coordinates are looked at. Zero where the rounding error could hide
-/// the sign, as it does whenever that is zero.
+/// Predicates for points of any kind, which use only the rounded coordinates. They return zero if the rounding error
+/// could hide the sign, which is always the case if the sign is zero.
 namespace coarse {
 
 inline constexpr double kOrientationBySquares = 2100.0 * kHalfUlp;
@@ -139,7 +150,7 @@ template <class Place>
   return sign_beyond(acx * bcy - acy * bcx, error);
 }
 
-/// `place` is the last point's own in_circle_place(), or that of a box with all four.
+/// `place` is in_circle_place() of the last point, or of a box that contains all four points.
 template <class Place>
 [[nodiscard]] Sign in_circle(const Place& a, const Place& b, const Place& c, const Place& d, double place) {
   const CircleTerms terms = circle_terms(a, b, c, d);
@@ -158,26 +169,27 @@ template <class Place>
 
 }  // namespace coarse
 
-/// Whether three explicit points lie on a line parallel to an axis, or the last at one of the others: where walls are
-/// laid out on a grid, by far the most common tie. Then both products of the determinant have a factor 0.
+/// Whether three explicit points lie on a line parallel to an axis, or the last point equals one of the others. Then
+/// both products of the determinant have a factor 0. Where walls lie on a grid, this is the most common tie by far.
 template <class Place>
 [[nodiscard]] bool is_flat(const Place& a, const Place& b, const Place& c) {
   if (a.x == c.x) return b.x == c.x || a.y == c.y;
   return b.y == c.y && (a.y == c.y || b.x == c.x);
 }
 
-/// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. So they lie on a
-/// circle, and nothing needs computing: where walls are laid out on a grid, that is by far the most common tie.
+/// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. Such points lie on a
+/// circle, so nothing needs to be computed. Where walls lie on a grid, this is the most common tie by far.
 template <class Place>
 [[nodiscard]] bool is_rectangle(const Place& a, const Place& b, const Place& c, const Place& d) {
-  const auto faces = [&](const Place& p, const Place& q, const Place& r) {  // the side d - p, the side q - r
+  const auto is_opposite = [&](const Place& p, const Place& q,
+                               const Place& r) {  // whether d - p and q - r are opposite sides
     return q.x == r.x && ((q.y == d.y && r.y == p.y) || (q.y == p.y && r.y == d.y));
   };
-  if (d.x == a.x) return faces(a, b, c);
-  return d.x == b.x ? faces(b, c, a) : d.x == c.x && faces(c, a, b);
+  if (d.x == a.x) return is_opposite(a, b, c);
+  return d.x == b.x ? is_opposite(b, c, a) : d.x == c.x && is_opposite(c, a, b);
 }
 
-/// Empty where the rounding error could hide the sign.
+/// Predicates with the fine bound. They return nothing if the rounding error could hide the sign.
 namespace fine {
 
 inline constexpr double kOrientationBound = (3.0 + 16.0 * kHalfUlp) * kHalfUlp;

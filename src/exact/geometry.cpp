@@ -5,7 +5,7 @@
 namespace waywright::exact {
 
 void Geometry::place(std::uint32_t vertex, const Point& point) {
-  while (vertex >= places_.size()) places_.emplace_back();  // once, nearly always
+  while (vertex >= places_.size()) places_.emplace_back();  // nearly always adds at most one entry
   log(vertex);
   places_[vertex] = point;
   if (vertex < crossing_of_.size()) crossing_of_[vertex] = kExplicit;

@@ -18,25 +18,26 @@
 
 namespace waywright::exact {
 
-/// The places of a mesh's vertices, and the four questions that the combinatorial code asks about them: orientation,
-/// in-circle, order, and where two segments cross. Other arithmetic can take its place: see AnyGeometry.
+/// The positions of a mesh's vertices, with the functions that the combinatorial code asks for: the predicates
+/// orientation, in-circle and order, and the crossing of two segments. Other arithmetic can replace this class: see
+/// AnyGeometry.
 ///
-/// Places are logged as they change and can be taken back to the last begin().
+/// An undo log records the changes of positions, and roll_back() takes them back to the last begin().
 ///
-/// A vertex is named by its index. A question is answered by rounded coordinates, where these are enough; only where
-/// they aren't is it looked up whether a vertex is constructed, and of which lines.
+/// A vertex is named by its index. The predicates first use rounded coordinates. Only if these do not decide, the
+/// predicates look up whether a vertex is constructed, and from which lines.
 class Geometry {
   static constexpr std::uint32_t kNoVertex = 0xffffffff;
 
  public:
-  /// How a place is handed to a question: rounded, and whose it is.
+  /// A position in the form that the predicates take: the rounded coordinates, and the vertex at that position.
   struct View {
     double x = 0.0;
     double y = 0.0;
     std::uint32_t vertex = kNoVertex;  ///< kNoVertex: an explicit point
   };
 
-  /// The line from one place to another, for asking of many on which side of it they lie.
+  /// The line from one position to another, for tests of many positions against one line.
   struct Line {
     View from;
     View to;
@@ -46,21 +47,24 @@ class Geometry {
     Line(const View& a, const View& b) : from(a), to(b), dx(b.x - a.x), dy(b.y - a.y) {}
   };
 
-  /// Requires: all vertices, and all points asked about, lie in the box.
+  /// Requires: all vertices, and all points that are passed to view(), lie in the box.
   explicit Geometry(const Box& box)
       : orientation_error_(filter::largest_orientation_error(box)),
         in_circle_place_(filter::coarse::in_circle_place(box)) {}
 
-  /// Puts an explicit point, in range, at `vertex`, growing the table where needed.
+  /// Sets the position of `vertex` to an explicit point. Makes the table longer if needed. Requires: the point is in
+  /// range.
   void place(std::uint32_t vertex, const Point& point);
-  /// Puts explicit points, in range, at the vertices from 0 on, for good. Requires: there are no places yet.
+  /// Sets the positions of the vertices from 0 on to explicit points. The undo log does not record this. Requires:
+  /// there are no positions yet, and the points are in range.
   void place_all(std::vector<Point>&& points) { places_ = std::move(points); }
-  /// Puts the crossing of the lines through (a, b) and (c, d), explicit vertices all, at `vertex`.
+  /// Sets the position of `vertex` to the crossing of the lines through (a, b) and (c, d). Requires: these four
+  /// vertices are explicit.
   void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
-  /// Forgets the place of `vertex`.
+  /// Removes the position of `vertex`, which frees its crossing.
   void clear(std::uint32_t vertex);
 
-  /// Starts the log anew.
+  /// Empties the undo log.
   void begin();
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
@@ -69,16 +73,16 @@ class Geometry {
     const Point& place = places_[vertex];
     return {place.x, place.y, vertex};
   }
-  /// Has the memory fetched that view(vertex) reads.
+  /// Prefetches the memory that view(vertex) reads.
   void prefetch(std::uint32_t vertex) const { base::prefetch(&places_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return {point.x, point.y, kNoVertex}; }
 
-  /// The vertex's coordinates, each as the nearest double.
+  /// The coordinates of the vertex, each rounded to the nearest double.
   [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex]; }
   [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return crossing_of(vertex) == kExplicit; }
-  /// Whether there may be a constructed vertex. If not, there is none.
+  /// Whether there may be a constructed vertex. If the result is false, there is none.
   [[nodiscard]] bool has_constructed() const { return !crossing_of_.empty(); }
-  /// The place itself. It stays valid until a vertex is added.
+  /// The exact position of a vertex. The result stays valid until a vertex is added.
   [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 
   [[nodiscard]] Sign orientation(const View& a, const View& b, const View& c) const {
@@ -89,9 +93,9 @@ class Geometry {
     }
     return finer_orientation(copy(a), copy(b), copy(c));
   }
-  /// The orientation of the line's two places and `c`.
+  /// The orientation of the line's two positions and `c`: positive if `c` lies left of the line.
   [[nodiscard]] Sign side(const Line& line, const View& c) const {
-    // The filter's determinant of the second place, c and the first, of which two differences are known.
+    // This is orientation_determinant(line.to, c, line.from); the line holds two of its four differences.
     const double determinant = line.dx * (c.y - line.from.y) - line.dy * (c.x - line.from.x);
     const Sign sign = filter::sign_beyond(determinant, orientation_error_);
     if (sign != Sign::zero) {
@@ -120,8 +124,8 @@ class Geometry {
     memory::count_spare(use, free_crossings_, left_crossings_);
     journal_.count_memory(use);
   }
-  /// Gives back spare memory, but not that of `free_crossings_`, which roll_back() needs. Requires: nothing has changed
-  /// since begin().
+  /// Frees spare memory, except that of `free_crossings_`, which roll_back() needs. Requires: nothing has changed since
+  /// begin().
   void shrink_to_fit() {
     memory::shrink(places_, crossing_of_, crossings_);
     memory::release(left_crossings_);
@@ -132,12 +136,13 @@ class Geometry {
   static constexpr std::uint32_t kExplicit = 0xffffffff;
 
   struct Undo {
-    Point place;  ///< the one before
+    Point place;  ///< the position before the change
     std::uint32_t vertex;
-    std::uint32_t crossing;  ///< the one before
+    std::uint32_t crossing;  ///< the crossing before the change
   };
 
-  // These take copies made for them, so that compilers keep the views of a question in registers until then.
+  // The callers pass copies of their views to these functions. A compiler can then keep the views themselves in
+  // registers until the call.
   [[nodiscard]] static View copy(const View& view) { return {view.x, view.y, view.vertex}; }
   [[nodiscard]] Sign finer_orientation(const View& a, const View& b, const View& c) const;
   [[nodiscard]] Sign finer_in_circle(const View& a, const View& b, const View& c, const View& d) const;
@@ -154,10 +159,10 @@ class Geometry {
   double orientation_error_;
   double in_circle_place_;
   std::vector<Point> places_;
-  std::vector<std::uint32_t> crossing_of_;  ///< of the vertices up to the last constructed one
+  std::vector<std::uint32_t> crossing_of_;  ///< by vertex, up to the last constructed one
   std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> free_crossings_;  ///< has room for all
-  std::vector<std::uint32_t> left_crossings_;  ///< free from the next begin() on; until then they may be taken back
+  std::vector<std::uint32_t> free_crossings_;  ///< always has capacity for all crossings
+  std::vector<std::uint32_t> left_crossings_;  ///< the next begin() frees them; roll_back() may restore them
   memory::Journal<Undo> journal_;
 };
 

@@ -18,7 +18,7 @@ Integer cross(const IntegerPoint& u, const IntegerPoint& v) { return u.x * v.y -
 
 }  // namespace
 
-// With a + t (b - a) on the line through c and d: t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
+// The point a + t (b - a) lies on the line through c and d if t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
 Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent) {
   const IntegerPoint a = to_integers(crossing.a, lattice_exponent);
   const IntegerPoint c = to_integers(crossing.c, lattice_exponent);

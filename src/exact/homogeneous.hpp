@@ -11,7 +11,7 @@
 
 namespace waywright::exact {
 
-/// A double as mantissa * 2^exponent, the mantissa odd (0 for 0).
+/// A double, written as mantissa * 2^exponent. The mantissa is odd, or 0 for 0.
 struct Dyadic {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -28,7 +28,8 @@ struct Dyadic {
   return {value < 0 ? -magnitude : magnitude, exponent};
 }
 
-/// The largest power of two of which every coordinate it was shown is a multiple: the points' common lattice.
+/// The exponent of the coarsest lattice that contains all coordinates passed to include(): the largest power of two of
+/// which all of them are multiples.
 class LatticeExponent {
  public:
   void include(double value) {
@@ -58,7 +59,8 @@ class LatticeExponent {
   int exponent_ = kNothingSeen;
 };
 
-/// The point (x / w, y / w) in units of 2^exponent of the lattice it was made for; w > 0.
+/// The point (x / w, y / w) in units of 2^lattice_exponent, where `lattice_exponent` is the argument that it was made
+/// with; w > 0.
 struct Homogeneous {
   Integer x, y, w;
 };
@@ -73,7 +75,7 @@ struct Homogeneous {
 [[nodiscard]] Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent);
 [[nodiscard]] Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent);
 
-/// Each coordinate rounded to the nearest double. Requires: no coordinate is as near to 0 as a subnormal double.
+/// Rounds each coordinate to the nearest double. Requires: no coordinate is as near to 0 as a subnormal double.
 [[nodiscard]] Point round_to_nearest(const Homogeneous& point, int lattice_exponent);
 
 }  // namespace waywright::exact

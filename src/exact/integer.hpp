@@ -4,7 +4,8 @@
 
 namespace waywright::exact {
 
-/// Arbitrary precision; no expression templates, so that `auto` and ternaries mean what they say.
+/// An integer of arbitrary precision. It uses no expression templates, so `auto` and the operator ?: have the type
+/// Integer.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 }  // namespace waywright::exact

@@ -16,14 +16,15 @@ namespace waywright::exact::lattice {
 
 namespace {
 
-/// Offsets so small that products of two, and sums of two of those, fit 64 bits.
+/// For offsets of at most this many bits, a product of two offsets fits 64 bits, and so does a sum of two such
+/// products.
 constexpr int kSmallBits = 30;
 
-/// The given points as offsets from a point of the last one's.
+/// The points as offsets from an origin: the last point, or a point of its crossing.
 template <std::size_t kCount>
-class Gathered {
+class CommonOffsets {
  public:
-  explicit Gathered(const std::array<const ExactPoint*, kCount>& points)
+  explicit CommonOffsets(const std::array<const ExactPoint*, kCount>& points)
       : points_(points), offsets_(points.back()->is_explicit() ? nearest(*points.back()) : points.back()->crossing->a) {
     for (const ExactPoint* const point : points) {
       if (point->is_explicit()) {
@@ -63,8 +64,8 @@ class Gathered {
 
 // The sign of | a.x a.y a.w |
 //             | b.x b.y b.w |
-//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0. An explicit c is the
-//             origin.
+//             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0. If c is explicit, it is
+//             the origin.
 template <std::size_t kW>
 Sign orientation_of(const std::array<LatticePoint<kW>, 3>& points, bool is_last_origin) {
   const auto& [a, b, c] = points;
@@ -80,8 +81,8 @@ struct Row {
   WideInteger<2 * kW> one;
 };
 
-// By Laplace along the first two columns: minors of those times the complementary minors of the last two. An explicit
-// last point is the origin, which leaves three rows and three columns.
+// Laplace expansion along the first two columns: each 2 x 2 minor of these columns times the complementary minor of the
+// last two columns. If the last point is explicit, it is the origin, and three rows and three columns remain.
 template <std::size_t kW>
 Sign in_circle_of(const std::array<LatticePoint<kW>, 4>& points, bool is_last_origin) {
   std::array<Row<kW>, 4> row;
@@ -116,8 +117,9 @@ WideInteger<2> lift(const LatticeVector& p) { return Offset(p.x) * Offset(p.x) +
 std::int64_t small_cross(const LatticeVector& p, const LatticeVector& q) { return p.x * q.y - p.y * q.x; }
 std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; }
 
-/// From `origin`, whose coordinates are whole, to `p`, where its are too and no further off than 2^kSmallBits: by far
-/// the most common lattice, seen at once.
+/// The vector from `origin` to `p`. Empty unless the coordinates of `p` are whole numbers that differ from those of
+/// `origin` by at most 2^kSmallBits. This test recognises by far the most common lattice without a search for it.
+/// Requires: the coordinates of `origin` are whole numbers.
 std::optional<LatticeVector> whole_offset(const ExactPoint& p, const ExactPoint& origin) {
   constexpr double kFurthest = std::int64_t{1} << kSmallBits;
   const double x = p.x - origin.x;
@@ -160,7 +162,7 @@ std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b,
   return (lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q)).sign();
 }
 
-/// Puts an explicit point last, where there is one; whether that swapped two.
+/// Moves an explicit point to the last position, if there is one. Returns whether it swapped two points.
 template <std::size_t kCount>
 bool put_explicit_last(std::array<const ExactPoint*, kCount>& points) {
   if (points.back()->is_explicit()) return false;
@@ -176,15 +178,16 @@ std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const 
   if (a.is_explicit() && b.is_explicit() && c.is_explicit()) return explicit_orientation(a, b, c);
   std::array points{&a, &b, &c};
   const bool is_swapped = put_explicit_last(points);
-  Gathered<3> gathered(points);
-  if (!gathered.find_lattice()) return std::nullopt;
+  CommonOffsets<3> offsets(points);
+  if (!offsets.find_lattice()) return std::nullopt;
   const bool is_last_origin = points.back()->is_explicit();
-  const Sign sign = gathered.is_narrow() ? orientation_of<1>(gathered.to_lattice<1>(), is_last_origin)
-                                         : orientation_of<2>(gathered.to_lattice<2>(), is_last_origin);
+  const Sign sign = offsets.is_narrow() ? orientation_of<1>(offsets.to_lattice<1>(), is_last_origin)
+                                        : orientation_of<2>(offsets.to_lattice<2>(), is_last_origin);
   return is_swapped ? -sign : sign;
 }
 
-// Where the squares of all offsets make at most 2^30, no term of the determinant is larger than 2^60, nor is their sum.
+// If the sum of the squares of all offsets is at most 2^30, neither a term of the determinant nor the sum of its terms
+// exceeds 2^60.
 std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                     const ExactPoint& d) {
   constexpr double kMostSquares = 0x1p30;
@@ -209,16 +212,16 @@ std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const Ex
   if (a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit()) return explicit_in_circle(a, b, c, d);
   std::array points{&a, &b, &c, &d};
   const bool is_swapped = put_explicit_last(points);
-  Gathered<4> gathered(points);
-  if (!gathered.find_lattice()) return std::nullopt;
+  CommonOffsets<4> offsets(points);
+  if (!offsets.find_lattice()) return std::nullopt;
   const bool is_last_origin = points.back()->is_explicit();
-  const Sign sign = gathered.is_narrow() ? in_circle_of<1>(gathered.to_lattice<1>(), is_last_origin)
-                                         : in_circle_of<2>(gathered.to_lattice<2>(), is_last_origin);
+  const Sign sign = offsets.is_narrow() ? in_circle_of<1>(offsets.to_lattice<1>(), is_last_origin)
+                                        : in_circle_of<2>(offsets.to_lattice<2>(), is_last_origin);
   return is_swapped ? -sign : sign;
 }
 
 std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q) {
-  Gathered<2> points({&p, &q});
+  CommonOffsets<2> points({&p, &q});
   if (!points.find_lattice()) return std::nullopt;
   return points.is_narrow() ? compare_of<1>(points.to_lattice<1>()) : compare_of<2>(points.to_lattice<2>());
 }

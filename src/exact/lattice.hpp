@@ -6,8 +6,8 @@
 #include "exact/exact_point.hpp"
 #include "exact/sign.hpp"
 
-/// Stage 2 of the predicates: integers of a fixed width, on the stack, where all coordinates lie on one lattice. With
-/// the points' offsets from one of them in units of that lattice (see Offsets), the widest numbers are, in bits:
+/// Stage 2 of the predicates: integers of a fixed width, on the stack, for coordinates that lie on one lattice. The
+/// points are offsets from one of them, in units of that lattice (see Offsets). The widest numbers have this many bits:
 ///
 ///   points         offsets       orientation    in-circle    limbs of 64 bits
 ///   explicit       up to 2^30             62          124    1 and 2
@@ -15,17 +15,18 @@
 ///   constructed    below 2^29            248          618    5 and 12
 ///   constructed    up to 2^61            504        1,258    8 and 20
 ///
-/// For constructed points those are 8 b + 8 and 20 b + 18, where coordinates differ by at most 2^b: LatticePoint says
-/// how wide its numbers are, and the determinants are those of lattice.cpp.
+/// For constructed points whose coordinates differ by at most 2^b, the numbers of bits are 8 b + 8 and 20 b + 18. This
+/// follows from the widths that LatticePoint states and from the determinants in lattice.cpp.
 ///
-/// Empty where the points have no such lattice.
+/// The functions return nothing if the points have no such lattice.
 namespace waywright::exact::lattice {
 
 [[nodiscard]] std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 [[nodiscard]] std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                             const ExactPoint& d);
-/// The same where all is known to fit 64 bits at once: of explicit points with whole coordinates not far from `d`. That
-/// is where most circles with four points on them are met, and it costs less than the filter's fine bound.
+/// Like in_circle, for explicit points with whole coordinates close to `d`, where 64 bits are known to be enough for
+/// all numbers. Most sets of four cocircular points are of this kind, and this function costs less than the fine bound
+/// of the filter. Returns nothing for other points.
 [[nodiscard]] std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                                   const ExactPoint& d);
 [[nodiscard]] std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q);

@@ -7,12 +7,13 @@
 
 namespace waywright::exact {
 
-/// Offsets that are smaller than 2^29 differ by less than 2^30: with these, a crossing's denominator has one limb.
+/// Offsets that are smaller than 2^29 differ by less than 2^30. With such offsets, the denominator of a crossing fits
+/// one limb.
 inline constexpr int kNarrowBits = 29;
 
-/// The point (x / w, y / w) in units of a lattice, w > 0, the denominator in kW limbs. One limb is enough where
-/// coordinates differ by at most 2^30, two where they differ by at most 2^62: for differences up to 2^b, w is at most
-/// 2^(2b + 1), and x and y are less than 2^(3b + 2).
+/// The point (x / w, y / w) in units of a lattice, w > 0; the denominator has kW limbs. One limb is enough if
+/// coordinates differ by at most 2^30, two limbs if they differ by at most 2^62: for differences of at most 2^b, w is
+/// at most 2^(2b + 1), and x and y are less than 2^(3b + 2).
 template <std::size_t kW>
 struct LatticePoint {
   WideInteger<kW + 1> x, y;
@@ -24,7 +25,7 @@ template <std::size_t kW>
   return {p.x, p.y, 1};
 }
 
-// With a + t (b - a) on the line through c and d: t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
+// The point a + t (b - a) lies on the line through c and d if t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
 template <std::size_t kW>
 [[nodiscard]] constexpr LatticePoint<kW> lattice_crossing(const LatticeVector& a, const LatticeVector& b,
                                                           const LatticeVector& c, const LatticeVector& d) {

@@ -24,8 +24,8 @@ std::strong_ordering compare_scaled(Integer p, int p_exponent, Integer q, int q_
 
 }  // namespace
 
-// With C + t D, D = d - c, on the line: the foot of the perpendicular from P has t = (P - C) . D / D . D. It lies on
-// the segment if (P - a) . D and (P - b) . D do not have one sign.
+// The points of the line are C + t D with D = d - c. The foot of the perpendicular from P has t = (P - C) . D / D . D.
+// It lies on the segment unless (P - a) . D and (P - b) . D are both positive or both negative.
 NearestOnSegment::NearestOnSegment(const Point& from, const ExactPoint& a, const ExactPoint& b, const Point& c,
                                    const Point& d) {
   LatticeExponent lattice;
@@ -44,12 +44,13 @@ NearestOnSegment::NearestOnSegment(const Point& from, const ExactPoint& a, const
   };
   const Integer beyond_a = beyond(a);
   const Integer beyond_b = beyond(b);
-  // If the segment runs in the direction of D, `beyond` falls from a to b.
+  // If the segment runs in the direction of D, the value of `beyond` decreases from a to b.
   const bool is_beyond_both = beyond_a.sign() * beyond_b.sign() > 0;
   if (is_beyond_both) {
     const Homogeneous qa = to_homogeneous(a, exponent_);
     const Homogeneous qb = to_homogeneous(b, exponent_);
-    // Of two ends on one side, the nearer one has the smaller |beyond|, each counted in units of its own w.
+    // If the foot lies beyond both ends on the same side, the nearer end has the smaller |beyond|. Each value is in
+    // units of its own w.
     const bool a_is_nearer = abs(beyond_a) * qb.w < abs(beyond_b) * qa.w;
     set_to_end(a_is_nearer ? a : b, p);
   } else if (beyond_a == 0) {
@@ -61,7 +62,7 @@ NearestOnSegment::NearestOnSegment(const Point& from, const ExactPoint& a, const
   }
 }
 
-/// Of the line through `line` in the direction (dx, dy).
+/// Sets the position to the foot of the perpendicular on the line through `line` in the direction (dx, dy).
 void NearestOnSegment::set_to_foot(const Homogeneous& p, const Homogeneous& line, const Integer& dx,
                                    const Integer& dy) {
   const Integer squared_length = dx * dx + dy * dy;

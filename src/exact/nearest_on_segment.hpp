@@ -11,28 +11,29 @@
 
 namespace waywright::exact {
 
-/// The place of a closed segment that is nearest to a point, and its distance, both exactly. Integers of any size: for
-/// few questions, such as those about ends of paths that polygons cover by no more than rounding.
+/// The position on a closed segment that is nearest to a point, and its distance from that point, both exact. It uses
+/// integers of any size, so it is for rare cases, such as the end of a path that a polygon covers only because of
+/// rounding.
 class NearestOnSegment {
  public:
   /// The segment from `a` to `b` lies on the line through the explicit points `c` and `d`, and runs in the direction
   /// from `c` to `d` or in the opposite one. Requires: `c` and `d` differ.
   NearestOnSegment(const Point& from, const ExactPoint& a, const ExactPoint& b, const Point& c, const Point& d);
 
-  /// The place, each coordinate rounded to the nearest double.
+  /// The position, each coordinate rounded to the nearest double.
   [[nodiscard]] Point rounded() const;
-  /// Orders by distance, and places of equal distance by (x, y).
+  /// Orders by distance; positions at the same distance by (x, y).
   [[nodiscard]] static std::strong_ordering compare(const NearestOnSegment& p, const NearestOnSegment& q);
-  /// Requires: `distance` is positive, finite and not subnormal.
+  /// Whether the position is at most `distance` away. Requires: `distance` is positive, finite and not subnormal.
   [[nodiscard]] bool is_within(double distance) const;
 
  private:
   void set_to_foot(const Homogeneous& p, const Homogeneous& line, const Integer& dx, const Integer& dy);
   void set_to_end(const ExactPoint& end, const Homogeneous& from);
 
-  int exponent_;  ///< of the lattice that the integers count on
+  int exponent_;  ///< the unit of all lengths below is 2^exponent_
   Homogeneous place_;
-  // The squared distance, in units of 4^exponent_.
+  // The squared distance is numerator_ / denominator_, in units of 4^exponent_.
   Integer numerator_;
   Integer denominator_;
 };

@@ -1,5 +1,5 @@
-// Boost leaves it to its user to say what happens in place of a throw when exceptions are off. Alone in its file, so
-// that a program that says so itself, too, links without a clash.
+// If exceptions are off, Boost expects its user to define the function that it calls instead of a throw. The definition
+// is alone in this file, so a program that contains its own definition links without a conflict.
 #include <boost/config.hpp>
 
 #ifdef BOOST_NO_EXCEPTIONS

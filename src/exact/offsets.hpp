@@ -19,16 +19,17 @@ struct LatticeVector {
   std::int64_t y = 0;
 };
 
-/// A few explicit points as vectors from a common origin, in whole units of the coarsest lattice on which all of them
-/// lie: a power of two, that need not be known before. So it serves integers, multiples of 1/8 and numbers with a few
-/// decimals alike, wherever in the plane they lie.
+/// A few explicit points as vectors from a common origin, in whole units of the coarsest lattice that contains all of
+/// them. The unit is a power of two, which the caller need not know. The class therefore works equally for integers,
+/// multiples of 1/8 and numbers with a few decimals, anywhere in the plane.
 ///
-/// A difference of doubles is the sum of two: the rounded one, and its rounding error (Dekker 1971; Shewchuk 1997,
-/// theorem 7). Scaled by a power of two both are exact still, and are integers or not.
+/// The exact difference of two doubles is the sum of two doubles: the rounded difference and its rounding error (Dekker
+/// 1971; Shewchuk 1997, theorem 7). Both stay exact when they are scaled by a power of two; then they either are
+/// integers or are not.
 template <std::size_t kMost>
 class Offsets {
  public:
-  /// No offset is larger than 2^kLargestBits, so the difference of two is at most twice that.
+  /// No offset is larger than 2^kLargestBits, so the difference of two offsets is at most twice that.
   static constexpr int kLargestBits = 61;
 
   explicit Offsets(const Point& origin) : origin_(origin) {}
@@ -39,7 +40,7 @@ class Offsets {
     count_ += 2;
   }
 
-  /// Finds the lattice. False where the points have none on which their offsets are small enough.
+  /// Finds the lattice. Returns false if the points have no lattice in whose units their offsets are small enough.
   [[nodiscard]] bool find_lattice() {
     if (largest_ == 0.0) {
       values_.fill(0);
@@ -64,7 +65,7 @@ class Offsets {
     return true;
   }
 
-  /// Of the points in the order of add(). Requires: find_lattice() found one.
+  /// The offset of point `i`, in the order of add(). Requires: find_lattice() has returned true.
   [[nodiscard]] LatticeVector operator[](std::size_t i) const { return {values_[2 * i], values_[2 * i + 1]}; }
   /// Every offset is smaller than 2^bits(), which is at most kLargestBits + 1.
   [[nodiscard]] int bits() const { return bits_; }
@@ -72,7 +73,7 @@ class Offsets {
   [[nodiscard]] int unit_exponent() const { return unit_exponent_; }
 
  private:
-  /// A difference, exactly.
+  /// The exact difference of two doubles, as the sum of `rounded` and `error`.
   struct Part {
     double rounded = 0.0;
     double error = 0.0;

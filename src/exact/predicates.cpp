@@ -8,7 +8,8 @@ namespace detail {
 
 namespace {
 
-/// The lattice's answer, or that of integers of any size where it has none, counted.
+/// Returns the answer of the lattice stage or, if it has none, of integers of any size, and counts which stage has
+/// answered.
 template <class Answer, class AnyInteger>
 Answer decide(StageCounts& stages, const std::optional<Answer>& on_lattice, AnyInteger&& any_integer) {
   if (on_lattice) {
@@ -73,8 +74,8 @@ Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) 
   return sign_of(determinant);
 }
 
-// A row of the in-circle determinant about d, times (p.w d.w)^2 and with a factor d.w > 0 taken out of its first two
-// columns: with dx = p.x d.w - d.x p.w and dy likewise, (dx p.w, dy p.w, dx^2 + dy^2).
+// With dx = p.x d.w - d.x p.w and dy = p.y d.w - d.y p.w, a row of the in-circle determinant about d is (dx p.w, dy
+// p.w, dx^2 + dy^2): the row times (p.w d.w)^2, with a factor d.w > 0 taken out of the first two columns.
 Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
   const int lattice = common_lattice(a, b, c, d);
   const Homogeneous centre = to_homogeneous(d, lattice);

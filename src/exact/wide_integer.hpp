@@ -10,13 +10,13 @@
 
 namespace waywright::exact {
 
-/// A number of 128 bits, in two halves.
+/// A number of 128 bits, as two halves.
 struct Halves {
   std::uint64_t low, high;
 };
 
-/// a b + c + d, which 128 bits hold whatever the four are; from products of 32 bits, for compilers that have no number
-/// of 128 bits.
+/// Returns a b + c + d, which always fits 128 bits. Computes it from products of 32 bits, for compilers that have no
+/// integer of 128 bits.
 [[nodiscard]] constexpr Halves multiply_by_halves(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
   constexpr std::uint64_t kLow = 0xffffffff;
   const std::uint64_t lowest = (a & kLow) * (b & kLow);
@@ -38,8 +38,9 @@ struct Halves {
 #endif
 }
 
-/// An integer of a fixed number of 64-bit limbs in two's complement, on the stack. A product has as many limbs as its
-/// factors together, so it is always right; a sum has as many as its terms, so whoever adds sees to it that they do.
+/// An integer with a fixed number of 64-bit limbs in two's complement, on the stack. A product has as many limbs as
+/// both factors together, so it never overflows. A sum has as many limbs as its terms: the caller makes sure that this
+/// is enough.
 template <std::size_t kLimbs>
 class WideInteger {
  public:
@@ -58,7 +59,7 @@ class WideInteger {
     return bits == 0 ? Sign::zero : Sign::positive;
   }
 
-  /// The same number in another number of limbs. Requires: it fits.
+  /// Returns the same number with another number of limbs. Requires: it fits.
   template <std::size_t kOther>
   [[nodiscard]] constexpr WideInteger<kOther> resize() const {
     WideInteger<kOther> result(is_negative() ? -1 : 0);
@@ -66,14 +67,14 @@ class WideInteger {
     return result;
   }
 
-  /// The number of bits that it takes to write it down. Requires: it isn't negative.
+  /// The number of bits up to the highest bit that is set. Requires: the number is not negative.
   [[nodiscard]] constexpr int bit_width() const {
     std::size_t i = kLimbs - 1;
     while (i > 0 && limbs_[i] == 0) --i;
     return static_cast<int>(64 * i) + static_cast<int>(std::bit_width(limbs_[i]));
   }
 
-  /// Near the number, for a first guess. Requires: it isn't beyond 2^1000.
+  /// A double near the number, for a first guess. Requires: the number's magnitude is at most 2^1000.
   [[nodiscard]] constexpr double approximate() const {
     if (is_negative()) return -(WideInteger{} - *this).approximate();
     double value = 0.0;
@@ -81,7 +82,7 @@ class WideInteger {
     return value;
   }
 
-  /// Times 2^bits. Requires: it fits.
+  /// Returns the number times 2^bits. Requires: the result fits.
   [[nodiscard]] constexpr WideInteger operator<<(int bits) const {
     const auto skipped = static_cast<std::size_t>(bits / 64);
     const int within = bits % 64;
@@ -117,7 +118,7 @@ class WideInteger {
   template <std::size_t kA, std::size_t kB>
   friend constexpr WideInteger<kA + kB> operator*(const WideInteger<kA>& a, const WideInteger<kB>& b);
 
-  /// Takes `other` times 2^(64 position) off, modulo 2^(64 kLimbs).
+  /// Subtracts `other` times 2^(64 position), modulo 2^(64 kLimbs).
   template <std::size_t kOther>
   constexpr void subtract_from(std::size_t position, const WideInteger<kOther>& other) {
     std::uint64_t borrow = 0;
@@ -133,7 +134,8 @@ class WideInteger {
   std::array<std::uint64_t, kLimbs> limbs_{};
 };
 
-// The factors multiplied as if they had no sign: each negative one stood for 2^(64 n) more than it is, which comes off.
+// Multiplies the limbs as those of unsigned numbers. A negative factor of n limbs then counts as 2^(64 n) too much; the
+// last lines subtract the resulting error from the product.
 template <std::size_t kA, std::size_t kB>
 [[nodiscard]] constexpr WideInteger<kA + kB> operator*(const WideInteger<kA>& a, const WideInteger<kB>& b) {
   WideInteger<kA + kB> result;

@@ -12,48 +12,49 @@ namespace {
 
 struct Entry {
   Curve::Key key;
-  std::uint32_t given;
+  std::uint32_t input_index;
 };
 
 constexpr int kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 constexpr int kLowestBit = 64 - 3 * kDigitBits;
-constexpr std::size_t kWorthwhile = 1024;
-constexpr std::size_t kAhead = 16;
+constexpr std::size_t kSmallestRadixSort = 1024;
+constexpr std::size_t kPrefetchDistance = 16;
 
-/// A stable sort by the digit that starts at `bit`. Each thread counts and moves a part of its own; its entries of a
-/// digit come after those of the threads before it.
+/// Sorts stably by the digit that starts at `bit`. Each thread counts and moves the entries of its own range. Within a
+/// digit, its entries come after those of the threads with lower numbers.
 void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const threads::Crew& crew) {
   const auto digit = [bit](const Entry& entry) { return static_cast<std::size_t>(entry.key >> bit & (kDigits - 1)); };
-  std::vector<std::array<std::uint32_t, kDigits>> places(crew.threads());
+  std::vector<std::array<std::uint32_t, kDigits>> offsets(crew.threads());
   crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) ++places[t][digit(from[i])];
+    for (std::size_t i = begin; i < end; ++i) ++offsets[t][digit(from[i])];
   });
   std::uint32_t next = 0;
   for (std::size_t d = 0; d < kDigits; ++d) {
-    for (auto& mine : places) next += std::exchange(mine[d], next);
+    for (auto& offsets_of_thread : offsets) next += std::exchange(offsets_of_thread[d], next);
   }
   crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) to[places[t][digit(from[i])]++] = from[i];
+    for (std::size_t i = begin; i < end; ++i) to[offsets[t][digit(from[i])]++] = from[i];
   });
 }
 
-/// The first place from `at` on, below `end`, where a run of entries starts whose keys agree from `bit` on; or `end`.
+/// The first index from `at` on at which a run starts, or `end`. A run is a maximal range of entries whose keys agree
+/// in all bits from `bit` on.
 std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, std::size_t end, int bit) {
   while (at > 0 && at < end && entries[at].key >> bit == entries[at - 1].key >> bit) ++at;
   return at;
 }
 
-/// Sorts by the key's upper half, which tells apart as many cells as there may be points, and the runs that agree in it
-/// by all there is.
+/// Sorts by the upper bits of the keys, which distinguish more cells than there can be points, and then sorts each run
+/// of entries with equal upper bits by the whole key and by (x, y).
 void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const threads::Crew& crew) {
   const auto before = [&](const Entry& a, const Entry& b) {
     if (a.key != b.key) return a.key < b.key;
-    const Point& p = points[a.given];
-    const Point& q = points[b.given];
+    const Point& p = points[a.input_index];
+    const Point& q = points[b.input_index];
     return p.x != q.x ? p.x < q.x : p.y < q.y;
   };
-  if (entries.size() < kWorthwhile) {
+  if (entries.size() < kSmallestRadixSort) {
     std::sort(entries.begin(), entries.end(), before);
     return;
   }
@@ -64,7 +65,7 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
       entries.swap(other);
     }
   }
-  // Before any thread moves an entry, for no thread may look at another's.
+  // Found before any thread moves an entry, because a thread must not read entries that another thread moves.
   std::vector<std::size_t> shares;
   for (std::size_t t = 0; t <= crew.threads(); ++t) {
     shares.push_back(start_of_run(entries, crew.start_of_share(entries.size(), t), entries.size(), kLowestBit));
@@ -91,7 +92,8 @@ SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, con
   sort_entries(entries, points, crew);
 
   const auto is_new = [&](std::size_t i) {
-    return i == 0 || entries[i].key != entries[i - 1].key || points[entries[i].given] != points[entries[i - 1].given];
+    return i == 0 || entries[i].key != entries[i - 1].key ||
+           points[entries[i].input_index] != points[entries[i - 1].input_index];
   };
   std::vector<std::size_t> distinct(crew.threads() + 1);
   crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
@@ -106,17 +108,17 @@ SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, con
   crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     std::size_t next = distinct[t];
     for (std::size_t i = begin; i < end; ++i) {
-      if (i + kAhead < end) {
-        const std::uint32_t ahead = entries[i + kAhead].given;
+      if (i + kPrefetchDistance < end) {
+        const std::uint32_t ahead = entries[i + kPrefetchDistance].input_index;
         base::prefetch(&points[ahead]);
         base::prefetch_to_write(&sorted.ranks[ahead]);
       }
       if (is_new(i)) {
-        sorted.points[next] = points[entries[i].given];
+        sorted.points[next] = points[entries[i].input_index];
         sorted.keys[next] = entries[i].key;
         ++next;
       }
-      sorted.ranks[entries[i].given] = static_cast<std::uint32_t>(next - 1);
+      sorted.ranks[entries[i].input_index] = static_cast<std::uint32_t>(next - 1);
     }
   });
   return sorted;

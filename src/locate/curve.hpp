@@ -12,12 +12,13 @@
 
 namespace waywright::locate {
 
-/// A box in Morton's order: a point's key is its place in a grid of 2^32 x 2^32 square cells, the bits of x and y in
-/// turn, the highest bit that of x. Points whose keys agree down to some bit lie in one axis-parallel rectangle, which
-/// the next bit halves; so every run of sorted keys is parted by straight lines.
+/// The Morton order of the points of a box. The key of a point is its cell in a grid of 2^32 x 2^32 square cells: the
+/// bits of the cell's x and y in turn, the highest bit from x. Points whose keys agree in all bits above some bit lie
+/// in one axis-parallel rectangle, and this bit halves the rectangle. Hence straight lines divide every range of sorted
+/// keys.
 ///
-/// Rounding is monotone: of two points with different cells in x, the one with the lower cell has the lower x.
-/// Source: Morton, *A computer oriented geodetic data base and a new technique in file sequencing*, 1966.
+/// Rounding is monotone: if the cells of two points differ in x, the point in the lower cell has the lower x. Source:
+/// Morton, *A computer oriented geodetic data base and a new technique in file sequencing*, 1966.
 class Curve {
  public:
   using Key = std::uint64_t;
@@ -25,13 +26,13 @@ class Curve {
   explicit Curve(const Box& box)
       : min_(box.min), scale_(kCells / std::max(box.max.x - box.min.x, box.max.y - box.min.y)) {}
 
-  /// Requires: `point` lies in the box.
+  /// The key of a point. Requires: `point` lies in the box.
   [[nodiscard]] Key key(const Point& point) const {
     return spread(cell(point.x, min_.x)) << 1 | spread(cell(point.y, min_.y));
   }
-  /// A squared distance in cells.
+  /// Converts a squared distance to units of the squared width of a cell.
   [[nodiscard]] double squared_cells(double squared_distance) const { return squared_distance * scale_ * scale_; }
-  /// Whether the bit halves by x, or else by y.
+  /// Whether the bit of a key comes from x; otherwise it comes from y.
   [[nodiscard]] static bool is_bit_of_x(int bit) { return bit % 2 == 1; }
 
  private:
@@ -39,9 +40,9 @@ class Curve {
 
   [[nodiscard]] std::uint64_t cell(double at, double from) const {
     const double cell = std::min((at - from) * scale_, kCells - 1.0);
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell));  // processors convert to signed numbers
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell));  // processors convert to signed integers
   }
-  /// Puts a zero before each of the lower 32 bits.
+  /// Puts a 0 before each of the lower 32 bits.
   [[nodiscard]] static std::uint64_t spread(std::uint64_t bits) {
     bits = (bits | bits << 16) & 0x0000ffff0000ffffu;
     bits = (bits | bits << 8) & 0x00ff00ff00ff00ffu;
@@ -54,15 +55,15 @@ class Curve {
   double scale_;
 };
 
-/// Points along a curve, each once.
+/// Distinct points, sorted along a curve.
 struct SortedPoints {
-  std::vector<Point> points;         ///< distinct, by key; those of one key in (x, y) order; with room for one more
-  std::vector<Curve::Key> keys;      ///< of each
-  std::vector<std::uint32_t> ranks;  ///< of each point as it was given: where it is now
+  std::vector<Point> points;         ///< sorted by key, then by (x, y); has capacity for one more point
+  std::vector<Curve::Key> keys;      ///< the key of each of `points`
+  std::vector<std::uint32_t> ranks;  ///< for each point of the input, its position in `points`
 };
 
-/// Requires: the points lie in the box, and none has a coordinate of -0. Cost: linear where keys are spread evenly,
-/// O(n log n) at most.
+/// Sorts points along the curve of a box and removes duplicates. Requires: the points lie in the box, and no coordinate
+/// is -0. Cost: linear if the keys are evenly distributed, at most O(n log n).
 [[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points,
                                             const threads::Crew& crew = {});
 

@@ -8,7 +8,7 @@
 
 namespace waywright::locate {
 
-/// The random choices of one walk. Seeded by what is asked for, never by a clock or by what came before.
+/// The random numbers of one walk. The seed is the point that the walk searches for, never a clock or a former search.
 /// Source: Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014 (SplitMix64).
 class Random {
  public:
@@ -23,7 +23,8 @@ class Random {
     return heads;
   }
 
-  /// 0 to count - 1, `count` not being 0. The remainder's bias is far below anything that a choice of hints shows.
+  /// A number from 0 to count - 1. The remainder makes some numbers more likely than others, but far too little to
+  /// matter for the choice of a hint. Requires: `count` is not 0.
   [[nodiscard]] std::uint32_t below(std::uint32_t count) {
     refill();
     left_ = 0;

@@ -21,8 +21,9 @@ void Sectors::forget(const Point& point, mesh::Vertex v, mesh::Vertex other) {
   if (cell == number(v)) cell = number(other);
 }
 
-// Sectors that have been divided stay so when the crowd has gone. Where there are more quarters than vertices, most
-// are such: then all sectors are whole again, and those still crowded will show.
+// A sector stays divided after most of its vertices have been removed. If there are many more quarters than vertices,
+// most divided sectors are no longer crowded. Then this function first makes all sectors whole again; later calls
+// divide the sectors that are still crowded.
 void Sectors::divide(const Point& point, std::size_t vertex_count) {
   const std::size_t quarters = sectors_.size() - whole_count();
   if (quarters > 4 * vertex_count + whole_count()) {
@@ -42,7 +43,8 @@ Sectors::Cell Sectors::any_vertex(Cell cell) const {
   return cell;
 }
 
-// Every whole sector becomes four: its quarters, or else ones that remember what it did.
+// Replaces every whole sector by four: by its quarters if it is divided, otherwise by four sectors that remember the
+// same vertex.
 void Sectors::grow() {
   std::vector<Cell> finer;
   finer.reserve(4 * sectors_.size());
@@ -53,7 +55,7 @@ void Sectors::grow() {
       finer.push_back(is_divided ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
     }
   }
-  // The quarters' own follow, found anew from each new whole sector.
+  // Then come the quarters of the divided ones among these sectors. The loop also visits the entries that it appends.
   for (std::size_t i = 0; i < finer.size(); ++i) {
     if ((finer[i] & kDivided) == 0) continue;
     const std::size_t old = finer[i] & ~kDivided;
@@ -78,7 +80,7 @@ void Sectors::fill(std::span<const Curve::Key> keys, std::uint32_t first) {
   }
 }
 
-// An empty sector remembers the vertex before it along the curve.
+// An empty sector remembers the last vertex before it along the curve.
 void Sectors::fill_sector(std::size_t index, int shift, std::span<const Curve::Key> keys, std::uint32_t first) {
   if (keys.size() <= kCrowd || shift == 0) {
     sectors_[index] = first + static_cast<Cell>(keys.size() / 2) - (keys.empty() ? 1 : 0);

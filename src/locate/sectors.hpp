@@ -17,33 +17,35 @@
 
 namespace waywright::locate {
 
-/// Where to start a walk from: the domain's square cells, each of which remembers a vertex in it or near. Queries only
-/// read them. What a sector remembers may have gone since; a hint is no more than that.
+/// Finds vertices from which a walk can start. The domain is divided into square sectors, and each sector remembers a
+/// vertex in it or near it. Queries only read the sectors. The vertex may have been removed in the meantime: it is only
+/// a hint.
 ///
-/// The number of sectors grows with the number of vertices, so that on even data a walk is short however large the
-/// world; a sector that turns out to be crowded is divided in four, over and over, so that it is on uneven data as
-/// well. What sectors there are depends on the history; what is found with their help does not.
+/// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
+/// world of any size. A sector that proves to be crowded is divided into four quarters, which may be divided again, so
+/// walks are short on unevenly distributed vertices, too. The division depends on the history of the world, but the
+/// result of a search does not.
 ///
-/// Source: Chen 2009, section 3.2.1 (sector-based location). Departure: updates feed the sectors, queries don't, and
-/// their number isn't fixed.
+/// Source: Chen 2009, section 3.2.1 (sector-based location). Departure: updates write to the sectors and queries do
+/// not, and the number of sectors is not fixed.
 class Sectors {
  public:
   explicit Sectors(const Box& domain) : curve_(domain), sectors_(4, kNone) {}
 
   struct Sector {
     std::size_t index;
-    int shift;  ///< keys that agree above this bit are in the same sector
+    int shift;  ///< keys that agree in all bits from this one on are in the same sector
   };
   [[nodiscard]] Sector at(const Point& point) const { return find(curve_.key(point)); }
   /// The vertex that the sector remembers, or kNoVertex.
   [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sectors_[sector.index]); }
-  /// Whether it is far from a point to a vertex at that squared distance, so that sectors around the point's may know a
-  /// nearer one.
+  /// Whether a vertex at that squared distance from a point is far away, measured by the size of the point's sector.
+  /// Then a sector around it may remember a nearer vertex.
   [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
     return curve_.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
   }
-  /// Calls visit(vertex) for what is remembered in the block of 4 x 4 sectors, or the four quarters, that the sector is
-  /// one of.
+  /// Calls visit(vertex) for each vertex that is remembered in the block of the sector: the 4 x 4 whole sectors or the
+  /// four quarters that it is one of.
   template <class Visit>
   void for_each_around(const Sector& sector, Visit&& visit) const {
     const std::size_t count = sector.shift == whole_shift_ ? std::min(kBlock, whole_count()) : 4;
@@ -56,31 +58,35 @@ class Sectors {
   /// Whether both points lie in one sector.
   [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const;
 
-  /// Starts anew, from vertices along the curve: vertex `first` has the first of the keys, and so on. Cost: linear.
+  /// Makes all sectors anew, for vertices that are sorted along the curve: `keys` are the keys of the vertices `first`,
+  /// `first` + 1, and so on. Cost: linear.
   void fill(std::span<const Curve::Key> keys, std::uint32_t first);
-  /// Takes note of a vertex in a world of so many. Cost: O(1), amortised.
+  /// The sector of `point` then remembers `v`, which lies at that point. `vertex_count` is the number of vertices in
+  /// the world. Cost: O(1), amortised.
   void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
-  /// Has the memory fetched that tells what the sector of `point` remembers.
+  /// Prefetches the memory that says which vertex the sector of `point` remembers.
   WAYWRIGHT_ALWAYS_INLINE void prefetch(const Point& point) const {
     base::prefetch(&sectors_[static_cast<std::size_t>(curve_.key(point) >> whole_shift_)]);
   }
-  /// Where `v`, which goes, is remembered, remembers `other`.
+  /// `v`, at `point`, is being removed: if its sector remembers `v`, the sector now remembers `other`.
   void forget(const Point& point, mesh::Vertex v, mesh::Vertex other);
-  /// Divides the sector of `point`, in a world of so many vertices. Cost: O(1), amortised.
+  /// Divides the sector of `point` into four quarters. `vertex_count` is the number of vertices in the world. Cost:
+  /// O(1), amortised.
   void divide(const Point& point, std::size_t vertex_count);
 
   void count_memory(MemoryUse& use) const { memory::count(use, &MemoryUse::sectors, sectors_); }
   void shrink_to_fit() { memory::shrink(sectors_); }
 
  private:
-  /// What a sector remembers; with kDivided set, where its four quarters start, in the curve's order.
+  /// The vertex that a sector remembers. If kDivided is set: the index of the first of its four quarters, which are in
+  /// the order of the curve.
   using Cell = std::uint32_t;
   static constexpr Cell kDivided = 0x80000000;
   static constexpr Cell kNone = 0x7fffffff;
   static constexpr std::size_t kVerticesPerSector = 3;
   static constexpr std::size_t kCrowd = 8;
   static constexpr std::size_t kBlock = 16;
-  static constexpr double kFar = 9.0;  ///< squared: three times the sector's width
+  static constexpr double kFar = 9.0;  ///< squared: three times the width of the sector
   static constexpr int kKeyBits = 64;
 
   [[nodiscard]] Sector find(Curve::Key key) const {
@@ -102,8 +108,7 @@ class Sectors {
 
   Curve curve_;
   int whole_shift_ = kKeyBits - 2;
-  std::vector<Cell>
-      sectors_;  ///< the whole ones along the curve, then quarters, four by four: groups start at multiples of 4
+  std::vector<Cell> sectors_;  ///< the whole sectors along the curve, then groups of four quarters at multiples of 4
 };
 
 }  // namespace waywright::locate

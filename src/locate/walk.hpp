@@ -13,15 +13,16 @@ namespace waywright::locate {
 
 enum class Spot : std::uint8_t { vertex, edge, face };
 
-/// Where a point lies: at the origin of `h`, inside the edge of `h`, or inside the face of `h`.
+/// The location of a point: at the origin of `h`, on the edge of `h` between its ends, or inside the face of `h`.
 struct Located {
   Spot spot = Spot::face;
   mesh::HalfEdge h = mesh::kNoHalfEdge;
-  std::size_t steps = 0;  ///< faces that a walk left to get there
+  std::size_t steps = 0;  ///< the number of faces that the walk left
 };
 
-/// Where a point lies in the face of `h`, by its sides of `h`, the next and the previous half-edge; none is negative. A
-/// place inside is told by the face's first half-edge.
+/// The location of a point in the closed face of `h`, from its orientations relative to `h`, to the next and to the
+/// previous half-edge. For a point inside the face, `h` of the result is the first half-edge of the face. Requires: no
+/// orientation is negative.
 inline Located spot_in_face(mesh::HalfEdge h, exact::Sign side, exact::Sign next_side, exact::Sign previous_side) {
   using exact::Sign;
   const mesh::HalfEdge next = mesh::next(h);
@@ -37,7 +38,8 @@ inline Located spot_in_face(mesh::HalfEdge h, exact::Sign side, exact::Sign next
   return {Spot::face, mesh::first(mesh::face(h)), 0};
 }
 
-/// Asks every face. Requires: `target` lies in the triangulated box; `ghost` is the vertex beyond it.
+/// Locates a point by a test of every face. Requires: `target` lies in the triangulated box; `ghost` is the vertex
+/// outside of it.
 template <class Geometry>
 [[nodiscard]] Located search_all(const mesh::TriangleMesh& mesh, const Geometry& geometry,
                                  const typename Geometry::View& target, mesh::Vertex ghost) {
@@ -60,14 +62,14 @@ template <class Geometry>
   return {};
 }
 
-/// The remembering stochastic walk: from face to face across an edge that has the target beyond it, never asking about
-/// the edge just crossed and, where the other two have, taking either by chance, so that no walk goes round for ever.
-/// One that is unlucky beyond all likelihood gives way to search_all.
+/// The remembering stochastic walk. It goes from face to face across an edge that has the target on the other side. It
+/// never tests the edge that it has just crossed. If the target is beyond both other edges, it chooses one of them at
+/// random, so a walk cannot cycle for ever. After a number of steps that is extremely unlikely, it calls search_all().
 ///
-/// Requires: `start` is no ghost face; `target`, at `seed` or nearly so, lies in the triangulated box.
-/// Cost: 2 orientation tests a face. (Taking the two in random order needs 1.5, but for each the time it takes to find
-/// out that a processor's guess was wrong.)
-/// Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion and Teillaud, *Walking in a triangulation*, 2002.
+/// Cost: 2 orientation tests per face. (With tests in random order 1.5 would be enough, but each would also cost the
+/// time of a mispredicted branch.) Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion and Teillaud,
+/// *Walking in a triangulation*, 2002. Requires: `start` is no ghost face; `target`, at `seed` or very close to it,
+/// lies in the triangulated box.
 template <class Geometry>
 [[nodiscard]] Located walk(const mesh::TriangleMesh& mesh, const Geometry& geometry,
                            const typename Geometry::View& target, const Point& seed, mesh::Face start,
@@ -78,15 +80,16 @@ template <class Geometry>
   const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
   Random random(seed);
   const HalfEdge start_edge = mesh::first(start);
-  // In a large world, most of a walk is waiting for memory. So what a step may need is fetched before it is known which
-  // way it goes: here the place of the third corner, and always the faces beyond.
+  // In a large world, a walk mostly waits for memory. The code therefore prefetches the data that a step may need
+  // before it knows the direction of the step: here the position of the third corner, and in every step the faces
+  // beyond the edges.
   mesh.prefetch(mesh.twin(start_edge));
   if constexpr (requires { geometry.prefetch(0U); }) geometry.prefetch(number(mesh.apex(start_edge)));
   View p = view(mesh.origin(start_edge));
   View q = view(mesh.target(start_edge));
   const Sign start_side = geometry.orientation(p, q, target);
-  // `entry` is the side of the current face, from p to q, across which the walk came; the target lies on its left, or
-  // on it.
+  // `entry` is the half-edge in the current face across which the walk has entered it. It runs from p to q. The target
+  // lies left of it or on it.
   HalfEdge entry = start_edge;
   Sign entry_side = start_side;
   if (start_side == Sign::negative) {
@@ -94,8 +97,8 @@ template <class Geometry>
     entry_side = Sign::positive;
     std::swap(p, q);
   }
-  const std::size_t patience = 16 + 4 * mesh.face_count();
-  for (std::size_t steps = 0; steps < patience; ++steps) {
+  const std::size_t max_steps = 16 + 4 * mesh.face_count();
+  for (std::size_t steps = 0; steps < max_steps; ++steps) {
     mesh.prefetch(mesh.twin(mesh::next(entry)));
     mesh.prefetch(mesh.twin(mesh::previous(entry)));
     const View r = view(mesh.apex(entry));

@@ -6,7 +6,7 @@
 
 namespace waywright::memory {
 
-/// Counts a vector's elements in with a part, and the rest of its memory as spare.
+/// Adds the memory of a vector's elements to `part`, and the memory of its unused capacity to the spare memory.
 template <class Vector>
 void count(MemoryUse& use, std::size_t MemoryUse::*part, const Vector& vector) {
   using Element = typename Vector::value_type;
@@ -14,19 +14,19 @@ void count(MemoryUse& use, std::size_t MemoryUse::*part, const Vector& vector) {
   use.spare += (vector.capacity() - vector.size()) * sizeof(Element);
 }
 
-/// Counts all that vectors have as spare.
+/// Adds the memory of the whole capacity of vectors to the spare memory.
 template <class... Vectors>
 void count_spare(MemoryUse& use, const Vectors&... vectors) {
   use.spare += ((vectors.capacity() * sizeof(typename Vectors::value_type)) + ...);
 }
 
-/// Gives back what vectors have ready to grow into. Keeps it if there is no memory for the smaller array.
+/// Frees the unused capacity of vectors. A vector keeps it if there is no memory for the smaller array.
 template <class... Vectors>
 void shrink(Vectors&... vectors) {
   (vectors.shrink_to_fit(), ...);
 }
 
-/// Empties vectors and gives back all their memory.
+/// Empties vectors and frees all their memory.
 template <class... Vectors>
 void release(Vectors&... vectors) noexcept {
   ((vectors = Vectors()), ...);

@@ -12,12 +12,13 @@
 
 namespace waywright::memory {
 
-/// Values by index, in pages that come with the first value there, for what most of a large world has no use for. A
-/// page stays, so that what was once written can be written again without memory. A new page's values are Value{}.
+/// A sparse array: values by index, stored in pages. It suits data that most vertices, edges or items of a large world
+/// do not have, because a page is allocated only when its first value needs room. A page is kept until clear(), so a
+/// value that was written once can be written again without an allocation. The values of a new page are Value{}.
 template <class Value>
 class Pages {
  public:
-  /// Makes this a place for the values of indices below `count`.
+  /// Makes the table of pages large enough for the indices below `count`. Allocates no page.
   void cover(std::size_t count) {
     if (pages_.size() * kPageSize < count) pages_.resize((count + kPageSize - 1) / kPageSize);
   }
@@ -27,13 +28,13 @@ class Pages {
       add_page(index / kPageSize);
   }
 
-  // Requires: there is room.
+  // Requires: has_room(index).
   [[nodiscard]] const Value& operator[](std::size_t index) const {
     return (*pages_[index / kPageSize])[index % kPageSize];
   }
   [[nodiscard]] Value& operator[](std::size_t index) { return (*pages_[index / kPageSize])[index % kPageSize]; }
 
-  /// Drops all values and their memory.
+  /// Removes all values and frees their memory.
   void clear() {
     for (std::unique_ptr<Page>& page : pages_) page.reset();
     page_count_ = 0;
@@ -43,7 +44,7 @@ class Pages {
     memory::count(use, part, pages_);
     use.*part += page_count_ * sizeof(Page);
   }
-  /// Gives back what the table of pages has ready to grow into. Pages stay.
+  /// Frees the unused capacity of the table of pages. Keeps the pages.
   void shrink_to_fit() { memory::shrink(pages_); }
 
  private:
@@ -55,7 +56,7 @@ class Pages {
     ++page_count_;
   }
 
-  std::vector<std::unique_ptr<Page>> pages_;  ///< null where there never was a value
+  std::vector<std::unique_ptr<Page>> pages_;  ///< null until the page has a value
   std::size_t page_count_ = 0;
 };
 

@@ -12,9 +12,9 @@
 
 namespace waywright::memory {
 
-/// An array that grows and whose new values are all zero bits. Unlike std::vector it does not write them: the system
-/// hands out large pieces of memory as zeros, and gives them a place in memory only where they are written. So what a
-/// program pays for is what it uses, not what it has room for.
+/// An array that can grow. All bits of a new value are zero, but unlike std::vector the array does not write them: the
+/// operating system provides large blocks of memory as zeros, and assigns physical memory to an address only when the
+/// program writes there. A program therefore pays for the values that it uses, not for the room that the array has.
 template <class Value>
 class ZeroedArray {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);
@@ -29,7 +29,7 @@ class ZeroedArray {
     return *this;
   }
 
-  /// Makes room for the values of indices below `count`. Values that were there stay.
+  /// Makes room for the indices below `count`. Keeps the present values.
   void cover(std::size_t count) {
     if (count > size_) [[unlikely]]
       grow(std::max(count, size_ + size_ / 2));
@@ -39,7 +39,7 @@ class ZeroedArray {
     if (size_ != 0) std::memset(static_cast<void*>(values_.get()), 0, size_ * sizeof(Value));
   }
 
-  // Requires: there is room.
+  // Requires: cover() has made room for `index`.
   [[nodiscard]] const Value& operator[](std::size_t index) const { return values_.get()[index]; }
   [[nodiscard]] Value& operator[](std::size_t index) { return values_.get()[index]; }
 
@@ -55,7 +55,8 @@ class ZeroedArray {
     values_ = std::move(values);
     size_ = size;
   }
-  /// Throws std::bad_alloc, also where this code is compiled without exceptions: asks for more memory than there is.
+  /// Throws std::bad_alloc by asking for more memory than there is. This also works in code that is compiled without
+  /// exceptions.
   [[noreturn]] static void fail() {
     volatile std::size_t too_much = std::numeric_limits<std::size_t>::max() / 2;
     for (;;) ::operator delete(::operator new(too_much));

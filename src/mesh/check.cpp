@@ -29,8 +29,8 @@ std::optional<std::string> find_fault_at(const TriangleMesh& mesh, HalfEdge h) {
 
 }  // namespace
 
-// A closed surface is a sphere when V - E + F = 2 and it is in one piece; the loop around each vertex must hold every
-// half-edge that starts there, or two surfaces touch in it.
+// A closed surface in one piece is a sphere if V - E + F = 2. The loop around each vertex must contain all half-edges
+// that start there; otherwise two surfaces touch at that vertex.
 std::optional<std::string> TriangleMesh::find_fault() const {
   std::vector<std::uint32_t> degree(vertex_slots(), 0);
   std::size_t faces = 0;

@@ -4,12 +4,13 @@
 
 namespace waywright::mesh {
 
-// Three kinds of index that can't be mixed up. A face's half-edges are 3 f, 3 f + 1 and 3 f + 2, counter-clockwise.
+// Three types of index, so that the compiler refuses to mix them up. The half-edges of a face f, counter-clockwise, are
+// 3 f, 3 f + 1 and 3 f + 2.
 enum class Vertex : std::uint32_t {};
 enum class HalfEdge : std::uint32_t {};
 enum class Face : std::uint32_t {};
 
-/// No half-edge, no vertex.
+/// The values that mean "no half-edge" and "no vertex".
 inline constexpr HalfEdge kNoHalfEdge{0x7fffffff};
 inline constexpr Vertex kNoVertex{0xffffffff};
 

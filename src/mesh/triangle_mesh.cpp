@@ -8,7 +8,8 @@ namespace waywright::mesh {
 
 namespace {
 
-/// At least `needed`, and at least half as much again as there was: growing one by one costs O(1) each.
+/// The new capacity of a vector: at least `needed`, and at least 1.5 times the old one, so that each of many single
+/// insertions costs O(1), amortised.
 std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
   return needed <= capacity ? capacity : std::max(needed, capacity + capacity / 2);
 }
@@ -31,7 +32,8 @@ HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
-// Memory comes first, then the log, then the change: where memory runs out, what is logged is what was done.
+// Each function first allocates memory, then logs the change, then makes it. If memory runs out, the undo log therefore
+// lists exactly the changes that were made.
 Vertex TriangleMesh::add_vertex() {
   const bool is_new = free_vertices_.is_empty();
   if (is_new) outgoing_.reserve(grown_capacity(outgoing_.capacity(), outgoing_.size() + 1));
@@ -64,7 +66,7 @@ void TriangleMesh::free_face(Face f) {
   drop(f);
 }
 
-/// Logs all of a face that is about to change.
+/// Logs the corners and labels of a face that is about to change.
 void TriangleMesh::save(Face f) {
   const HalfEdge a = first(f);
   const auto corners = corners_.begin() + static_cast<std::ptrdiff_t>(number(a));
@@ -77,7 +79,7 @@ void TriangleMesh::save(Face f) {
   log(ChangeKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
 }
 
-/// Frees a face that has been saved.
+/// Frees a face. Requires: save() has logged it.
 void TriangleMesh::drop(Face f) {
   log(ChangeKind::free_face, number(f));
   push_free_face(f);
@@ -119,7 +121,7 @@ void TriangleMesh::write_label(HalfEdge h, Label label) {
   }
 }
 
-/// What take_over(to, from) needs.
+/// Allocates the memory that take_over(to, from) needs.
 void TriangleMesh::make_room_to_take_over(HalfEdge to, HalfEdge from) {
   if (is_fixed(from)) [[unlikely]]
     labels_.make_room(number(to));
@@ -134,8 +136,8 @@ void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
 }
 
 //        c                      c
-//       / \                    /|\          f = (a, b, v), two new faces (b, c, v) and (c, a, v).
-//      /   \                  / | \.
+//       / \                    /|\          Face f = (a, b, c) becomes (a, b, v). The faces (b, c, v) and (c, a, v) are
+//      /   \                  / | \.        new.
 //     /     \       ->       /  v  \.
 //    /   f   \              / .' '. \.
 //   a ------- b            a ------- b
@@ -161,8 +163,8 @@ std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
 }
 
 //          c                       c
-//        /   \                   / | \         h runs a -> b before and a -> v after; the faces to the right of v,
-//      /       \               /   |   \       (v, b, c) and its mirror (v, a, d), are new.
+//        /   \                   / | \         h = a -> b becomes a -> v. The faces (v, b, c) and (v, a, d) are new.
+//      /       \               /   |   \.
 //    a --- h --> b    ->     a --- v --- b
 //      \       /               \   |   /
 //        \   /                   \ | /
@@ -198,9 +200,9 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
 }
 
 //          c                       c
-//        /   \                   / | \         f = (a, b, c) becomes (a, d, c), its half-edges h = a -> d, d -> c and
-//      /   f   \               /   |   \       c -> a; g = (b, a, d) becomes (b, c, d), with t = b -> c, c -> d and
-//    a --- h --> b    ->     a   f | g   b     d -> b. The edges c - a and d - b stay where they are.
+//        /   \                   / | \         f = (a, b, c) becomes (a, d, c): h is now a -> d, followed by d -> c and
+//      /   f   \               /   |   \       c -> a. g = (b, a, d) becomes (b, c, d): t is now b -> c, followed by
+//    a --- h --> b    ->     a   f | g   b     c -> d and d -> b. The half-edges c -> a and d -> b stay as they are.
 //      \   g   /               \   |   /
 //        \   /                   \ | /
 //          d                       d
@@ -225,11 +227,11 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   return {diagonal, previous(t)};
 }
 
-//            apex             A new triangle is built where one of its two sides is, so that this side's twin needn't
-//           /    \            hear of it; the side's face has no other use. Of two sides one moves, and its face is
-//      one /      \ other     spare: triangles between two that are new themselves take those.
-//         /        \          Sides that a new triangle leaves open stand for those that it used up.
-//    from -------- to
+//            apex            A new triangle uses the face of one of its two sides. That side keeps its half-edge, so
+//           /    \           its twin needs no change; nothing else needs the face. If both sides lie on the hole's
+//      one /      \ other    border, the other side moves to this face, and its old face is freed. A triangle between
+//         /        \         two bases of new triangles takes a freed face. A new base has no twin yet: it is open. It
+//    from -------- to        replaces the triangle's two sides in `sides`.
 //           base
 HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles) {
   for (const HalfEdge side : sides) save(face(side));
@@ -258,7 +260,7 @@ void TriangleMesh::close(HalfEdge base, HalfEdge side) {
   join(base, side);
 }
 
-/// Makes `h` the other half of `side` where that is open, else puts it in the place of `side`.
+/// If `side` is open, makes `h` its twin. Otherwise puts `h` in the place of `side`.
 void TriangleMesh::join(HalfEdge h, HalfEdge side) {
   if (is_open(side)) {
     link(h, side, 0);

@@ -17,49 +17,49 @@
 
 namespace waywright::mesh {
 
-/// What an edge carries for the layers above; the mesh only copies it. An edge with a label other than 0 is fixed: it
-/// is never flipped.
+/// A number that an edge carries for the layers above; the mesh only copies it. An edge whose label is not 0 is fixed:
+/// it is never flipped.
 using Label = std::uint32_t;
 
-/// A triangulated sphere: every half-edge has a twin, every vertex a closed loop of faces. A triangulated polygon
-/// becomes one by a ghost vertex, joined to every vertex of its border; the faces there are ghosts too. Pure topology:
-/// nothing here sees a coordinate.
+/// A triangulated sphere: every half-edge has a twin, and every vertex has a closed loop of faces. A ghost vertex that
+/// is connected to all vertices on the border of a triangulated polygon turns the polygon into a sphere; the faces at
+/// the ghost vertex are ghost faces. The class is pure topology and knows no coordinates.
 ///
-/// Freed slots are reused, the last freed first. Indices stay valid until their vertex or face is freed; which
-/// half-edge stands for an edge changes when a flip next to it rebuilds its face.
+/// Freed slots are reused, the last freed slot first. An index stays valid until its vertex or face is freed. A flip
+/// rebuilds two faces, and afterwards other half-edges may represent the edges of these faces.
 ///
-/// Changes are logged as they are made: since begin(), they can all be taken back, and which faces and vertices they
-/// touched can be asked for.
+/// An undo log records all changes since begin(). They can be taken back, and the log can list the faces and vertices
+/// that they touched.
 ///
 /// Source: Chen 2009, section 3.1 (half-edges, vertex and face loops: algorithms 1 and 2).
 class TriangleMesh {
  public:
-  /// What the changes since begin() did to a face or vertex. One that was touched more than once is told more than
-  /// once, in order.
+  /// What a change since begin() did to a face or vertex. A face or vertex that several changes touched is listed
+  /// several times, in the order of the changes.
   enum class Touch : std::uint8_t { made, rebuilt, freed };
 
-  /// A half-edge as it is stored.
+  /// A stored half-edge.
   struct Corner {
-    std::uint32_t twin;  ///< the highest bit says that the edge is fixed; of a free face's first, the next free face
+    std::uint32_t twin;  ///< highest bit: the edge is fixed; in a free face's first corner: the next free face
     Vertex origin;       ///< kNoVertex in a free face
   };
 
   TriangleMesh() = default;
-  /// A mesh as it was made elsewhere: three half-edges a face, none of them free or fixed, and `vertex_count` vertices,
-  /// each the origin of some.
+  /// Takes over a mesh that was made elsewhere. Three half-edges in a row are a face. Requires: no face is free, no
+  /// edge is fixed, and each of the `vertex_count` vertices is the origin of some half-edge.
   TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count);
 
-  // Walking about. Each is O(1).
+  // Navigation. Each function is O(1), except find().
   [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin & ~kFixed}; }
   [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
   [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
-  /// The corner of the half-edge's face that isn't on the half-edge.
+  /// The vertex of the half-edge's face that is not on the half-edge.
   [[nodiscard]] Vertex apex(HalfEdge h) const { return origin(previous(h)); }
-  /// Some half-edge that starts at `v`.
+  /// A half-edge that starts at `v`.
   [[nodiscard]] HalfEdge outgoing(Vertex v) const { return HalfEdge{outgoing_[number(v)]}; }
-  /// Has the memory fetched that outgoing(v) reads.
+  /// Prefetches the memory that outgoing(v) reads.
   void prefetch(Vertex v) const { base::prefetch(&outgoing_[number(v)]); }
-  /// Has the memory of the face of `h` fetched.
+  /// Prefetches the memory of the face of `h`.
   void prefetch(HalfEdge h) const { base::prefetch(&corners_[number(h)]); }
   /// The next half-edge that starts at the same vertex, counter-clockwise.
   [[nodiscard]] HalfEdge next_around(HalfEdge h) const { return twin(previous(h)); }
@@ -72,7 +72,7 @@ class TriangleMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
-  /// Slots, the free ones included: one more than the largest index there may be.
+  /// The numbers of slots, including free slots: every index is below this number.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
   [[nodiscard]] bool is_alive(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
@@ -89,57 +89,61 @@ class TriangleMesh {
     } while (h != start);
   }
 
-  // Changing.
+  // Changes.
 
   [[nodiscard]] Vertex add_vertex();
-  /// Requires: no face has `v` as a corner.
+  /// Removes a vertex. Requires: no face has `v` as a corner.
   void free_vertex(Vertex v);
   [[nodiscard]] Face add_face();
-  /// Requires: no half-edge of another face names one of `f` as its twin.
+  /// Removes a face. Requires: no half-edge of another face has a half-edge of `f` as its twin.
   void free_face(Face f);
-  /// Gives `f` its corners, without twins and labels; each corner's outgoing half-edge is one of `f`.
+  /// Sets the corners of `f`, but no twins and labels. Sets the outgoing half-edge of each corner to one of `f`.
   void set_corners(Face f, Vertex a, Vertex b, Vertex c);
   void set_outgoing(Vertex v, HalfEdge h) { outgoing_[number(v)] = number(h); }
-  /// Makes twins of `g` and `h`, with that label on their edge.
+  /// Makes `g` and `h` twins and sets the label of their edge.
   void link(HalfEdge g, HalfEdge h, Label label);
-  /// Labels the edge of `h`; 0 frees it.
+  /// Sets the label of the edge of `h`. If it is 0, the edge is no longer fixed.
   void set_label(HalfEdge h, Label label);
 
-  /// Puts `v` into `f`, joined to its three corners. Returns the half-edges opposite to `v`, counter-clockwise around
-  /// it; the first is first(f).
+  /// Puts `v` into `f` and connects it to the three corners. Returns the half-edges opposite to `v`, counter-clockwise
+  /// around it; the first is first(f).
   std::array<HalfEdge, 3> split_face(Face f, Vertex v);
-  /// Puts `v` on the edge of `h`, joined to the apex on each side. Both halves carry the edge's label. `h` is then the
-  /// half from its origin to `v`. Returns the half-edges opposite to `v`, counter-clockwise around it.
+  /// Puts `v` on the edge of `h` and connects it to the apexes on both sides. Both halves of the edge keep its label.
+  /// `h` is then the half-edge from its origin to `v`. Returns the half-edges opposite to `v`, counter-clockwise around
+  /// it.
   std::array<HalfEdge, 4> split_edge(HalfEdge h, Vertex v);
-  /// Turns the edge of `h` in its quadrilateral, whose apexes are c on the side of `h` and d on the other. Returns the
-  /// half of the new edge that runs from d to c. Afterwards `h` and the half-edge that followed the new one's twin,
-  /// returned as `opposite`, are the two sides of the quadrilateral that d's corners face: both have c as their apex.
-  /// Requires: the edge isn't fixed, and the quadrilateral's four corners are distinct.
+  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Let c be the apex of `h`, and d the apex of
+  /// its twin. `diagonal` is the half-edge of the new edge from d to c. Afterwards, `h` and `opposite` are the two
+  /// sides of the quadrilateral that end or start at d, and c is the apex of both. Requires: the edge is not fixed, and
+  /// the four corners of the quadrilateral are distinct.
   struct Flipped {
     HalfEdge diagonal;
     HalfEdge opposite;
   };
   Flipped flip(HalfEdge h);
 
-  /// A triangle of a polygon, by the positions of its corners, counter-clockwise, among the polygon's.
+  /// A triangle of a polygon, counter-clockwise. `from`, `apex` and `to` are the positions of its corners in the list
+  /// of the polygon's corners.
   struct Triangle {
     std::uint32_t from, apex, to;
   };
-  /// Refills a hole with the faces that it was made of: those of `sides`, which run in a row along its border, the hole
-  /// on their left. `triangles` are one fewer than `sides`: the first stands on the hole's base, from the end of the
-  /// last side back to the start of the first, and each comes before those on its edges from - apex and apex - to.
-  /// Returns the base's half-edge; it has no twin until link() or close() gives it one. Uses up `sides`.
-  /// Requires: no two of `sides` are of one face; the faces' other half-edges lie inside the hole.
+  /// Fills a hole with triangles. `sides` are consecutive half-edges on the hole's border, with the hole on their left;
+  /// their faces are those that the hole consists of, and the new triangles use these faces again. `triangles` has one
+  /// entry fewer than `sides`. Its first triangle lies on the hole's base, which runs from the end of the last side to
+  /// the start of the first. Each triangle precedes the triangles on its edges from - apex and apex - to. Returns the
+  /// half-edge of the base, which has no twin until link() or close() sets it. Overwrites `sides`. Requires: no two of
+  /// `sides` belong to one face; the other half-edges of these faces lie inside the hole.
   HalfEdge refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles);
-  /// Closes a hole whose base is a side of it as well: `base`, from refill(), takes the place of `side`, whose face
-  /// goes.
+  /// Closes a hole whose base is also a side of its border: `base`, from refill(), replaces `side`, and the face of
+  /// `side` is freed.
   void close(HalfEdge base, HalfEdge side);
 
-  /// Starts the log anew.
+  /// Empties the undo log.
   void begin();
-  /// Takes back everything since begin(), the last change first. Allocates nothing. Afterwards the log is empty.
+  /// Undoes all changes since begin(), the last change first. Allocates nothing. Afterwards the undo log is empty.
   void roll_back();
-  /// Calls visit(face, touch), or visit(vertex, touch), for each change since begin().
+  /// Calls visit(face, touch) for each change of a face since begin(), in order; the next function calls visit(vertex,
+  /// touch) for each new or removed vertex.
   template <class Visit>
   void for_each_touched_face(Visit&& visit) const {
     journal_.for_each([&](const Undo& change) {
@@ -177,7 +181,7 @@ class TriangleMesh {
     });
   }
 
-  /// The first broken link, label, loop or free list found, or nothing. Cost: linear.
+  /// Returns a description of the first broken link, label, loop or free list, or nothing. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
   void count_memory(MemoryUse& use) const {
@@ -187,7 +191,7 @@ class TriangleMesh {
     memory::count_spare(use, saved_faces_);
     journal_.count_memory(use);
   }
-  /// Gives back spare memory. Requires: nothing has changed since begin().
+  /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     memory::shrink(corners_, outgoing_);
     labels_.shrink_to_fit();
@@ -212,12 +216,12 @@ class TriangleMesh {
     set_label_of_twin,
     rebuild_label,
   };
-  /// How a change is taken back: `index` is its vertex, face or half-edge.
+  /// The record of a change. `index` is the vertex, face or half-edge that changed.
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;
-    /// Of set_label and rebuild_label, the label before; of rebuild_face, the position in `saved_faces_`; of split_edge
-    /// and flip, the twin.
+    /// For set_label and rebuild_label: the old label. For rebuild_face: the position in `saved_faces_`. For split_edge
+    /// and flip: the twin of `index`.
     std::uint32_t saved;
   };
   using SavedFace = std::array<Corner, 3>;
@@ -240,13 +244,14 @@ class TriangleMesh {
   void make_room_for_label(HalfEdge g, HalfEdge h);
   void make_room_to_take_over(HalfEdge to, HalfEdge from);
 
-  /// Gives `to` the twin and label that `from` has; both name the same edge, before and after its face is rebuilt.
+  /// Moves the twin and label of `from` to `to`. Both half-edges represent the same edge, before and after a face is
+  /// rebuilt.
   void take_over(HalfEdge to, HalfEdge from);
   void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
 
   std::vector<Corner> corners_;
-  memory::Pages<Label> labels_;          ///< by half-edge; has room wherever the edge is fixed
-  std::vector<std::uint32_t> outgoing_;  ///< by vertex; with kFree set, the next free vertex
+  memory::Pages<Label> labels_;          ///< by half-edge; has room for every half-edge of a fixed edge
+  std::vector<std::uint32_t> outgoing_;  ///< by vertex; if kFree is set: the next free vertex
   memory::FreeList free_faces_;          ///< linked by the twin of the first corner
   memory::FreeList free_vertices_;       ///< linked by `outgoing_`
   std::size_t free_face_count_ = 0;

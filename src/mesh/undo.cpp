@@ -1,7 +1,7 @@
 #include "mesh/triangle_mesh.hpp"
 
-// Taking changes back. Each is undone in the mesh that it left, so every index in it means what it meant then; nothing
-// here allocates.
+// Undoes changes. Each change is undone in exactly the mesh that it produced, so every index in its record has the same
+// meaning as when the record was made. Nothing here allocates.
 
 namespace waywright::mesh {
 
@@ -52,7 +52,7 @@ void TriangleMesh::undo(const Undo& change) {
   }
 }
 
-// f is (a, b, v) again to become (a, b, c): see split_face. The two other faces are taken back by themselves.
+// Turns f = (a, b, v) back into (a, b, c): see split_face. Other records undo the two other faces.
 void TriangleMesh::undo_split_face(Face f) {
   const HalfEdge ab = first(f);
   const HalfEdge bc = first(face(twin(next(ab))));
@@ -66,7 +66,7 @@ void TriangleMesh::undo_split_face(Face f) {
   set_outgoing(c, previous(ab));
 }
 
-// h is a -> v again to become a -> b: see split_edge.
+// Turns h = a -> v back into a -> b: see split_edge.
 void TriangleMesh::undo_split_edge(HalfEdge h) {
   const HalfEdge va = twin(h);
   const HalfEdge vb = next(twin(next(h)));
@@ -80,7 +80,7 @@ void TriangleMesh::undo_split_edge(HalfEdge h) {
   for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
 }
 
-// h is a -> d, with d -> c after it, again to become a -> b: see flip.
+// Turns h = a -> d, which d -> c follows, back into a -> b: see flip.
 void TriangleMesh::undo_flip(HalfEdge h) {
   const HalfEdge t = previous(twin(next(h)));
   take_over(next(h), t);
@@ -91,8 +91,8 @@ void TriangleMesh::undo_flip(HalfEdge h) {
   for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
 }
 
-// The neighbours that live learn of their old twins again; those that are still to be restored will do so themselves,
-// and those still free must not be written to: their slots hold the list of free faces.
+// Also sets the twins of the neighbours that are alive. A neighbour that is restored later sets its twins itself. A
+// neighbour that is still free must not be written to: its slot holds a link of the free list.
 void TriangleMesh::restore(Face f, const SavedFace& saved) {
   HalfEdge h = first(f);
   for (const Corner& corner : saved) {

@@ -8,7 +8,8 @@ namespace {
 
 using State = std::array<std::uint32_t, 8>;
 
-// The fractional parts of the square roots of the first 8 primes and of the cube roots of the first 64.
+// kInitialState holds the first 32 bits of the fractional parts of the square roots of the first 8 primes, and
+// kRoundConstants those of the cube roots of the first 64 primes.
 constexpr State kInitialState = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                  0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
 constexpr std::array<std::uint32_t, 64> kRoundConstants = {
@@ -21,7 +22,7 @@ constexpr std::array<std::uint32_t, 64> kRoundConstants = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-/// One block of 64 bytes: FIPS 180-4, section 6.2.2.
+/// Adds one block of 64 bytes to the state. Source: FIPS 180-4, section 6.2.2.
 void absorb(State& state, std::string_view block) {
   std::array<std::uint32_t, 64> w{};
   for (std::size_t t = 0; t < 16; ++t) {
@@ -58,7 +59,8 @@ std::array<std::uint8_t, 32> sha256(std::string_view bytes) {
   State state = kInitialState;
   const std::uint64_t bit_count = std::uint64_t{8} * bytes.size();
   for (; bytes.size() >= 64; bytes.remove_prefix(64)) absorb(state, bytes.substr(0, 64));
-  // What is left, a one bit, zeros, and the count of bits in the last eight bytes: one block, or two.
+  // The last block, or the last two: the remaining bytes, a one bit, zeros, and the number of all bits in the last
+  // eight bytes.
   std::array<char, 128> tail{};
   bytes.copy(tail.data(), bytes.size());
   tail[bytes.size()] = static_cast<char>(0x80);

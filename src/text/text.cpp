@@ -13,16 +13,16 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// Whether an unsigned decimal number that no double is near to is too large rather than too small. Such a number is
-/// beyond 1e308 or below 1e-308, so the place of its first digit that is not zero tells.
-bool is_huge(std::string_view number) {
+/// Whether an unsigned decimal number outside the range of doubles is too large; if not, it is too small. Such a number
+/// is above 1e308 or below 1e-308, so the position of its first non-zero digit decides.
+bool is_too_large(std::string_view number) {
   const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, mantissa_end);
   const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == std::string_view::npos) return false;
-  const auto place = first < point ? static_cast<std::int64_t>(point - first) - 1
-                                   : static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  const auto decimal_exponent = first < point ? static_cast<std::int64_t>(point - first) - 1
+                                              : static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
 
   std::string_view exponent_text = number.substr(std::min(mantissa_end + 1, number.size()));
   const bool is_negative = exponent_text.starts_with('-');
@@ -31,20 +31,23 @@ bool is_huge(std::string_view number) {
   const auto [end, status] =
       std::from_chars(exponent_text.data(), exponent_text.data() + exponent_text.size(), exponent);
   if (status == std::errc::result_out_of_range) return !is_negative;
-  // The place is at most the length of a text, so the sum is far from overflow unless the exponent decides alone.
+  // `decimal_exponent` is at most the length of a text. Hence the sum cannot overflow, except where the exponent of the
+  // text decides alone.
   constexpr std::int64_t kDecisive = std::numeric_limits<std::int64_t>::max() / 2;
   if (exponent > kDecisive) return !is_negative;
-  return place + (is_negative ? -exponent : exponent) > 0;
+  return decimal_exponent + (is_negative ? -exponent : exponent) > 0;
 }
 
-/// The encoding of a text that is not UTF-8, as iconv calls it; empty for UTF-8 and for bytes that are no text.
+/// The encoding of a text that is not UTF-8, under the name that iconv uses; empty for UTF-8 and for bytes that are no
+/// text.
 std::string_view foreign_encoding(std::string_view text) {
   using namespace std::string_view_literals;
   if (text.starts_with("\xff\xfe\0\0"sv)) return "UTF-32LE";
   if (text.starts_with("\0\0\xfe\xff"sv)) return "UTF-32BE";
   if (text.starts_with("\xff\xfe"sv)) return "UTF-16LE";
   if (text.starts_with("\xfe\xff"sv)) return "UTF-16BE";
-  // Without a byte order mark, the NUL bytes around the first character tell: these formats begin with ASCII.
+  // If there is no byte order mark, the NUL bytes around the first character reveal the encoding, because all texts
+  // that the library reads begin with an ASCII character.
   const auto is_ascii = [&](std::size_t i) { return text[i] != '\0' && static_cast<unsigned char>(text[i]) < 0x80; };
   if (text.size() >= 4 && is_ascii(0) && text.substr(1, 3) == "\0\0\0"sv) return "UTF-32LE";
   if (text.size() >= 4 && is_ascii(3) && text.substr(0, 3) == "\0\0\0"sv) return "UTF-32BE";
@@ -109,7 +112,7 @@ std::optional<double> read_number(std::string_view word) {
   if (stop != end || status == std::errc::invalid_argument) return std::nullopt;
   if (status == std::errc::result_out_of_range) {
     const bool is_negative = word.starts_with('-');
-    const double size = is_huge(word.substr(is_negative ? 1 : 0)) ? std::numeric_limits<double>::infinity() : 0.0;
+    const double size = is_too_large(word.substr(is_negative ? 1 : 0)) ? std::numeric_limits<double>::infinity() : 0.0;
     return is_negative ? -size : size;
   }
   return value;
@@ -131,7 +134,7 @@ std::optional<ItemId> read_id(std::string_view word) {
 
 void append_number(std::string& out, double value) {
   std::array<char, 32> buffer{};
-  // Adding zero turns -0.0 into 0.0 and changes nothing else.
+  // Adding 0 changes -0.0 into 0.0 and leaves every other value as it is.
   out.append(buffer.data(), base::write_shortest(buffer.data(), buffer.data() + buffer.size(), value + 0.0));
 }
 

@@ -9,10 +9,10 @@ namespace waywright::threads {
 
 namespace {
 
-/// Starts threads for each run.
+/// A job system that starts new threads for each run.
 class StartedThreads final : public JobSystem {
  public:
-  // Where the system has no threads left, the calling thread does the work when it asks for the result.
+  // If the system cannot start another thread, the calling thread does that thread's work when it asks for the result.
   void run(std::size_t count, const std::function<void(std::size_t)>& job) override {
     std::vector<std::future<void>> others;
     others.reserve(count - 1);
@@ -24,7 +24,7 @@ class StartedThreads final : public JobSystem {
   }
 };
 
-/// The calls of one run: each is made once, whoever asks for it.
+/// The calls of one run. Several threads may ask for the same call; it is made once.
 class Calls {
  public:
   Calls(std::size_t count, const std::function<void(std::size_t)>& work) : calls_(count) {
@@ -37,11 +37,12 @@ class Calls {
     }
   }
 
-  /// Throws nothing: a task keeps what it throws for its result.
+  /// Makes call `i` unless a thread has already started it. Throws nothing: a task keeps its exception in its result.
   void make(std::size_t i) {
     if (calls_[i].is_made.exchange(1) == 0) calls_[i].task();
   }
-  /// Makes the calls that nobody has made. Throws what the first one that failed has thrown.
+  /// Makes the calls that no thread has started, and waits for all. If calls have thrown exceptions, throws that of the
+  /// first of them in the order of their indices.
   void finish() {
     for (std::size_t i = 0; i < calls_.size(); ++i) make(i);
     for (Call& call : calls_) call.result.wait();
