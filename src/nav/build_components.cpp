@@ -7,8 +7,8 @@
 #include "nav/components.hpp"
 #include "nav/point_agent.hpp"
 
-// The components of a mesh that nothing is known of yet. They are found in place: until they are numbered, a face's
-// label is that of a face before it in its set, or the first face's own.
+// Builds the components of a mesh from scratch. The table of labels itself holds the sets: until number_components()
+// runs, the label of a face is the number of an earlier face in its set, or its own number if it is the first.
 
 namespace waywright::nav {
 
@@ -17,10 +17,10 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// The winding numbers of polygons, by slot, ascending; those that are 0 are left out.
+/// The nonzero winding numbers of polygons, in ascending order of their slots.
 using Turns = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
-/// The winding numbers beyond the edge of `h`, from those in its face.
+/// Returns the winding numbers in the face beyond `h`. `here` holds those in the face of `h`.
 Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Turns& here, HalfEdge h) {
   Turns turns = here;
   triangulation.for_each_side(h, [&](const constraint::Side& side) {
@@ -76,8 +76,8 @@ void Components::number_components(std::vector<Label>& labels) {
   }
 }
 
-/// From beyond the box inwards. Where there are nonzero polygons, the components whose neighbours are still to be
-/// looked at have their winding numbers kept.
+/// Computes the covers, component by component, from outside the box inwards. If the world has nonzero polygons,
+/// `known` keeps the winding numbers of each component until the loop has handled the neighbours of that component.
 void Components::cover_components(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const bool has_nonzero = triangulation.items().has_nonzero_polygons();
