@@ -64,10 +64,9 @@ void TaStar::leave_start_face(mesh::HalfEdge h) {
   }
 }
 
-//          c             The channel has entered the face across `entry`, from below: its left end is the edge's
-//          origin, its
-//        /   \           right end the target. If the channel leaves across target - c, c becomes the left end of the
-//      /       \         portal. If it leaves across c - origin, c becomes the right end.
+//          c             The channel has entered the face across `entry`, from below: the left end is the edge's
+//        /   \           origin, the right end its target. If the channel leaves across target - c, c becomes the left
+//      /       \         end of the portal. If it leaves across c - origin, c becomes the right end.
 //  origin --> target
 void TaStar::leave(std::uint32_t position) {
   const Node node = nodes_[position];

@@ -23,10 +23,10 @@ bool TautString::is_at_start(mesh::Vertex v) const {
   return geometry_->order(row_[apex_], geometry_->view(number(v))) == 0;
 }
 
-//        left end . . . . . v       The new string to v leaves the left string at a corner: the first one, from the left
-//       /               .'          end towards the apex, for which v lies to the left of the piece that ends there. If
-//      .            . '             there is no such corner, the new string follows the right string from the apex on,
-//     /        . '                  as long as v lies to the right of the next piece.
+//        left end . . . . . v       The new string to v leaves the left string at a corner: the first one, from the
+//       /               .'          left end towards the apex, for which v lies to the left of the piece that ends
+//      .            . '             there. If there is no such corner, the new string follows the right string from the
+//     /        . '                  apex on, as long as v lies to the right of the next piece.
 //   apex --- . --- right end
 void TautString::move_left(mesh::Vertex v) {
   const View place = geometry_->view(number(v));

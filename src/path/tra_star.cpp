@@ -145,11 +145,9 @@ void TraStar::leave(const Node& node, std::uint32_t position) {
   follow(left, position, to_left);
 }
 
-//          c             The channel has entered a face across `entry`, from below: its left end is the edge's origin,
-//          its
-//        /   \           right end the target. If it leaves to the right, across target - c, c becomes the left end of
-//        the
-//      /       \         portal. If it leaves to the left, across c - origin, c becomes the right end.
+//          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
+//        /   \           the right end its target. If it leaves to the right, across target - c, c becomes the left end
+//      /       \         of the portal. If it leaves to the left, across c - origin, c becomes the right end.
 //  origin --> target
 //
 /// Follows the channel for as long as there is no choice.

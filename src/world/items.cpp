@@ -4,13 +4,13 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// The items of a world, as they are.
+// The functions that read the items of a world.
 
 namespace waywright {
 
 namespace {
 
-/// Fills `shape` with that of a live item, for its memory.
+/// Fills `shape` with the shape of a live item. An existing `shape` lends its memory.
 void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();

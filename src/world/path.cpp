@@ -19,13 +19,13 @@ namespace {
 
 using exact::Sign;
 
-/// A coordinate that a query takes and that fits into the precision.
+/// Returns the coordinate in the given precision that is nearest to `value`, or 0 if a query does not accept that.
 double fitted(double value, Precision precision) {
   if (precision == Precision::float32) value = static_cast<double>(static_cast<float>(value));
   return is_in_range(value) ? value : 0.0;
 }
 
-/// The next such coordinate in the direction of `way`, or `value` itself where that is 0.
+/// Returns the next such coordinate in the direction of `way`, or `value` itself if `way` is 0.
 double next_coordinate(double value, double way, Precision precision) {
   if (way == 0.0) return value;
   if (std::abs(value) <= kSmallestCoordinate) {
@@ -42,14 +42,14 @@ Sign side_of(const Point& a, const Point& b, const Point& c) {
   return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
 }
 
-/// A turn of the path: where it is, and in which direction; zero if there is none.
+/// A turn of the path: its corner and its direction, which is zero if there is no turn.
 struct Turn {
   std::size_t corner = 0;
   Sign direction = Sign::zero;
 };
 
-/// The first turn at or after the end of a segment, and the last at or before its start. Corners on the segment's line
-/// are no turns.
+/// turn_after() returns the first turn at or after the end of a segment, turn_before() the last turn at or before its
+/// start. A corner on the line of the segment is no turn.
 Turn turn_after(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment + 2; i < points.size(); ++i) {
     const Sign direction = side_of(points[segment], points[segment + 1], points[i]);
@@ -65,8 +65,8 @@ Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
   return {};
 }
 
-/// A path turns around walls, so those that it touches lie on the side that it turns to, above all near the turn. This
-/// is the other side: positive on the left of the segment, zero if nothing is known.
+/// A path turns around walls. So near a turn, the walls that it touches lie on the side to which it turns. Returns the
+/// other side: positive is left of the segment, zero means that nothing is known.
 Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& place) {
   const Turn before = turn_before(points, segment);
   const Turn after = turn_after(points, segment);
@@ -78,16 +78,17 @@ Sign free_side(const std::vector<Point>& points, std::size_t segment, const Poin
   return turn == Sign::positive ? Sign::negative : Sign::positive;
 }
 
-/// A coordinate that lies `step` from `value` in the direction of `way`, or at least the next one in that direction.
+/// Returns the coordinate that lies `step` from `value` in the direction of `way`, or at least the next one in that
+/// direction.
 double moved_coordinate(double value, double way, double step, Precision precision) {
   if (way == 0.0) return value;
   const double moved = fitted(value + std::copysign(step, way), precision);
   return (moved - value) * way > 0.0 ? moved : next_coordinate(value, way, precision);
 }
 
-/// A place next to `place` that does not lie on the wrong side of the line from `a` to `b`. The steps begin with the
-/// rounding error of a place between `a` and `b`, which next to 0 is far larger than the distance of neighbouring
-/// doubles.
+/// Returns a point near `place` that does not lie on the wrong side of the line from `a` to `b`. The first step is as
+/// long as the rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of
+/// neighbouring doubles.
 Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
   const auto is_right = [&](const Point& p) {
     const Sign own = side_of(a, b, p);
@@ -106,7 +107,8 @@ Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side
   }
 }
 
-/// The position at `along` from the start of a segment of that length.
+/// Returns the position at distance `along` from the start of a segment. `length` is the length of the segment,
+/// `before` that of the path up to its start.
 PathPosition position_on(const std::vector<Point>& points, std::size_t segment, double before, double along,
                          double length, Precision precision) {
   const Point& a = points[segment];
@@ -134,7 +136,7 @@ PathPosition Path::advance(const PathPosition& from, double step, Precision prec
   const base::FloatEnvironment environment;
   WAYWRIGHT_ASSERT(!points.empty(), "Path::advance: the path has no points");
   const double asked = from.distance + step;
-  const double total = asked > 0.0 ? asked : 0.0;  // of NaN, 0
+  const double total = asked > 0.0 ? asked : 0.0;  // NaN gives 0
   const bool goes_on = total >= from.before && from.segment + 1 < points.size();
   std::size_t segment = goes_on ? from.segment : 0;
   double before = goes_on ? from.before : 0.0;
