@@ -133,8 +133,8 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
   }
 }
 
-/// Covers the group as its neighbour across one edge implies, if the cover of some neighbour is known or the neighbour
-/// is a ghost face. Returns whether there is such a neighbour.
+/// Looks for a neighbour of the group that has a known cover or is a ghost face, and computes the group's cover from
+/// it. Returns whether there is such a neighbour.
 bool Components::cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {

@@ -11,6 +11,12 @@ using constraint::UseLists;
 using mesh::Face;
 using mesh::HalfEdge;
 
+// update() works in four steps:
+// - It takes the changed faces out of their components.
+// - It divides the new faces into groups. A group is connected through new faces alone.
+// - It finds the parts into which the old components have fallen, and makes one component of all groups and parts that
+//   are connected.
+// - It updates the covers.
 void Components::update(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   make_room(mesh);
@@ -218,8 +224,8 @@ void Components::add_piece(std::uint32_t search, Label component) {
   parts_.push_back({component, searches_[search].group, end - begin, true, begin, end});
 }
 
-// Makes one component of each set of connected groups and the pieces that they connect. The component takes the label
-// of the largest piece that is the rest of an old component, if there is one.
+// Makes one component of each set of connected groups and the parts that they connect. The component takes the label
+// of the largest rest of an old component among them, if there is one.
 void Components::label_parts(const mesh::TriangleMesh& mesh) {
   for (const Part& part : parts_) {
     Group& group = groups_[top(group_sets_, part.group)];

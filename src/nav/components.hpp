@@ -94,7 +94,7 @@ class Components {
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Label label = kNone;
-    std::uint32_t size = 0;  ///< of the component that the group becomes a piece of
+    std::uint32_t size = 0;  ///< size of the component to which the group will belong
   };
   /// An old face with an unconstrained edge to a face of a group.
   struct Contact {
@@ -108,10 +108,11 @@ class Components {
     std::vector<mesh::Face> found;
     std::size_t next = 0;  ///< index of the first face in `found` whose neighbours the search has not looked at
   };
-  /// The rest of an old component, or a piece that a change has separated from it.
+  /// A connected part of what is left of an old component: a piece whose faces a search has listed, or the rest, whose
+  /// faces are not listed.
   struct Part {
     Label component;
-    std::uint32_t group;  ///< one group that it is connected with
+    std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
     bool is_piece;
     std::uint32_t begin, end;  ///< a piece: its faces in `parted_`; else: the contacts in `contacts_`

@@ -21,7 +21,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   }
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     peel_from(mesh, Face{f});
-    begin();  // frees the log: there is no earlier state to go back to
+    begin();  // empties the log: there is no earlier state to go back to
   }
   states_.shrink_to_fit();
 }

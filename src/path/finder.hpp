@@ -61,7 +61,7 @@ class Finder {
   bool is_done_ = true;
   bool is_searched_ = false;  ///< whether a search was necessary at all
   bool is_proving_ = false;   ///< whether `ta` has no channel left and `optimal` searches on
-  double ta_bound_ = 0.0;     ///< lower bound of the length that `ta` has proven
+  double ta_bound_ = 0.0;     ///< the lower bound that `ta` has proven
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;

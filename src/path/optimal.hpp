@@ -21,10 +21,10 @@ namespace waywright::path {
 /// edge of the mesh.
 ///
 /// A window consists of the edge, the root, and the cone of sight between two vertices that bound it, left and right.
-/// When a cone crosses a face, it continues across one or both of the other edges; the sides of the cone on which the
-/// face's apex lies decide it. So only orientations of mesh vertices decide where a cone continues. Lengths decide only
-/// which node the search expands first, and which of two paths is shorter. A path turns where a cone touches a vertex
-/// with walls, around these walls. That vertex is then the root of new windows.
+/// When a cone crosses a face, it continues across one or both of the other edges: this depends on whether the face's
+/// apex lies left of the cone, inside it, or right of it. So only orientations of mesh vertices decide where a cone
+/// continues. Lengths decide only which node the search expands first, and which of two paths is shorter. Where a cone
+/// touches a vertex with walls, a path can turn around these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and the rule that drops roots which a shorter path has reached. Departures:
@@ -84,10 +84,10 @@ class Optimal {
   struct Node {
     Kind kind;
     mesh::HalfEdge entry;  ///< of a window: its edge, in the face beyond; of a turn: an edge that ends at the vertex
-    std::uint32_t root;    ///< of a turn: the root before the turn
+    std::uint32_t root;    ///< of a window: its root; of a turn: the root before it
     mesh::Vertex left;     ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
     mesh::Vertex right;    ///< the vertex that bounds the cone on the right; of a right turn, where the path turns
-    std::uint32_t trace;   ///< the edges that the search has crossed to come here
+    std::uint32_t trace;   ///< index in `traces_` of the last edge that the search has crossed, or kNone
   };
 
   /// A goal and the best path to it so far.
@@ -95,7 +95,7 @@ class Optimal {
     Point point;
     double length;
     std::uint32_t root;   ///< where the path turns last; kNone as long as there is no path
-    std::uint32_t trace;  ///< the edges that the path crosses
+    std::uint32_t trace;  ///< index in `traces_` of the last edge that the path crosses, or kNone
   };
   struct GoalFace {
     mesh::Face face;

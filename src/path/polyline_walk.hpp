@@ -15,9 +15,9 @@ namespace waywright::path {
 /// along walls. It must not pass through a wall or through the interior of a polygon. At a point where walls meet, it
 /// must not pass from one wedge between these walls to another.
 ///
-/// The walk follows the agent from face to face. At each position it keeps the faces in or on whose border the agent
-/// can be. The agent can leave a vertex in a direction only if this direction lies in the closed wedge, between two
-/// walls, of one of these faces.
+/// The walk follows the agent from face to face. At each position it keeps a list of faces: the agent can be
+/// inside each of them or on its border. The agent can leave a vertex in a direction only if this direction lies in the
+/// closed wedge, between two walls, that contains one of these faces.
 ///
 /// Keep the object: its memory serves many queries.
 class PolylineWalk {

@@ -50,7 +50,7 @@ class TraStar {
   // Marks of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
   static constexpr std::uint32_t kAboveGoal = 2;      ///< from a goal face (included) towards the core
-  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< kAboveGoal, with another goal face in the component
+  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< kAboveGoal, but not above all goal faces in its component
   static constexpr std::uint32_t kChosen = 8;         ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 

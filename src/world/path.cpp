@@ -25,17 +25,18 @@ double fitted(double value, Precision precision) {
   return is_in_range(value) ? value : 0.0;
 }
 
-/// Returns the next such coordinate in the direction of `way`, or `value` itself if `way` is 0.
-double next_coordinate(double value, double way, Precision precision) {
-  if (way == 0.0) return value;
+/// Returns the next such coordinate: above `value` if `direction` is positive, below `value` if it is negative. Returns
+/// `value` itself if `direction` is 0.
+double next_coordinate(double value, double direction, Precision precision) {
+  if (direction == 0.0) return value;
   if (std::abs(value) <= kSmallestCoordinate) {
-    return value * way < 0.0 ? 0.0 : std::copysign(2.0 * kSmallestCoordinate, way);
+    return value * direction < 0.0 ? 0.0 : std::copysign(2.0 * kSmallestCoordinate, direction);
   }
   if (precision == Precision::float32) {
-    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(way));
+    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(direction));
     return fitted(static_cast<double>(std::nextafter(static_cast<float>(value), towards)), precision);
   }
-  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), way)), precision);
+  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), direction)), precision);
 }
 
 Sign side_of(const Point& a, const Point& b, const Point& c) {
@@ -78,31 +79,31 @@ Sign free_side(const std::vector<Point>& points, std::size_t segment, const Poin
   return turn == Sign::positive ? Sign::negative : Sign::positive;
 }
 
-/// Returns the coordinate that lies `step` from `value` in the direction of `way`, or at least the next one in that
-/// direction.
-double moved_coordinate(double value, double way, double step, Precision precision) {
-  if (way == 0.0) return value;
-  const double moved = fitted(value + std::copysign(step, way), precision);
-  return (moved - value) * way > 0.0 ? moved : next_coordinate(value, way, precision);
+/// Returns the coordinate at the distance `step` from `value`, or at least the next one: above or below `value`, as for
+/// next_coordinate().
+double moved_coordinate(double value, double direction, double step, Precision precision) {
+  if (direction == 0.0) return value;
+  const double moved = fitted(value + std::copysign(step, direction), precision);
+  return (moved - value) * direction > 0.0 ? moved : next_coordinate(value, direction, precision);
 }
 
 /// Returns a point near `place` that does not lie on the wrong side of the line from `a` to `b`. The first step is as
 /// long as the rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of
 /// neighbouring doubles.
 Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
-  const auto is_right = [&](const Point& p) {
+  const auto is_allowed = [&](const Point& p) {
     const Sign own = side_of(a, b, p);
     return own == Sign::zero || own == side;
   };
-  if (side == Sign::zero || is_right(place)) return place;
+  if (side == Sign::zero || is_allowed(place)) return place;
   const double sign = side == Sign::positive ? 1.0 : -1.0;
-  const Point way{-sign * (b.y - a.y), sign * (b.x - a.x)};
+  const Point direction{-sign * (b.y - a.y), sign * (b.x - a.x)};
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   for (double step = largest * 0x1p-52;; step *= 2.0) {
-    const Point next{moved_coordinate(place.x, way.x, step, precision),
-                     moved_coordinate(place.y, way.y, step, precision)};
+    const Point next{moved_coordinate(place.x, direction.x, step, precision),
+                     moved_coordinate(place.y, direction.y, step, precision)};
     for (const Point& candidate : {Point{next.x, place.y}, Point{place.x, next.y}, next}) {
-      if (is_right(candidate)) return candidate;
+      if (is_allowed(candidate)) return candidate;
     }
   }
 }
@@ -161,13 +162,14 @@ PathPosition Path::nearest(const Point& place, Precision precision) const {
   std::size_t best_segment = 0;
   double before = 0.0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Point way{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
+    const Point direction{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
     const double segment_length = waywright::distance(points[i], points[i + 1]);
-    const Point foot = path::foot(place, points[i], way);
-    const double ahead = (foot.x - points[i].x) * way.x + (foot.y - points[i].y) * way.y;
+    const Point foot = path::foot(place, points[i], direction);
+    const double ahead = (foot.x - points[i].x) * direction.x + (foot.y - points[i].y) * direction.y;
     const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), segment_length);
     const double share = segment_length > 0.0 ? along / segment_length : 0.0;
-    const double distance = waywright::distance(place, {points[i].x + share * way.x, points[i].y + share * way.y});
+    const double distance =
+        waywright::distance(place, {points[i].x + share * direction.x, points[i].y + share * direction.y});
     if (distance < best_distance) {
       best_distance = distance;
       best_along = along;
