@@ -296,8 +296,8 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   if (was_longest && --longest_count_ == 0) limit_lengths();
 }
 
-//          apex          The cone's left bound touches v, the entry's left end, and the face's apex lies to the left of
-//        /    \          the bound. A path that turns at v, around the walls there, can reach what lies on that side.
+//          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
+//        /    \          its left. A path that turns at v, around the walls there, can reach what lies on that side.
 //       /      \         No wall at v lies to the right of the path, because the cone has passed there. So if v has
 //   v -------- target    no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
