@@ -121,9 +121,9 @@ enum Side : std::uint8_t { top, right, bottom, left };
 /// At a lattice point where two blocked cells touch diagonally and the other two cells are free, a ring can turn in two
 /// directions. If the blocked cells are in different groups, each ring turns around its own cell: the rings stay
 /// separate. If they are in one group, they are also connected elsewhere. The group then encloses one of the two free
-/// cells and separates it from the other. The ring passes from one blocked cell to the other, so it stays with its free
-/// cell. Thus every ring bounds one region of the area that the group leaves free, and passes no point twice: every
-/// ring is simple, and two rings of a group meet only in points.
+/// cells and separates it from the other. At such a point the ring passes from one blocked cell to the other, and so
+/// stays at the same free cell. Thus every ring bounds one region of the area that the group leaves free, and passes no
+/// point twice: every ring is simple, and two rings of a group meet only in points.
 class Tracer {
  public:
   explicit Tracer(const std::vector<std::string_view>& rows);

@@ -38,8 +38,8 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     begin();
   }
 
-  /// Stops the search when the step ends, unless `is_done` is then false. Also stops it if memory runs out during the
-  /// step.
+  /// Stops the search when the step ends, if the search is then done. If memory runs out during the step, `is_done` is
+  /// still true, so the search stops then as well.
   class Step {
    public:
     explicit Step(Impl& impl) : impl_(impl) { impl_.is_done = true; }
