@@ -110,8 +110,8 @@ void Abstraction::drop_replaced() {
 }
 
 /// Returns whether the change happened in open space: every face of `gone_` had three passages in the core, all these
-/// faces belonged to one component, and no face of `made_` has a constrained edge. The new faces then belong to the
-/// same component, and each has three passages in the core.
+/// faces belonged to one component, and all edges of the faces in `made_` are passages. The new faces then belong to
+/// the same component, and each has three passages in the core.
 bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Label component = Components::kNone;

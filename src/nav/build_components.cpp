@@ -7,8 +7,7 @@
 #include "nav/components.hpp"
 #include "nav/point_agent.hpp"
 
-// Builds the components of a mesh from scratch. The table of labels itself holds the sets: until number_components()
-// runs, the label of a face is the number of an earlier face in its set, or its own number if it is the first.
+// Builds the components of a mesh from scratch: first trees of connected faces, then a component of each tree.
 
 namespace waywright::nav {
 
@@ -49,7 +48,7 @@ Components::Components(const Triangulation& triangulation) {
   begin();
 }
 
-/// Returns trees of faces: each face of the box names another one of its component, or itself.
+/// Returns the components as trees: for each face of the box, another face of its component, or itself for a root.
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
 std::vector<Components::Label> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -66,7 +65,7 @@ std::vector<Components::Label> Components::join_faces(const Triangulation& trian
   return trees;
 }
 
-/// Makes a component of each tree, and the face's component of each entry of `labels`.
+/// Makes a component of each tree in `labels`, and replaces each entry by the label of its face's component.
 void Components::number_components(std::vector<Label>& labels) {
   for (std::uint32_t f = 0; f < labels.size(); ++f) {
     if (labels[f] == kNone) continue;

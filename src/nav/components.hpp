@@ -19,8 +19,8 @@
 
 namespace waywright::nav {
 
-/// The components of the faces of the box. Two faces are in one component if a chain of unconstrained edges connects
-/// them. The same polygons cover all faces of a component, so each component stores its cover.
+/// The components of the faces of the box. Two faces are in one component if a chain of passages connects them. The
+/// same polygons cover all faces of a component, so each component stores its cover.
 ///
 /// update() carries the components over from one mesh to the next. If a change may have disconnected a component,
 /// searches from all its pieces run in turn until at most one of them is unfinished. If components meet, the smaller
@@ -96,7 +96,7 @@ class Components {
     Label label = kNone;
     std::uint32_t size = 0;  ///< size of the component to which the group will belong
   };
-  /// An old face with an unconstrained edge to a face of a group.
+  /// An old face with a passage to a face of a group.
   struct Contact {
     Label component;  ///< of the old face
     std::uint32_t group;

@@ -67,7 +67,7 @@ void TwoCore::write(Face f, State state) {
   if ((states_[number(f)] & kNew) == 0) {
     states_.write(number(f), state);
   } else {
-    states_.unrecorded(number(f)) = state;  // its record is from before it was new
+    states_.unrecorded(number(f)) = state;  // the log already has the old state
   }
 }
 

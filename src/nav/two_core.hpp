@@ -17,7 +17,7 @@
 
 namespace waywright::nav {
 
-/// The 2-core of the graph whose nodes are the faces and whose edges are the unconstrained edges of the mesh: what is
+/// The 2-core of the graph whose nodes are the faces and whose edges are the passages between them: what is
 /// left after all faces with at most one passage have been removed repeatedly. Besides the 2-core this class knows the
 /// trees that hang on it. Each face outside the core (a *tree face*) knows the passage that leads towards the core. In
 /// a component without a core, it knows the passage towards one face, the root. Every face of such a component could be
@@ -84,7 +84,7 @@ class TwoCore {
     states_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
   }
 
-  /// Starts the log anew.
+  /// Clears the undo log.
   void begin() { states_.begin(); }
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back() { states_.roll_back(); }

@@ -86,7 +86,7 @@ void Ends::free_start() {
   may_start_move_ = false;
 }
 
-// The same polygons cover two faces on both sides of an unconstrained edge. So if the first face on the straight line
+// The same polygons cover two faces on both sides of a free edge. So if the first face on the straight line
 // is open, all its faces are open, and neither end lies strictly inside a polygon.
 std::optional<PathStatus> Ends::set_goal(const Point& goal) {
   goal_ = goal;

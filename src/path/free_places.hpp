@@ -55,9 +55,9 @@ class FreePlaces {
   const Triangulation* triangulation_ = nullptr;
   constraint::Cover* cover_ = nullptr;
   Point point_;
-  double slack_ = 0.0;                  ///< more than the rounding errors of a distance in doubles
-  double nearest_ = 0.0;                ///< no candidate's distance in doubles is smaller
-  memory::Pages<std::uint32_t> marks_;  ///< by face: the query that reached it last
+  double slack_ = 0.0;                  ///< larger than the rounding error of a distance in doubles
+  double nearest_ = 0.0;                ///< at most the distance in doubles of every candidate
+  memory::Pages<std::uint32_t> marks_;  ///< by face: the last query that reached it
   memory::Stamp stamp_;
   std::vector<mesh::HalfEdge> waiting_;
   std::vector<Candidate> candidates_;

@@ -165,8 +165,8 @@ std::uint32_t Optimal::goals_around(mesh::Face f) const {
   return goals_in_components_[place_of(components_->of(f))].count;
 }
 
-/// Returns whether no goal face lies beyond `exit`. Requires: `exit` is unconstrained and not a passage in the core,
-/// and its component has a goal. In a tree without a core, the result does not depend on which face is the root.
+/// Returns whether no goal face lies beyond `exit`. Requires: `exit` is a passage, but not one in the core, and its
+/// component has a goal. In a tree without a core, the result does not depend on which face is the root.
 bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
   const mesh::Face f = mesh::face(exit);
   if (core_->leads_up(exit)) return goals_below(f) != 0 && goals_below(f) == goals_around(f);
@@ -449,7 +449,7 @@ bool Optimal::is_outdone_by(const Reached& way, const Node& window, mesh::HalfEd
 }
 
 /// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` without crossing a
-/// wall. Requires: both are unconstrained and start at a vertex that has walls.
+/// wall. Requires: both are passages and start at a vertex that has walls.
 bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
   for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->next_around(at)) {
     if (at == h) return true;

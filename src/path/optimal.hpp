@@ -202,7 +202,7 @@ class Optimal {
   std::vector<GoalsInComponent> goals_in_components_;  ///< one entry for each component of a start face, ascending
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;
-  std::uint64_t goal_bits_ = 0;  ///< the bit_of each of their faces
+  std::uint64_t goal_bits_ = 0;  ///< the union of bit_of() for all goal faces
   memory::Stamp stamp_;
 
   std::size_t expansions_ = 0;

@@ -206,7 +206,7 @@ void PolylineWalk::cross_faces(HalfEdge exit) {
   if (nav::PointAgent::can_cross(*mesh_, exit)) enter(mesh_->twin(exit));
 }
 
-/// Enters a face through the interior of `entry`, and goes on as long as the segment crosses unconstrained edges.
+/// Enters a face through the interior of `entry`, and goes on as long as the segment crosses passages.
 void PolylineWalk::enter(HalfEdge entry) {
   for (;;) {
     const Sign apex_side = side(mesh_->apex(entry));

@@ -20,10 +20,10 @@ namespace waywright::path {
 /// apex plus the length of the shortest path from there through the portal to the goal. This is a lower bound for every
 /// path along the channel. The search goes on until no open bound is below the length of the best path found.
 ///
-/// Channels cross unconstrained edges and never vertices. So no path passes a wall or a point where walls meet.
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: their bound g is a
-/// maximum of estimates from the portals' ends; ours keeps each channel's funnel as it grows, which is tighter and as
-/// cheap.
+/// Channels cross passages and never vertices. So no path passes a wall or a point where walls meet.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: the paper's
+/// bound g is a maximum of estimates from the portals' ends. This class keeps the funnel of each channel as it grows,
+/// which gives a tighter bound at the same cost.
 class TaStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -66,8 +66,8 @@ class TaStar {
   LookedAt* looked_at_ = nullptr;  ///< or null
   TautTree tree_;
   std::vector<Node> nodes_;
-  OpenList open_;                               ///< positions in `nodes_`
-  memory::ZeroedArray<std::uint32_t> entered_;  ///< by half-edge: the query that entered a face by it last
+  OpenList open_;                               ///< indices in `nodes_`
+  memory::ZeroedArray<std::uint32_t> entered_;  ///< by half-edge: the last query that entered a face through it
   memory::Stamp stamp_;
   bool is_found_ = false;
   double best_length_ = 0.0;

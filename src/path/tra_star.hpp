@@ -20,10 +20,12 @@ namespace waywright::path {
 /// enters another dead end. The path is the taut string through the first channel that reaches the goal.
 ///
 /// The search is cheap and its paths are good, but not always shortest: it orders the channels by an approximate length
-/// in doubles, which it updates as a channel grows, and makes a choice at each face only once. Source: Demyen and Buro,
-/// *Efficient triangulation-based pathfinding*, AAAI 2006. Departures: one rule says through which edges the search
-/// leaves a face, while they distinguish cases by where start and goal lie; corridors are followed face by face, which
-/// costs little and gives their exact length for the direction in which the search entered them.
+/// in doubles, which it updates as a channel grows, and makes a choice at each face only once.
+///
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departures: one rule says through
+/// which edges the search leaves a face, while the paper distinguishes cases by where start and goal lie. Corridors are
+/// followed face by face, which costs little and gives their exact length for the direction in which the search entered
+/// them.
 class TraStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -90,12 +92,12 @@ class TraStar {
   const nav::Components* components_ = nullptr;
 
   std::vector<Node> nodes_;
-  OpenList open_;                             ///< positions in `nodes_`
-  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp and marks, if this search wrote them
+  OpenList open_;                             ///< indices in `nodes_`
+  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp plus the marks, if this search wrote them
   memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
-  std::vector<mesh::Face> tops_;              ///< faces of the core, and roots, above the goal; then faces below them
+  std::vector<mesh::Face> tops_;              ///< core faces and roots above the goal; later also faces below them
   std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the goal back
-  std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces before them
+  std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces that it leaves
   TautString string_;
 };
 
