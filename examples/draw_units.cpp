@@ -1,5 +1,5 @@
-// A game draws its own units into a picture of its world: discs with names, the ways they take, and a range of fire,
-// which it draws itself in the picture's coordinates.
+// A game draws its own units into a picture of its world: discs with names, the paths that they take, and a range of
+// fire. It draws the range of fire itself, in the picture's coordinates.
 //
 // usage: draw_units [FILE]   writes the picture to FILE; without it, only checks the picture
 
@@ -43,10 +43,10 @@ std::vector<Unit> make_units() {
           {"Siege tower", {92, 34}, {36, 30}, 2.6, false}};
 }
 
-/// A whole number as text: no locale puts anything between its digits.
+/// Returns a whole number as text. Unlike a stream, this puts no separators between the digits in any locale.
 std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
-/// A circle in the picture's own coordinates, for what the overlay has no member for.
+/// Returns a circle in the picture's own coordinates. The overlay has no member for this.
 std::string range_of_fire(const waywright::SvgFrame& frame, const Unit& unit, double range) {
   const Point centre = frame.to_picture(unit.at);
   return "<circle cx=\"" + rounded(centre.x) + "\" cy=\"" + rounded(centre.y) + "\" r=\"" +

@@ -1,5 +1,5 @@
-// Two players of a lockstep game carry out the same commands, each in a world of their own; a third joins late and is
-// given the items. At every tick their worlds have one hash, and units take the same way in each.
+// Two players of a lockstep game carry out the same commands, each in its own world. A third player joins late and
+// receives the items. At every tick all worlds have the same hash, and units take the same path in each.
 
 #include <cstdint>
 #include <cstdio>
@@ -15,8 +15,8 @@ using waywright::World;
 
 World new_world() { return World::create({{0, 0}, {1000, 1000}}).value(); }
 
-/// What the network brings at a tick: a house is built and, now and then, an old one is torn down. The game chooses the
-/// ids, so that all players name things alike.
+/// The commands that the network brings at a tick: to build a house and, now and then, to tear down an old one. The
+/// game chooses the ids, so that all players use the same ids.
 std::vector<Change> commands_of(std::uint64_t tick) {
   const double x = 50.0 + static_cast<double>(tick * 137 % 900);
   const double y = 50.0 + static_cast<double>(tick * 211 % 900);

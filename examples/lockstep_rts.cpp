@@ -1,11 +1,11 @@
 // A lockstep game with rollback: 300 units, and five buildings that are placed or destroyed at every tick. Machines
-// send one another nothing but commands, each of which arrives up to 8 ticks late. A machine does not wait: it plays on
-// with commands that it predicts. When other ones arrive, it goes back to their tick by inverse operations and plays
-// forward again. In the end all machines have had the same hashes at every tick. docs/guides/lockstep.md explains how.
+// send one another only commands, and each command arrives up to 8 ticks late. A machine does not wait: it goes on with
+// commands that it predicts. If other commands arrive, it goes back to their tick by inverse operations and plays
+// forward again. At the end all machines have had the same hash at every tick. docs/guides/lockstep.md explains how.
 //
 // usage: lockstep_rts [TICKS]
 //
-// The output depends on TICKS alone (600 if not given), so that machines can be compared. Exits 1 if any hashes differ.
+// The output depends on TICKS alone (default 600), so machines can be compared. Exits with 1 if any hashes differ.
 
 #include <algorithm>
 #include <array>
@@ -66,8 +66,8 @@ std::uint64_t mixed(std::uint64_t z) {
 /// At least 0 and below 1, a multiple of 2^-20: such numbers are exact in `double`.
 double share_of(std::uint64_t number) { return static_cast<double>(mixed(number) >> 44) / 1048576.0; }
 
-/// The multiple of 1/256 next to `value` on the side of 0. Sums of such numbers are exact as long as they are small, so
-/// a building that is built elsewhere, or moved there, has the same coordinates.
+/// Rounds `value` towards 0 to a multiple of 1/256. Sums of such numbers are exact as long as they are small. So a
+/// building has the same coordinates whether it is built at a point or moved there.
 double rounded(double value) { return static_cast<double>(static_cast<std::int64_t>(256 * value)) / 256; }
 
 Point place_of(std::uint64_t number) {
@@ -91,7 +91,7 @@ Shape building_at(const Point& centre, std::uint64_t number) {
   return Shape::polygon(ring);
 }
 
-// ---- What players do ----
+// ---- The players' commands ----
 
 struct Order {
   std::size_t unit = 0;
@@ -100,7 +100,7 @@ struct Order {
   friend bool operator==(const Order&, const Order&) = default;
 };
 
-/// All that one player does at one tick: what a packet holds.
+/// All commands of one player at one tick: the content of a packet.
 struct Commands {
   std::optional<Item> building;  ///< to place
   ItemId destroyed;              ///< null for none
@@ -115,11 +115,11 @@ ItemId building_id(std::size_t player, Tick tick) { return {std::uint64_t{player
 
 std::uint64_t number_of(std::size_t player, Tick tick) { return mixed(player * 1000003 + tick) >> 8; }
 
-/// The tick at which a player placed its building number `index`.
+/// Returns the tick at which a player placed its building number `index`.
 Tick tick_of_building(Tick index) { return index < kOpening ? index : index + (index - kOpening) / kRow * kRow + kRow; }
 
-/// Players build in rows. After the opening they destroy a row of old buildings before each new row. At every fourth
-/// tick they send two units somewhere.
+/// Players build in rows. After the opening, they destroy a row of old buildings before they build a row. At every
+/// fourth tick they send two units to a goal.
 Commands commands_of(std::size_t player, Tick tick) {
   Commands commands;
   const Tick row = tick / kRow;
@@ -140,8 +140,8 @@ Commands commands_of(std::size_t player, Tick tick) {
   return commands;
 }
 
-/// What a machine takes for commands that it does not have yet: the player goes on with what it did at the tick before,
-/// and gives no orders.
+/// Predicts the commands of a player whose packet has not arrived: the player continues with what it did at the tick
+/// before, and gives no orders.
 Commands predicted(const Commands& last, std::size_t player, Tick tick) {
   Commands commands;
   if (last.building) {
@@ -152,18 +152,18 @@ Commands predicted(const Commands& last, std::size_t player, Tick tick) {
   return commands;
 }
 
-// ---- The game, as each machine has it ----
+// ---- The game on each machine ----
 
 struct Unit {
   PathPosition position;  ///< position.at is where the unit stands
   Point goal;
-  std::shared_ptr<const Path> path;  ///< null if there is none; what is kept for a rollback shares it
+  std::shared_ptr<const Path> path;  ///< null if there is none; copies kept for a rollback share it
 };
 
 /// Half of the units keep their coordinates as `float`.
 Precision precision_of(std::size_t unit) { return unit % 2 == 0 ? Precision::float64 : Precision::float32; }
 
-/// The hash of all that the machines share. The one of the mesh is taken now and then only, because it is slow.
+/// The hash of the state that all machines share. It includes the mesh hash only now and then, because that is slow.
 struct StateHash {
   waywright::ItemsHash items;
   std::uint64_t units = 0;
@@ -172,7 +172,7 @@ struct StateHash {
   friend bool operator==(const StateHash&, const StateHash&) = default;
 };
 
-/// How many things happened on a machine. Rollbacks repeat some of them.
+/// Counts of events on a machine. Rollbacks repeat some events.
 struct Counts {
   std::size_t ticks = 0;
   std::size_t rollbacks = 0;
@@ -182,21 +182,21 @@ struct Counts {
   std::size_t moved = 0;    ///< units that a building has pushed aside
 };
 
-/// How machines may differ without any effect on what they compute.
+/// Settings in which machines may differ without an effect on the results.
 struct MachineOptions {
   std::size_t threads = 1;
-  bool asks_is_affected = true;  ///< before it asks whether a path is clear, which takes longer
+  bool asks_is_affected = true;  ///< before is_clear(), which takes longer
 };
 
 class Machine {
  public:
   Machine(Tick ticks, const MachineOptions& options);
-  /// A machine that joins late. All it needs is the items, the units and the packets since.
+  /// A machine that joins late. It needs only the items, the units and the packets since then.
   Machine(const Machine& other, const MachineOptions& options);
 
-  /// Takes a packet. If the machine has played that tick with other commands, it will go back there.
+  /// Receives a packet. If the machine has played that tick with other commands, it will go back to it.
   void receive(std::size_t player, Tick tick, const Commands& commands);
-  /// Plays all ticks before `end`, those with wrong predictions again.
+  /// Plays all ticks before `end`, and again those that it played with wrong predictions.
   void play_until(Tick end);
 
   [[nodiscard]] Tick first_tick() const { return first_tick_; }
@@ -224,7 +224,7 @@ class Machine {
   void take_path(std::size_t i, Path& path);
   void take_hash();
 
-  Tick tick_ = 0;  ///< the next to play
+  Tick tick_ = 0;  ///< the next tick to play
   Tick first_tick_ = 0;
   World world_ = World::create({{0, 0}, {kMapSize, kMapSize}}).value();
   std::vector<Unit> units_{kUnits};
@@ -247,7 +247,7 @@ Machine::Machine(Tick ticks, const MachineOptions& options)
   for (std::size_t i = 0; i < kRocks; ++i) {
     const Point place = place_of(1000000 + i);
     rocks.push_back({kRockIds + i, building_at(place, i)});
-    // Every third rock is a fence instead: a wall without thickness.
+    // Every third rock is a fence, which is a wall without thickness.
     const Point middle{kMapSize / 2, kMapSize / 2};
     const Point end{middle.x + 0.8 * (place.x - middle.x), middle.y + 0.9 * (place.y - middle.y)};
     if (i % 3 == 0) rocks.back().shape = Shape::segment(place, end);
@@ -366,8 +366,8 @@ void Machine::find_paths(std::uint64_t version_before) {
   for (std::size_t i = 0; i < kUnits; ++i) {
     if (!needs_path(i, version_before)) continue;
     asking_.push_back(i);
-    // A unit or goal that a building stands on goes to the nearest free place. The budget is one of triangles: one of
-    // time would make the answer depend on the clock.
+    // If a building covers a unit or a goal, the library moves that end to the nearest free position. The budget counts
+    // triangles: a budget of time would make the answer depend on the clock.
     queries_.push_back({.start = units_[i].position.at,
                         .goal = units_[i].goal,
                         .algorithm = kAlgorithms[i % kAlgorithms.size()],
@@ -383,7 +383,7 @@ void Machine::take_path(std::size_t i, Path& path) {
   Unit& unit = units_[i];
   unit.path = nullptr;
   if (path.status != PathStatus::found) {
-    unit.goal = place_of(number_of(i, tick_));  // the unit tries another one at the next tick
+    unit.goal = place_of(number_of(i, tick_));  // the unit tries another goal at the next tick
     return;
   }
   counts_.moved += path.moved_start ? 1 : 0;
@@ -406,14 +406,14 @@ void Machine::take_hash() {
 
 // ---- The network ----
 
-/// After how many ticks a packet arrives: a player's own at once, others early on machine 0 and late on machine 2.
+/// Returns the delay of a packet in ticks: none for the player's own packet, short on machine 0 and long on machine 2.
 Tick delay_of(std::size_t machine, std::size_t player, Tick tick) {
   if (machine == player) return 0;
   constexpr std::array<Tick, 3> kShortest = {1, 3, 6};
   return kShortest[machine] + static_cast<Tick>(number_of(machine * kPlayers + player, tick) % 3);
 }
 
-/// Gives a machine the packets that arrive at `now`.
+/// Gives a machine the packets that arrive at tick `now`.
 void deliver(Machine& machine, std::size_t index, Tick now, Tick ticks) {
   for (Tick tick = now < kLongestDelay ? 0 : now - kLongestDelay; tick <= now && tick < ticks; ++tick) {
     for (std::size_t player = 0; player < kPlayers; ++player) {
@@ -441,7 +441,7 @@ void print(const char* name, const Machine& machine) {
 
 int main(int argc, char** argv) {
   const Tick ticks = argc > 1 ? static_cast<Tick>(std::strtoull(argv[1], nullptr, 10)) : 600;
-  // The server waits for all packets, so it never goes back. It also differs in all that should make no difference.
+  // The server waits for all packets, so it never goes back. It also differs in every setting that should not matter.
   Machine server(ticks, {.threads = 2, .asks_is_affected = false});
   std::vector<Machine> machines;
   for (std::size_t i = 0; i < 3; ++i) machines.emplace_back(ticks, MachineOptions{});

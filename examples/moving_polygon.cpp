@@ -1,5 +1,5 @@
-// A polygon under id 9 moves diagonally through nested squares: fetched, its centroid taken, translated by (10, 10) and
-// put back. The third test program of Chen's thesis (appendix, experiment 6).
+// A polygon with id 9 moves diagonally through nested squares: the program fetches it, takes its centroid, translates
+// it by (10, 10) and puts it back. This is the third test program of Chen's thesis (appendix, experiment 6).
 
 #include <cstdio>
 #include <vector>
@@ -29,7 +29,7 @@ int main() {
   const waywright::Point centre = waywright::centroid(world.shape(kMoving).value());
   std::printf("after %d steps the square is at (%g, %g)\n", kSteps, centre.x, centre.y);
 
-  // Back where it started, the mesh is the one it started from.
+  // When the polygon is back where it started, the mesh equals the mesh at the start.
   world.replace(kMoving, {waywright::ItemKind::polygon, {square(100)}}).value();
   const bool is_right = centre == waywright::Point{10.0 * kSteps, 10.0 * kSteps} && world.vertex_count() == vertices;
   std::printf("%zu vertices before, %zu after\n", vertices, world.vertex_count());

@@ -1,5 +1,5 @@
 // Units that follow their paths while buildings come and go. docs/guides/moving_a_unit.md explains the pieces. The
-// program checks itself: its exit status says whether all was right.
+// program checks itself, and exits with an error if a check fails.
 
 #include <cstddef>
 #include <cstdint>
@@ -159,7 +159,7 @@ bool is_blocked(const World& world, const Point& place) {
   return world.find_path(query).value().status == PathStatus::start_blocked;
 }
 
-/// A wedge, along one slanted side of which the path leads.
+/// A wedge. The path leads along one of its slanted sides.
 World world_with_wedge() {
   World world = World::create({{0, 0}, {100, 100}}).value();
   world.insert_polygon({{20, 0}, {80, 0}, {61, 47}, {33, 53}}, 1).value();
@@ -184,8 +184,8 @@ void check_one_unit() {
   expect(is_there && unit.position.at == unit.goal, "the unit gets to its goal");
 }
 
-/// Places on a path that a program computes and rounds by itself can lie inside a polygon, or beyond a wall that has no
-/// thickness. The library's own places never do.
+/// A program that computes and rounds positions on a path itself may get positions inside a polygon, or beyond a wall
+/// without thickness. The positions that the library computes never lie there.
 void check_places() {
   const World with_wedge = world_with_wedge();
   World with_fence = World::create({{0, 0}, {100, 100}}).value();
@@ -248,7 +248,7 @@ void check_changes() {
   for (std::size_t i = 0; i < units.size(); ++i) expect(units[i].path.points == before[i].points, "the same paths");
 
   const std::uint64_t version = world.version();
-  world.insert_segment({47, 53}, {47, 99}, 3).value();  // leaves a gap at its upper end
+  world.insert_segment({47, 53}, {47, 99}, 3).value();  // leaves a gap above its upper end
   expect(find_new_ways(world, contexts[0], units, version) > 0, "the wall blocks paths");
   for (const Unit& unit : units) {
     expect(unit.path.status == PathStatus::found && world.is_clear(unit.path.points).value(), "all paths are clear");

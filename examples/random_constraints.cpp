@@ -1,5 +1,5 @@
-// Random walls under ids of our own, then all of them taken away again: the second test program of Chen's thesis
-// (appendix), and what it couldn't do.
+// Inserts random walls under ids of the program's own choice, then removes all of them: the second test program of
+// Chen's thesis (appendix), and what that program could not do.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// A small real-time strategy game that plays by itself: units walk where they are sent, and buildings come and go in
-// their way. docs/guides/small_rts.md explains it piece by piece.
+// A small real-time strategy game that plays by itself: units walk to the goals that they are given, and buildings
+// appear and disappear on their paths. docs/guides/small_rts.md explains it piece by piece.
 
 #include <cstdint>
 #include <cstdio>
@@ -48,7 +48,7 @@ class Game {
     find_way(unit);
   }
 
-  /// Sends all units to places beside each other, around `goal`.
+  /// Sends all units to points beside each other, around `goal`.
   void send_all(const Point& goal) {
     double y = goal.y - static_cast<double>(units_.size() - 1);
     for (Unit& unit : units_) {
@@ -83,7 +83,7 @@ class Game {
     }
   }
 
-  /// The map in characters of 2 x 4 metres: `#` is a building or the river, a letter is a unit.
+  /// Returns the map in characters of 2 x 4 metres: `#` is a building or the river, a letter is a unit.
   void print(const char* title) const {
     std::printf("%.1f s: %s\n", kTick * tick_, title);
     for (double y = kMap.max.y - 2; y > kMap.min.y; y -= 4) {

@@ -14,7 +14,7 @@
 namespace waywright {
 namespace {
 
-/// The rows of a map, or what is wrong with it.
+/// Reads the rows of a map, or returns the error in it.
 class MapReader {
  public:
   MapReader(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
@@ -28,7 +28,7 @@ class MapReader {
   }
 
  private:
-  /// Reads a line of `key`, and after it `value` unless that is empty.
+  /// Reads a line that consists of `key` and, unless it is empty, `value`.
   bool header_line(std::string_view key, std::string_view value);
   bool size_line(std::string_view key, std::uint64_t& size);
   bool read_rows();
@@ -111,24 +111,25 @@ bool MapReader::read_rows() {
   return true;
 }
 
-/// The sides of a cell in the order in which a ring runs along them, the cell to the left where y points up. Side s + 3
-/// (mod 4) is the direction out of the cell across side s.
+/// The sides of a cell, in the order in which a ring follows them. If y points up, the cell is then to the left.
+/// Direction (s + 3) mod 4 leads out of the cell across side s.
 enum Side : std::uint8_t { top, right, bottom, left };
 
-/// The blocked cells of a map and what bounds their groups. A group is what is connected through the sides of blocked
-/// cells.
+/// The blocked cells of a map, and the rings around their groups. A group is a set of blocked cells that are connected
+/// through their sides.
 ///
-/// At a lattice point where two blocked cells touch diagonally, the other two being free, two ways of turning are
-/// possible. Cells of two groups keep their rings apart: each ring turns round its own cell. Two cells of one group are
-/// also connected some other way about, so one of the two free cells is enclosed there, and parted from the other: the
-/// ring passes from the one blocked cell to the other and stays with its free cell. Thus every ring bounds one region
-/// of what the group leaves free, and passes no point twice: every ring is simple, and rings of a group meet in points
-/// alone.
+/// At a lattice point where two blocked cells touch diagonally and the other two cells are free, a ring can turn in two
+/// directions. If the blocked cells are in different groups, each ring turns around its own cell: the rings stay
+/// separate. If they are in one group, they are also connected elsewhere. The group then encloses one of the two free
+/// cells and separates it from the other. At such a point the ring passes from one blocked cell to the other, and so
+/// stays at the same free cell. Thus every ring bounds one region of the area that the group leaves free, and passes no
+/// point twice: every ring is simple, and two rings of a group meet only in points.
 class Tracer {
  public:
   explicit Tracer(const std::vector<std::string_view>& rows);
 
-  /// The groups as polygons, in the order of their first cells, row by row: first the outer ring, then the holes.
+  /// Returns the groups as polygons, in the order of their first cells, row by row. Each has its outer ring first, then
+  /// the holes.
   std::vector<Item> run();
 
  private:
@@ -139,23 +140,23 @@ class Tracer {
     friend bool operator==(const Position&, const Position&) = default;
   };
 
-  /// Marks the group of `first` with `group`.
+  /// Writes `group` into all cells of the group that contains `first`.
   void fill(std::size_t first, std::size_t group);
   std::vector<Point> trace(std::size_t first);
   [[nodiscard]] Position next(Position at) const;
   [[nodiscard]] std::size_t neighbour(std::size_t cell, unsigned direction) const;
-  /// The lattice point where the ring starts along a side.
+  /// The lattice point at which the ring starts to follow a side.
   [[nodiscard]] Point start_of(Position at) const;
 
-  /// Groups count from kFirstGroup; lower numbers mark what is in none.
+  /// The number of a cell's group. Groups count from kFirstGroup; smaller numbers mean that the cell is in no group.
   static constexpr std::size_t kFree = 0;
   static constexpr std::size_t kUnmarked = 1;
   static constexpr std::size_t kFirstGroup = 2;
 
-  std::size_t stride_;              ///< cells a row, a free cell on both ends included
-  std::vector<std::size_t> group_;  ///< of each cell, a free row above and one below included
-  std::vector<bool> top_traced_;    ///< whether a ring has passed along the cell's top side
-  std::vector<std::size_t> stack_;  ///< of the filling
+  std::size_t stride_;              ///< cells per row, including a free cell at each end
+  std::vector<std::size_t> group_;  ///< by cell, including a free row above and one below
+  std::vector<bool> top_traced_;    ///< by cell: whether a ring has passed its top side
+  std::vector<std::size_t> stack_;  ///< scratch of fill()
 };
 
 Tracer::Tracer(const std::vector<std::string_view>& rows)
@@ -188,7 +189,7 @@ std::vector<Item> Tracer::run() {
       fill(cell, kFirstGroup + items.size());
       items.push_back({ItemId{items.size() + 1}, Shape{ItemKind::polygon, {}}});
     }
-    // Every ring has a top side, and the first one met in a group's first cell is of its outer ring.
+    // Every ring has a top side. The first top side in a group's first cell belongs to the outer ring.
     if (group_[cell - stride_] == kFree && !top_traced_[cell]) {
       items[group_[cell] - kFirstGroup].shape.rings.push_back(trace(cell));
     }
@@ -228,7 +229,8 @@ Point Tracer::start_of(Position at) const {
 }
 
 std::vector<Point> Tracer::trace(std::size_t first) {
-  // The first top side in scan order starts in a corner: a side before it in line would have been met earlier.
+  // The first top side in scan order starts at a corner: the scan would have met a side before it on the same line
+  // earlier.
   const Position start{first, top};
   std::vector<Point> ring{start_of(start)};
   top_traced_[first] = true;

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kFields = 9;
 
-/// Half a unit of a decimal number's last digit. Read from a text, for std::pow rounds differently elsewhere.
+/// Returns half a unit of the last digit of a decimal number. Reads the result from a text, because std::pow rounds
+/// differently on other machines.
 double precision_of(std::string_view word) {
   constexpr double kBeyondDoubles = 400.0;
   const std::size_t point = word.find('.');
@@ -27,7 +28,7 @@ double precision_of(std::string_view word) {
   return text::read_number("5e" + std::to_string(static_cast<int>(place))).value_or(0.0);
 }
 
-/// Reads one scenario. Every reading member returns false once `error_` says what is wrong.
+/// Reads one scenario. Each function that returns bool returns false after it has stored an error in `error_`.
 class ScenarioParser {
  public:
   ScenarioParser(std::string_view text, std::string_view name) : lines_(text), name_(name) {}

@@ -13,12 +13,12 @@
 namespace waywright {
 namespace {
 
-/// How a line of a script is written.
+/// The syntax of a line of a script.
 struct Grammar {
   std::string_view word;
   std::string_view usage;
   OperationKind kind;
-  ItemKind item = ItemKind::point;  ///< of an insertion
+  ItemKind item = ItemKind::point;  ///< of an insertion: what it inserts
 };
 
 constexpr std::array kGrammars{
@@ -43,7 +43,8 @@ constexpr std::string_view kHeaderUsage = "waywright 1";
 constexpr std::string_view kDomainUsage = "domain X0 Y0 X1 Y1";
 constexpr std::string_view kPointCount = "a count of points, 1 or more,";
 
-/// Reads one script. Every reading member returns false once `error_` says what is wrong.
+/// Reads one script. Each function that returns bool returns false after it has stored an error in `error_`, except
+/// next_line().
 class ScriptParser {
  public:
   ScriptParser(std::string_view text, std::string_view name) : lines_(text), name_(name) {}
@@ -67,22 +68,23 @@ class ScriptParser {
   bool read_points(std::uint64_t count, Rings& rings);
   bool read_path_options(Operation& operation);
 
-  /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
+  /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line(std::string_view& word);
   bool number(double& value);
-  /// Reads a bound of the domain, which the world must be able to hold; `bound` is its name in the usage.
+  /// Reads a bound of the domain. Requires, with an error otherwise: a world accepts this coordinate. `bound` is its
+  /// name in the usage.
   bool domain_bound(double& value, std::string_view bound);
   bool point(Point& value) { return number(value.x) && number(value.y); }
   bool id(ItemId& value);
   bool end_of_line();
 
-  /// Says that `expected` was, and that `found` stood there instead; `found` is empty at the end of the line.
+  /// Stores an error: the script must have `expected` where it has `found`. `found` is empty at the end of the line.
   bool fail(std::string_view expected, std::string_view found);
 
   text::LineReader lines_;
   std::string_view name_;
   text::WordReader words_;
-  std::string_view usage_;  ///< of the line at hand
+  std::string_view usage_;  ///< of the current line
   Script script_;
   Error error_;
 };
@@ -272,7 +274,7 @@ bool ScriptParser::read_ring(Rings& rings) {
 bool ScriptParser::read_ring(std::string_view count_word, Rings& rings) {
   const std::optional<std::uint64_t> count = text::read_unsigned(count_word);
   if (!count || *count == 0) return fail(kPointCount, count_word);
-  // A point takes two digits and a blank at least: a count that the line cannot keep must not cost its memory.
+  // A point takes at least two digits and a blank. So a count that is too large for the line does not cost memory.
   const auto likely_count = static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3));
   if (rings.empty()) rings.reserve(likely_count);
   rings.start_ring();
@@ -299,7 +301,7 @@ bool ScriptParser::read_path_options(Operation& operation) {
   return number(operation.end_tolerance.emplace());
 }
 
-/// Whether a world over `domain` takes the shape.
+/// Returns whether a world over `domain` accepts the shape.
 bool fits(const Shape& shape, const Box& domain) {
   const auto takes = [&](Point p) {
     return is_in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y && p.y <= domain.max.y;
@@ -327,7 +329,7 @@ Scene scene_of(const Script& script) {
   const base::FloatEnvironment environment;
   struct Live {
     const Operation* inserted = nullptr;
-    const Operation* shaped = nullptr;  ///< the insertion, or the last replacement after it
+    const Operation* shaped = nullptr;  ///< the insertion, or the last replacement since
   };
   std::unordered_map<ItemId, Live> alive;
   for (const Operation& operation : script.operations) {

@@ -31,7 +31,7 @@ using io::WorldDrawing;
 
 constexpr double kTitleFont = 22.0;
 constexpr double kLeastTitleFont = 11.0;
-constexpr double kTitleCharacter = 0.62;  // a bold letter's width, as a part of the font's size
+constexpr double kTitleCharacter = 0.62;  // width of a bold letter, as a fraction of the font size
 
 std::string rectangle(const Box& box) {
   std::string out = "<rect";
@@ -42,7 +42,8 @@ std::string rectangle(const Box& box) {
   return out;
 }
 
-/// The title on one line: in smaller letters where it is long, and cut where these would be too small to read.
+/// Draws the title on one line. Uses smaller letters for a long title, and shortens it if these would be too small to
+/// read.
 std::string draw_title(const Layout& layout, const Palette& palette, const std::string& title) {
   if (title.empty()) return {};
   const double room = layout.width - layout.left - io::kPageMargin;
@@ -76,7 +77,8 @@ std::string draw_head(const Layout& layout, double height, const Palette& palett
   return out + draw_title(layout, palette, title);
 }
 
-/// The part of the picture that is cut at the map's edge; a whole domain's border is drawn whole.
+/// Defines the area at whose border the map is cut. If the picture shows the whole domain, the area has room for its
+/// border.
 std::string clip_path(const SvgFrame& frame, bool is_cropped) {
   const double rim = is_cropped ? 0.0 : 1.0;
   const Box& map = frame.map();

@@ -12,12 +12,12 @@ namespace waywright::io {
 namespace {
 
 constexpr double kLeastRadius = 3.0;
-constexpr double kCharacter = 0.58;  // a letter's width, as a part of the font's size
+constexpr double kCharacter = 0.58;  // width of a letter, as a fraction of the font size
 constexpr double kLabelGap = 8.0;
 
 Paint paint_of(const std::string& colour, Ink otherwise) { return {otherwise, colour}; }
 
-/// The value, in the range; the least for what is not a number.
+/// Returns the value, limited to the range, or `least` if it is not a number.
 double within(double value, double least, double most) { return value >= least ? std::min(value, most) : least; }
 
 bool meets(const Box& box, const Point& centre, double radius) {

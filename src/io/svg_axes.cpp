@@ -9,7 +9,7 @@ namespace waywright::io {
 
 namespace {
 
-constexpr double kScaleBar = 120.0;  // pixels at most
+constexpr double kScaleBar = 120.0;  // largest length in pixels
 
 void append_line(std::string& data, const Point& from, const Point& to) {
   for (const auto& [letter, place] : {std::pair{'M', from}, std::pair{'L', to}}) {
@@ -28,7 +28,7 @@ std::string label(const Point& at, std::string_view anchor, const std::string& t
   return out + ">" + text + "</text>\n";
 }
 
-/// A bar between two end strokes, 16 pixels high.
+/// Returns a bar between two end strokes, 16 pixels high.
 std::string bar_sample(double length, const Palette& palette) {
   std::string data;
   append_line(data, {1.0, 8.0}, {length + 1.0, 8.0});
@@ -38,7 +38,7 @@ std::string bar_sample(double length, const Palette& palette) {
          "/>";
 }
 
-/// Two arrows from a corner: x to the right, y up or down.
+/// Returns two arrows from one corner: x to the right, y up or down.
 std::string directions_sample(bool y_down, const Palette& palette) {
   const std::string_view data =
       y_down ? "M4 2H19M16 -1L19 2L16 5M4 2V15M1 12L4 15L7 12" : "M4 14H19M16 11L19 14L16 17M4 14V1M1 4L4 1L7 4";

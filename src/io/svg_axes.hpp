@@ -9,10 +9,10 @@
 
 namespace waywright::io {
 
-/// The ticks below and left of the map, with their coordinates.
+/// Draws the ticks below and to the left of the map, with their coordinates.
 [[nodiscard]] std::string draw_axes(const Layout& layout, const Palette& palette);
 
-/// A scale bar, and a sign that says where y points.
+/// Adds a scale bar, and a sign that shows the direction of y.
 void add_axes_entries(std::vector<LegendEntry>& entries, const Layout& layout, bool y_down, const Palette& palette);
 
 }  // namespace waywright::io

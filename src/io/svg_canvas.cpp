@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFarthest = 1e7;
 constexpr std::size_t kLong = 1000000;
-constexpr double kStrokeRoom = 64.0;  // more than half of the broadest stroke
+constexpr double kStrokeRoom = 64.0;  // more than half the width of the widest stroke
 
 void append_integer(std::string& out, long long value) {
   std::array<char, 24> digits{};
@@ -25,7 +25,7 @@ void append_integer(std::string& out, long long value) {
 
 bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// The length of the UTF-8 sequence that `text` starts with; 0 when it starts with none that XML would take.
+/// Returns the length of the UTF-8 sequence at the start of `text`, or 0 if there is no sequence that XML accepts.
 std::size_t sequence_length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   const std::size_t length = lead < 0x80U ? 1 : lead < 0xC2U ? 0 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
@@ -186,7 +186,7 @@ void PathData::move_to(const Point& pixels) {
   append('M', pixels);
 }
 
-/// Leaves out what the text's two decimals cannot tell from the place before, but not all of a line.
+/// Leaves out a point that rounds to the same two decimals as the point before, but never all points of a line.
 void PathData::line_to(const Point& pixels) {
   const Point rounded{std::round(pixels.x * 100.0), std::round(pixels.y * 100.0)};
   if (rounded == last_) {

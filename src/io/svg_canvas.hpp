@@ -10,23 +10,25 @@
 
 namespace waywright::io {
 
-/// A number as text with at most two decimals, without trailing zeros; nobody sees a hundredth of a pixel.
+/// Appends a number with at most two decimals, without trailing zeros. A hundredth of a pixel is invisible.
 void append_pixels(std::string& out, double value);
 
-/// Text made safe for XML: markup escaped, control characters replaced by blanks, bytes that are no UTF-8 by `?`.
+/// Appends a text that is safe for XML: escapes markup, replaces control characters by blanks, and bytes that are not
+/// UTF-8 by `?`.
 void append_escaped(std::string& out, std::string_view text);
 
-/// ` name="value"`, the value written as it is.
+/// Appends ` name="value"`, with the value as it is.
 void append_attribute(std::string& out, std::string_view name, std::string_view value);
 void append_attribute(std::string& out, std::string_view name, double value);
 
-/// `<title>text</title>`, escaped: what a browser shows on hover.
+/// Appends `<title>text</title>`, escaped. A browser shows this text on hover.
 void append_hint(std::string& out, std::string_view text);
 
-/// The number of characters of a UTF-8 text.
+/// The number of characters in a UTF-8 text.
 [[nodiscard]] std::size_t character_count(std::string_view text);
 
-/// The text or, if it has more than `most` characters, the first of them and `…`. Requires: `most` is 1 or more.
+/// Returns the text or, if it has more than `most` characters, the first `most` - 1 of them and `…`. Requires: `most`
+/// is 1 or more.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 
 [[nodiscard]] bool is_finite(const Point& point);
@@ -34,21 +36,22 @@ void append_hint(std::string& out, std::string_view text);
 
 [[nodiscard]] std::string circle(const Point& centre, double radius);
 
-/// Collects the `d` attribute of a path element, of places of the world. What lies far outside the map is left out, and
-/// what crosses its edge is cut.
+/// Builds the `d` attribute of a path element from points of the world. Leaves out what lies far outside the map, and
+/// cuts what crosses the edge of the area around the map.
 class PathData {
  public:
   explicit PathData(const SvgFrame& frame);
 
-  /// An open line through the points, or of those parts of it that are near the map.
+  /// Adds an open line through the points, or those pieces of it that are near the map.
   void add_chain(PointSpan points);
-  /// A closed line. Cut so that it turns around each place of the map as often as before.
+  /// Adds a closed line. Cuts it so that its winding number around each point of the map stays the same.
   void add_ring(PointSpan points);
-  /// A point, for strokes with round ends.
+  /// Adds a point, for strokes with round ends.
   void add_dot(const Point& place);
   void add_segment(const Point& a, const Point& b);
 
-  /// The text so far, once it is long: XML readers refuse attributes of 10 MB. The rest begins anew. Empty before.
+  /// Returns the text so far and starts a new one, if it is long: XML readers refuse attributes of 10 MB. Otherwise
+  /// returns an empty text.
   [[nodiscard]] std::string take_if_long();
 
   [[nodiscard]] bool empty() const { return text_.empty(); }
@@ -60,9 +63,9 @@ class PathData {
   void append(char command, const Point& pixels);
 
   const SvgFrame& frame_;
-  Box near_;  // the map and the room that broad strokes need
+  Box near_;  // the map, and room for wide strokes
   std::string text_;
-  Point last_;  // as rounded in the text
+  Point last_;  // rounded as in the text
   bool has_line_ = false;
   std::vector<Point> ring_;
   std::vector<Point> scratch_;

@@ -10,7 +10,8 @@ namespace waywright::io {
 
 namespace {
 
-/// Narrows [from, to], the part of a segment that is left, to where start + t * step is between low and high.
+/// Narrows the range [from, to] of t to the values for which start + t * step lies between low and high. Returns
+/// whether any are left.
 bool narrow(double start, double step, double low, double high, double& from, double& to) {
   if (step == 0.0) return start >= low && start <= high;
   const double to_low = (low - start) / step;
@@ -20,7 +21,7 @@ bool narrow(double start, double step, double low, double high, double& from, do
   return from <= to;
 }
 
-/// A side of the box: the half-plane sign * (x or y) <= limit.
+/// A side of the box: the half-plane where sign * (x or y) <= limit.
 struct Side {
   double Point::*axis;
   double sign;
@@ -29,7 +30,7 @@ struct Side {
 
 double beyond(const Side& side, const Point& point) { return side.sign * point.*side.axis - side.limit; }
 
-/// Where the segment meets the side; a lies inside, b outside, or the other way round.
+/// Returns the point where the segment meets the side. Requires: one of `a` and `b` lies inside, the other outside.
 Point crossing(const Side& side, const Point& a, const Point& b) {
   const double at_a = beyond(side, a);
   const double part = at_a / (at_a - beyond(side, b));

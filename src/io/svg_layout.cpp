@@ -19,12 +19,12 @@ constexpr double kNarrowest = 240.0;
 constexpr double kWidest = 100000.0;
 constexpr double kDefaultWidth = 1200.0;
 constexpr double kTitleHeight = 58.0;
-constexpr double kTallest = 1.5;      // a map's height, in widths
-constexpr double kLeastPanel = 48.0;  // in pixels: the map of a flat box is a line in a band that one can see
-constexpr double kTickStrip = 24.0;   // below the map, for the labels of x
+constexpr double kTallest = 1.5;      // largest height of a map, as a multiple of its width
+constexpr double kLeastPanel = 48.0;  // least height of the band that contains the map, in pixels
+constexpr double kTickStrip = 24.0;   // height of the labels of x below the map
 constexpr double kLeastSpacingX = 70.0;
 constexpr double kLeastSpacingY = 48.0;
-constexpr double kRoomy = 480.0;  // from this width on, title and legend begin where the map does
+constexpr double kRoomy = 480.0;  // from this width on, title and legend start at the left edge of the map
 
 std::string text_of(const Box& box) {
   std::string text = "(";
@@ -62,8 +62,8 @@ double usable_width(double width) {
   return std::isfinite(width) ? std::clamp(width, kNarrowest, kWidest) : kDefaultWidth;
 }
 
-/// The pixels of one unit, in a map of at most that width. Boxes of proportions up to 2^200 : 1 are legal: the shorter
-/// side then shrinks to a line.
+/// Returns the pixels per unit for a map of at most `map_width`. Boxes of proportions up to 2^200 : 1 are legal: the
+/// shorter side then shrinks to a line.
 double scale_for(const Box& shown, double map_width) {
   return std::min(map_width / (shown.max.x - shown.min.x), map_width * kTallest / (shown.max.y - shown.min.y));
 }
@@ -72,7 +72,7 @@ std::vector<Tick> ticks_of_y(const Box& shown, double scale) {
   return ticks_between(shown.min.y, shown.max.y, {scale, kLeastSpacingY, 0.0});
 }
 
-/// The room left of the map: for the labels of y, as they would be on the widest map.
+/// Returns the room to the left of the map: enough for the labels that y would have on the widest possible map.
 double left_margin(const Box& shown, const SvgOptions& options, double width) {
   if (!options.axes) return kPageMargin;
   const double widest = width - 2.0 * kPageMargin;

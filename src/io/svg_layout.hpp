@@ -8,12 +8,12 @@
 
 namespace waywright::io {
 
-/// Where the parts of a picture are.
+/// The positions of the pieces of a picture, in pixels.
 struct Layout {
   SvgFrame frame;
   double width = 0.0;   ///< of the picture
-  double left = 0.0;    ///< where title and legend begin
-  double bottom = 0.0;  ///< of the map with its ticks, where the legend begins
+  double left = 0.0;    ///< where the title and the legend start
+  double bottom = 0.0;  ///< of the map with its ticks; the legend starts there
   std::vector<Tick> x_ticks;
   std::vector<Tick> y_ticks;
 };
@@ -21,9 +21,10 @@ struct Layout {
 inline constexpr double kPageMargin = 20.0;
 inline constexpr double kTickLength = 5.0;
 inline constexpr double kTickFont = 12.0;
-inline constexpr double kTickCharacter = 7.2;  // how broad a digit of that font is at most
+inline constexpr double kTickCharacter = 7.2;  // largest width of a digit in that font
 
-/// Fits what the options show of `domain` into the picture, keeping its proportions. Errors: those of to_svg.
+/// Computes the layout of a picture that shows what the options select of `domain`, in its proportions. Errors: those
+/// of to_svg().
 [[nodiscard]] Result<Layout> lay_out(const Box& domain, const SvgOptions& options);
 
 }  // namespace waywright::io

@@ -12,15 +12,15 @@ namespace waywright::io {
 namespace {
 
 constexpr double kRowHeight = 26.0;
-constexpr double kGap = 8.0;        // between sample and label
+constexpr double kGap = 8.0;        // between a sample and its label
 constexpr double kSpacing = 26.0;   // between entries
-constexpr double kCharacter = 7.6;  // fonts are not at hand: a broad character's width
+constexpr double kCharacter = 7.6;  // width of a wide character; the real fonts are not known here
 
 double entry_width(const LegendEntry& entry) {
   return entry.sample_width + kGap + static_cast<double>(character_count(entry.label)) * kCharacter + kSpacing;
 }
 
-/// Where each entry goes, in rows that fit the width.
+/// Returns the position of each entry, in rows that fit the width.
 std::vector<Point> arrange(const std::vector<LegendEntry>& entries, double left, double width) {
   std::vector<Point> places;
   Point next{left, 0.0};

@@ -25,7 +25,7 @@ std::string path_through(std::span<const Point> corners) {
   return data;
 }
 
-/// The end of an element that has been opened up to its attributes.
+/// Appends the end of an element whose start tag still lacks its `>`.
 std::string close_element(std::string out, std::string_view name, std::string_view hint) {
   if (hint.empty()) return out + "/>";
   out += '>';
@@ -69,7 +69,7 @@ std::string ids_text(const std::vector<ItemId>& ids) {
 std::string disc_mark(const Palette& palette, const Point& at, double radius, const Paint& fill, const Paint& stroke,
                       double stroke_width, std::string_view hint) {
   std::string out = circle(at, radius);
-  out.erase(out.size() - 2);  // the element's end, `/>`
+  out.erase(out.size() - 2);  // removes the end of the element, `/>`
   palette.append(out, fill, stroke);
   append_attribute(out, "stroke-width", stroke_width);
   return close_element(std::move(out), "circle", hint);

@@ -10,17 +10,17 @@
 
 namespace waywright::io {
 
-/// A part of what lies over the world.
+/// A group of elements that lie over the world.
 struct OverlayDrawing {
-  std::string clipped;  ///< elements to be cut at the map's edge
-  std::string whole;    ///< elements to be drawn over those, whole
+  std::string clipped;  ///< elements that are cut at the edge of the map
+  std::string whole;    ///< elements that are drawn over those and not cut
   std::vector<LegendEntry> entries;
 };
 
-/// Paths, rays, failed paths and places.
+/// Draws paths, rays, failed paths and located points.
 [[nodiscard]] OverlayDrawing draw_queries(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette);
 
-/// What the caller adds.
+/// Draws what the caller has added.
 [[nodiscard]] OverlayDrawing draw_additions(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette);
 
 }  // namespace waywright::io

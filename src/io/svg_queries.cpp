@@ -16,9 +16,9 @@ namespace waywright::io {
 namespace {
 
 constexpr std::array<Ink, 4> kPathInks{Ink::path_1, Ink::path_2, Ink::path_3, Ink::path_4};
-constexpr std::size_t kMostStatuses = 4;   // written beside failed paths: more would hide one another
-constexpr std::size_t kMany = 12;          // from so many on, marks and lines are small
-constexpr std::size_t kMostHints = 50000;  // marks that have a text on hover
+constexpr std::size_t kMostStatuses = 4;   // with more failed paths, their texts would overlap
+constexpr std::size_t kMany = 12;          // from this number on, marks and lines are small
+constexpr std::size_t kMostHints = 50000;  // largest number of marks with a hint
 
 std::string rounded(double value) {
   std::array<char, 40> digits{};
@@ -27,14 +27,14 @@ std::string rounded(double value) {
 
 std::string path_label(const Path& path) { return "path, length " + rounded(path.length); }
 
-/// The status in words: `no path`.
+/// Returns the status in words, such as `no path`.
 std::string words_of(PathStatus status) {
   std::string words(to_string(status));
   std::replace(words.begin(), words.end(), '-', ' ');
   return words;
 }
 
-/// The answers of World::locate that have a mark and a colour of their own.
+/// The answers of World::locate() that have their own mark and colour.
 enum class PlaceKind : unsigned char { in_face, on_edge, on_vertex, covered };
 constexpr std::array<PlaceKind, 4> kPlaceKinds{PlaceKind::in_face, PlaceKind::on_edge, PlaceKind::on_vertex,
                                                PlaceKind::covered};
@@ -85,7 +85,7 @@ class QueryDrawer {
     drawing_.whole += "</g>\n<g id=\"" + id + "-ends\">\n";
   }
 
-  /// A hint, or none where there are too many.
+  /// Returns the text, or an empty one if there are too many hints.
   [[nodiscard]] std::string hint(std::string text) const { return has_hints_ ? std::move(text) : std::string(); }
 
   [[nodiscard]] bool is_shown(const Point& place) const { return contains(frame_.shown(), place); }
@@ -100,7 +100,7 @@ class QueryDrawer {
     drawing_.clipped += "/>";
   }
 
-  /// A line with a rim of the page's colour.
+  /// Adds a line with a rim in the page's colour.
   void add_line(const PathData& data, const Paint& colour, double width, const std::string& about) {
     if (data.empty()) return;
     drawing_.clipped += "<g>";
@@ -110,7 +110,7 @@ class QueryDrawer {
     drawing_.clipped += "</g>\n";
   }
 
-  /// The line of a path and the marks at its ends; false where the picture shows nothing of it.
+  /// Draws the line of a path and the marks at its ends. Returns false if the picture shows nothing of it.
   bool draw_path(const Path& path, const Paint& colour) {
     PathData data(frame_);
     data.add_chain(path.points);
@@ -192,7 +192,7 @@ class QueryDrawer {
     }
   }
 
-  /// The status beside the middle of the line, on the side that the line leaves free.
+  /// Writes the status beside the middle of the line, where the line leaves room.
   void add_status(const SvgFailedPath& failed) {
     const Point middle{failed.start.x / 2.0 + failed.goal.x / 2.0, failed.start.y / 2.0 + failed.goal.y / 2.0};
     if (!is_shown(middle)) return;
@@ -298,8 +298,8 @@ class QueryDrawer {
   bool has_hints_ = true;
   double path_width_ = 0.0;
   double end_radius_ = 0.0;
-  double ray_part_ = 1.0;    // of the size of rays' marks and lines
-  double place_part_ = 1.0;  // of the size of places' marks
+  double ray_part_ = 1.0;    // size of the marks and lines of rays, as a fraction of the full size
+  double place_part_ = 1.0;  // size of the marks of located points, likewise
 };
 
 }  // namespace

@@ -16,8 +16,8 @@ struct Colours {
   std::string_view dark;
 };
 
-// Greys for the world and bright colours for what moves in it: told apart without colour vision, by lightness and
-// shape. Paths have the colours of Okabe and Ito that stand out from the greys, made lighter for the dark theme.
+// Greys for the world, bright colours for what moves in it. Lightness and shape distinguish them without colour vision.
+// Paths have those colours of Okabe and Ito that stand out from the greys, and lighter ones in the dark theme.
 constexpr std::array<Colours, 22> kColours{{
     {Ink::none, "none", "none", "none"},
     {Ink::page, "page", "#ffffff", "#12171d"},

@@ -8,7 +8,7 @@
 
 namespace waywright::io {
 
-/// What a colour of the theme is for.
+/// The use of a colour in the theme.
 enum class Ink : std::uint8_t {
   none,
   page,
@@ -34,23 +34,23 @@ enum class Ink : std::uint8_t {
   caller,
 };
 
-/// A colour of the theme or, where `own` is not empty, one of the caller's, any bytes.
+/// A colour of the theme, or a colour of the caller if `own` is not empty. `own` may contain any bytes.
 struct Paint {
   Ink ink = Ink::none;
   std::string_view own = {};
 };
 
-/// Writes colours: as attributes, which every program reads, and for SvgTheme::automatic also as classes, by which a
-/// style sheet makes them dark.
+/// Writes colours as attributes, which every program reads. For SvgTheme::automatic it also writes classes, by which a
+/// style sheet selects the dark colours.
 class Palette {
  public:
   explicit Palette(SvgTheme theme) : theme_(theme) {}
 
-  /// ` fill="..." stroke="..."`, and the classes of both.
+  /// Appends ` fill="..." stroke="..."` and the classes of both.
   void append(std::string& out, const Paint& fill, const Paint& stroke) const;
   [[nodiscard]] std::string operator()(const Paint& fill, const Paint& stroke) const;
 
-  /// The style sheet; empty for a theme that needs none.
+  /// Returns the style sheet, or an empty text if the theme needs none.
   [[nodiscard]] std::string style() const;
 
  private:

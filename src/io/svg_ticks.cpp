@@ -13,13 +13,13 @@ namespace waywright::io {
 
 namespace {
 
-// Boxes are at least 2^-152 and at most 2^101 across, and a tick's step is a fraction of that.
+// Boxes measure at least 2^-152 and at most 2^101, and the step between ticks is a fraction of that.
 constexpr int kSmallestExponent = -50;
 constexpr int kLargestExponent = 32;
 constexpr std::array<std::int64_t, 3> kMantissas{1, 2, 5};
-constexpr double kFinest = 0x1p-48;    // a step, as a part of the largest coordinate: doubles can tell such ticks apart
-constexpr std::size_t kLongLabel = 8;  // so many characters are still easy to read
-constexpr double kGap = 14.0;          // pixels between two labels
+constexpr double kFinest = 0x1p-48;    // least step that doubles resolve, as a fraction of the largest coordinate
+constexpr std::size_t kLongLabel = 8;  // labels of up to this many characters are easy to read
+constexpr double kGap = 14.0;          // least distance of two labels, in pixels
 
 /// The number mantissa * 10^exponent.
 struct Decimal {
@@ -45,7 +45,7 @@ double nearest_double(const Decimal& number) {
   return text::read_number(text).value_or(0.0);
 }
 
-/// With as many decimals as the exponent asks for: 0.50 for 50e-2.
+/// Returns the number with as many decimals as its exponent says: 0.50 for 50e-2.
 std::string fixed(const Decimal& number) {
   std::string digits = digits_of(number.mantissa);
   if (number.mantissa != 0 && number.exponent > 0) digits.append(static_cast<std::size_t>(number.exponent), '0');
@@ -57,7 +57,7 @@ std::string fixed(const Decimal& number) {
   return (number.mantissa < 0 ? "-" : "") + digits;
 }
 
-/// One digit before the point, no trailing zeros: 1.25e12.
+/// Returns the number with one digit before the point and no trailing zeros: 1.25e12.
 std::string scientific(const Decimal& number) {
   if (number.mantissa == 0) return "0";
   std::string digits = digits_of(number.mantissa);
@@ -67,12 +67,12 @@ std::string scientific(const Decimal& number) {
   return (number.mantissa < 0 ? "-" : "") + digits + "e" + signed_number(exponent);
 }
 
-/// The multiples of a step in [min, max].
+/// Returns the multiples of a step in [min, max].
 std::vector<Decimal> multiples_of(const Decimal& step, double min, double max) {
   const double size = nearest_double(step);
   std::vector<Decimal> multiples;
   const auto last = static_cast<std::int64_t>(std::floor(max / size)) + 1;
-  // A quotient is rounded, so that one more on each side is tried.
+  // A quotient is rounded, so the loop tries one more on each end.
   for (auto i = static_cast<std::int64_t>(std::ceil(min / size)) - 1; i <= last; ++i) {
     const Decimal multiple{i * step.mantissa, step.exponent};
     const double place = nearest_double(multiple);
@@ -87,7 +87,7 @@ std::vector<Tick> labelled(const std::vector<Decimal>& numbers, std::string (*la
   return ticks;
 }
 
-/// Calls `visit` with every round number, ascending, until it returns true.
+/// Calls visit(number) with each round number, ascending, until it returns true.
 template <class Visit>
 void visit_round_numbers(Visit visit) {
   for (int exponent = kSmallestExponent; exponent <= kLargestExponent; ++exponent) {

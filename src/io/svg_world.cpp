@@ -15,11 +15,11 @@ namespace waywright::io {
 
 namespace {
 
-// Beyond these a picture is too large for viewers, and too dense for eyes.
+// A picture with more than this is too large for viewers, and too dense for the eye.
 constexpr std::size_t kMostHints = 50000;
 constexpr std::size_t kMostEdges = 300000;
 
-/// What the picture shows of the world, sorted by how it is drawn.
+/// The items that the picture shows, grouped by how they are drawn.
 struct Things {
   std::vector<Item> solids;
   std::vector<Item> walls;
@@ -28,7 +28,7 @@ struct Things {
   [[nodiscard]] std::size_t count() const { return solids.size() + walls.size() + dots.size(); }
 };
 
-/// Line widths in pixels: bold where there is room, fine where the mesh is dense.
+/// Line widths in pixels: wide if there is room, narrow if the mesh is dense.
 struct Strokes {
   double mesh = 0.0;
   double solid = 0.0;
@@ -84,7 +84,7 @@ bool is_constrained(const MeshSnapshot& mesh, const std::array<std::uint32_t, 2>
   return found != mesh.constraints.end() && found->vertices == edge;
 }
 
-/// How the mesh came out.
+/// The drawing of the mesh, if it is not too large.
 struct MeshDrawing {
   std::string elements;
   bool is_too_large = false;
@@ -129,7 +129,7 @@ class WorldDrawer {
     return domain_element("domain", palette_({Ink::none}, {Ink::wall}) + " stroke-width=\"2\"");
   }
 
-  /// The opening of a group of strokes.
+  /// Returns the start tag of a group of strokes, without its `>`.
   [[nodiscard]] std::string open_group(std::string_view id, Ink fill, Ink stroke, double stroke_width) const {
     std::string out = "<g";
     append_attribute(out, "id", id);
@@ -148,7 +148,8 @@ class WorldDrawer {
     for (const auto& triangle : mesh.triangles) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::array<std::uint32_t, 2> edge{triangle[corner], triangle[(corner + 1) % 3]};
-        // Both neighbours name a free edge, each the other way round: the rising one is drawn.
+        // Each of the two triangles at an unconstrained edge lists it, in opposite directions. Draws it for the
+        // ascending one.
         if (edge[0] > edge[1] || is_constrained(mesh, edge)) continue;
         const std::size_t length_before = data.text().size();
         data.add_segment(mesh.vertices[edge[0]], mesh.vertices[edge[1]]);
@@ -160,7 +161,7 @@ class WorldDrawer {
     return {out + "</g>\n", false};
   }
 
-  /// Ends an element for many things once it is long.
+  /// Ends a path element for many items once it is long, and starts a new one.
   static void append_long(std::string& out, PathData& data) {
     const std::string text = data.take_if_long();
     if (!text.empty()) out += "<path d=\"" + text + "\"/>\n";
@@ -193,7 +194,8 @@ class WorldDrawer {
     return out + "</g>\n";
   }
 
-  /// One element for each wall or, where none has its id, for many, which takes far less room.
+  /// Draws one element for each wall. If walls have no hints, it draws one element for many walls, which takes far less
+  /// room.
   [[nodiscard]] std::string draw_walls() const {
     std::string out = open_group("walls", Ink::none, Ink::wall, strokes_.wall) + ">\n";
     PathData all(frame_);
@@ -218,7 +220,7 @@ class WorldDrawer {
     std::string out = "<g id=\"points\"" + palette_({Ink::point}, {Ink::none}) + ">\n";
     for (const Item& item : things_.dots) {
       std::string dot = circle(frame_.to_picture(item.shape.rings.front().front()), strokes_.dot);
-      dot.erase(dot.size() - 2);  // the element's end, `/>`
+      dot.erase(dot.size() - 2);  // removes the end of the element, `/>`
       out += dot + '>';
       append_hint(out, text::with_number(std::string(to_string(item.shape.kind)) + " ", item.id.value, ""));
       out += "</circle>\n";
@@ -226,7 +228,7 @@ class WorldDrawer {
     return out + "</g>\n";
   }
 
-  /// One element for many points.
+  /// Draws one element for many points.
   [[nodiscard]] std::string draw_dots_together() const {
     PathData all(frame_);
     std::string out = open_group("points", Ink::none, Ink::point, 2.0 * strokes_.dot) + ">\n";
@@ -247,7 +249,8 @@ class WorldDrawer {
     return "<g" + palette_({Ink::point}, {Ink::none}) + ">" + circle({14.0, 8.0}, 3.2) + "</g>";
   }
 
-  /// How many triangles there are; of a part of the world, how many would have to be counted.
+  /// Returns the label of the mesh. It has the number of triangles only if the picture shows the whole world: for a
+  /// crop, counting them would take a search.
   [[nodiscard]] std::string mesh_label(bool is_too_large) const {
     const std::string label = options_.crop ? "mesh" : counted(world_.triangle_count(), "triangle", "triangles");
     return is_too_large ? label + ", too many edges to draw" : label;

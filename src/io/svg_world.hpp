@@ -14,17 +14,17 @@
 
 namespace waywright::io {
 
-/// The world's part of a picture, and of its legend.
+/// The drawing of a world, and its entries in the legend.
 struct WorldDrawing {
   std::string elements;
   std::vector<LegendEntry> entries;
 };
 
-/// A line for a legend.
+/// Returns a line as a sample for the legend.
 [[nodiscard]] std::string line_sample(const Palette& palette, const Paint& colour, double stroke_width,
                                       std::string_view attributes = {});
 
-/// `1 wall`, `2 walls`.
+/// Returns a count with its noun: `1 wall`, `2 walls`.
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
 [[nodiscard]] WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options,

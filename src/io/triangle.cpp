@@ -18,16 +18,17 @@
 namespace waywright {
 namespace {
 
-/// The vertices of a file; their ids are first_id, first_id + 1, ...
+/// The vertices of a file. Their ids are first_id, first_id + 1, ...
 struct VertexList {
   std::uint64_t first_id = 1;
   std::vector<Point> points;
 };
 
-/// Two positions in a vertex list.
+/// Two indices in a vertex list.
 using Ends = std::array<std::size_t, 2>;
 
-/// Reads the sections of one file. Every member that returns bool returns false once the error says what is wrong.
+/// Reads the sections of one file. Each function that returns bool returns false after it has stored an error, except
+/// next_line().
 class SectionReader {
  public:
   SectionReader(std::string_view text, std::string_view name) : lines_(text), text_size_(text.size()), name_(name) {}
@@ -37,25 +38,26 @@ class SectionReader {
   bool vertices(VertexList& list);
   bool segments(const VertexList& list, std::vector<Ends>& segments);
   bool holes();
-  /// The one section that may be missing.
+  /// Reads the only section that may be missing.
   bool regions();
   bool end();
 
   bool fail(std::string_view expected, std::string_view found, ErrorCode code = ErrorCode::malformed);
 
  private:
-  /// Moves on to the next line that holds a word; false at the end of the text, which is no error.
+  /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line();
-  /// Moves on to a section's first line and reads how many entries it has.
+  /// Moves to the first line of a section and reads the number of its entries.
   bool section(std::string_view counted, std::uint64_t& count);
-  /// Moves on to an entry's line and reads its id, one more than the last one's; the first is 0 or 1.
+  /// Moves to the line of an entry and reads its id, which must be one more than the last id. The first id must be 0 or
+  /// 1.
   bool entry(std::string_view kind, std::uint64_t index, std::uint64_t& first_id);
   bool word(std::string_view expected, std::string_view& value);
   bool integer(std::string_view expected, std::uint64_t& value);
-  /// Reads an integer that may be left out at the end of the line; it is 0 then.
+  /// Reads an integer that may be missing at the end of the line; it is then 0.
   bool optional_integer(std::string_view expected, std::uint64_t largest, std::uint64_t& value);
   bool coordinates(Point& point);
-  /// Reads numbers that are checked and passed over.
+  /// Reads numbers, checks them and drops them.
   bool numbers(std::string_view expected, std::uint64_t count);
   bool end_of_line();
 
@@ -163,7 +165,7 @@ bool SectionReader::vertices(VertexList& list) {
       !optional_integer("0 or 1 boundary markers", 1, markers) || !end_of_line()) {
     return false;
   }
-  // A vertex takes a line of six characters at least: a count that the text cannot keep must not cost its memory.
+  // A vertex takes a line of at least six characters. So a count that is too large for the text does not cost memory.
   list.points.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, text_size_ / 6 + 1)));
   for (std::uint64_t i = 0; i < count; ++i) {
     Point point;
@@ -226,8 +228,8 @@ bool SectionReader::regions() {
 
 bool SectionReader::end() { return !next_line() || fail("the end of the text", "one more line"); }
 
-/// The bounds of a domain along one axis: at least `margin` beyond what it holds, and multiples of `unit`, so that the
-/// domain's corners are numbers as simple as the margin allows; never out of range.
+/// Returns the bounds of a domain along one axis. They lie at least `margin` beyond `low` and `high`, and are multiples
+/// of `unit`: so the corners of the domain are as simple numbers as the margin allows. They are never out of range.
 std::pair<double, double> grown(double low, double high, double margin, double unit) {
   const double least = std::floor((low - margin) / unit) * unit;
   const double most = std::ceil((high + margin) / unit) * unit;
@@ -244,7 +246,8 @@ Box domain_around(const std::vector<Point>& points) {
   const double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   const double size =
       std::max({std::fabs(box.min.x), std::fabs(box.min.y), std::fabs(box.max.x), std::fabs(box.max.y)});
-  // Far from the origin a margin of 1 would be lost to rounding: there the doubles' own distance sets the least.
+  // Far from the origin, rounding would swallow a margin of 1. There the least margin depends on the distance of
+  // neighbouring doubles.
   const double margin = std::max({1.0, extent / 8.0, std::ldexp(size, -48)});
   const double unit = std::ldexp(1.0, std::max(0, std::ilogb(margin) - 1));
   const auto [min_x, max_x] = grown(box.min.x, box.max.x, margin, unit);

@@ -17,7 +17,7 @@ void append_point(std::string& out, Point point) {
   text::append_number(out, point.y);
 }
 
-/// Appends the points of a ring, their count before them where the kind's line has one.
+/// Appends the points of a ring. Writes their number before them if `with_count` is true.
 void append_ring(std::string& out, PointSpan ring, bool with_count) {
   if (with_count) {
     out += ' ';

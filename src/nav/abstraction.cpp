@@ -13,12 +13,12 @@ using mesh::Face;
 
 namespace {
 
-/// So many changed faces are gone through, whatever their share of the mesh.
+/// update() never rebuilds the abstraction for this many changed faces or fewer, whatever their share of the mesh.
 constexpr std::size_t kFewFaces = 1000;
 
 }  // namespace
 
-/// Takes everything back unless it is told that all went well.
+/// Rolls the abstraction back when it is destroyed, unless done() was called.
 class Abstraction::Guard {
  public:
   explicit Guard(Abstraction& abstraction) : abstraction_(abstraction) {
@@ -69,16 +69,16 @@ void Abstraction::update(const Triangulation& triangulation) {
   guard.done();
 }
 
-/// Where most faces changed, this is cheaper than to go through what did.
+/// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
-  gone_ = made_ = std::vector<Face>();  // as large as the mesh
+  gone_ = made_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
   Components components(triangulation);
   core_ = TwoCore(triangulation);
   components_ = std::move(components);
   was_rebuilt_ = true;
 }
 
-/// The faces that the operation touched, each once.
+/// Collects in `gone_` the faces that the operation touched, each once.
 void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
   gone_.clear();
@@ -90,14 +90,14 @@ void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   for (const Face f : gone_) is_touched_[number(f)] = false;
 }
 
-/// Those of them that are faces of the box now.
+/// Collects in `made_` the faces of `gone_` that are faces of the box now.
 void Abstraction::collect_made(const Triangulation& triangulation) {
   made_.clear();
   std::copy_if(gone_.begin(), gone_.end(), std::back_inserter(made_),
                [&](Face f) { return triangulation.triangulation().is_in_box(f); });
 }
 
-/// Leaves of the polygons that came or went those that did so for good.
+/// Removes the polygons that this operation both inserted and removed from both lists.
 void Abstraction::drop_replaced() {
   std::sort(inserted_.begin(), inserted_.end());
   std::sort(removed_.begin(), removed_.end());
@@ -109,8 +109,9 @@ void Abstraction::drop_replaced() {
   std::erase_if(removed_, is_common);
 }
 
-/// Whether all that changed lies among faces that had, and have again, ways over all three of their edges: then they
-/// are of one component and of the core, as before.
+/// Returns whether the change happened in open space: every face of `gone_` had three passages in the core, all these
+/// faces belonged to one component, and all edges of the faces in `made_` are passages. The new faces then belong to
+/// the same component, and each has three passages in the core.
 bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Label component = Components::kNone;

@@ -13,32 +13,33 @@
 
 namespace waywright::nav {
 
-/// What the searches know about a world's faces before they start: which are joined at all, which polygons cover them,
-/// which lie in dead ends. Kept up from operation to operation, rebuilt only where most of the mesh has changed; equal
-/// to a rebuild at any time.
+/// What the searches know about the faces of a world before they start: which faces are connected, which polygons cover
+/// them, and which faces lie in dead ends. update() changes only what an operation has changed, and rebuilds everything
+/// only if most of the mesh has changed. The result always equals a rebuild.
 ///
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: theirs is rebuilt after
-/// each change, in time linear in the mesh.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: their abstraction is
+/// rebuilt after each change, in time linear in the size of the mesh.
 class Abstraction {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Of a triangulation; it is told of the same one, wherever that is moved, from then on.
+  /// The abstraction of a triangulation. Pass the same triangulation to every update(); it may have been moved.
   explicit Abstraction(const Triangulation& triangulation);
 
   [[nodiscard]] const Components& components() const { return components_; }
   [[nodiscard]] const TwoCore& core() const { return core_; }
 
-  /// Starts an operation. To be told of every polygon that comes or goes, by slot.
+  /// Starts an operation. Call note_inserted() and note_removed() for every polygon that the operation inserts or
+  /// removes. Polygons are named by their slot.
   void begin();
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
   void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }
-  /// Brings everything up to the triangulation, whose operation must still be open: either everything or, if memory
-  /// runs out, nothing. Cost: what changed, however large the world.
+  /// Updates the abstraction to the triangulation. Requires: the operation of the triangulation is still open. If
+  /// memory runs out, nothing changes. Cost: depends on what changed, not on the size of the world.
   void update(const Triangulation& triangulation);
 
-  /// Calls visit(face) for each face of which the last update() has changed what is known. Returns false, and calls
-  /// nothing, if that update was a rebuild.
+  /// Calls visit(face) for each face whose entry the last update() has changed. Returns false, and does not call
+  /// visit(), if that update was a rebuild.
   template <class Visit>
   [[nodiscard]] bool for_each_changed_face(Visit&& visit) const {
     if (was_rebuilt_) return false;
@@ -47,11 +48,11 @@ class Abstraction {
     return true;
   }
 
-  /// The first difference from a rebuild, or nothing. Cost: linear.
+  /// Returns the first difference from a rebuild, or nothing if there is none. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
 
   void count_memory(MemoryUse& use) const;
-  /// Gives back spare memory. Requires: no update is under way.
+  /// Frees spare memory. Requires: no update is in progress.
   void shrink_to_fit();
 
  private:
@@ -66,12 +67,12 @@ class Abstraction {
   Components components_;
   TwoCore core_;
 
-  bool was_rebuilt_ = false;  ///< by the last update
+  bool was_rebuilt_ = false;  ///< whether the last update was a rebuild
 
   std::vector<std::uint32_t> inserted_;  ///< polygons, by slot
   std::vector<std::uint32_t> removed_;
 
-  // Scratch, kept for its memory.
+  // Scratch.
   std::vector<bool> is_touched_;  ///< by face
   std::vector<mesh::Face> gone_;
   std::vector<mesh::Face> made_;

@@ -7,8 +7,7 @@
 #include "nav/components.hpp"
 #include "nav/point_agent.hpp"
 
-// The components of a mesh that nothing is known of yet. They are found in place: until they are numbered, a face's
-// label is that of a face before it in its set, or the first face's own.
+// Builds the components of a mesh from scratch: first trees of connected faces, then a component of each tree.
 
 namespace waywright::nav {
 
@@ -17,10 +16,10 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// The winding numbers of polygons, by slot, ascending; those that are 0 are left out.
+/// The nonzero winding numbers of polygons, in ascending order of their slots.
 using Turns = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
-/// The winding numbers beyond the edge of `h`, from those in its face.
+/// Returns the winding numbers in the face beyond `h`. `here` holds those in the face of `h`.
 Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Turns& here, HalfEdge h) {
   Turns turns = here;
   triangulation.for_each_side(h, [&](const constraint::Side& side) {
@@ -49,7 +48,7 @@ Components::Components(const Triangulation& triangulation) {
   begin();
 }
 
-/// Returns trees of faces: each face of the box names another one of its component, or itself.
+/// Returns the components as trees: for each face of the box, another face of its component, or itself for a root.
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
 std::vector<Components::Label> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -66,7 +65,7 @@ std::vector<Components::Label> Components::join_faces(const Triangulation& trian
   return trees;
 }
 
-/// Makes a component of each tree, and the face's component of each entry of `labels`.
+/// Makes a component of each tree in `labels`, and replaces each entry by the label of its face's component.
 void Components::number_components(std::vector<Label>& labels) {
   for (std::uint32_t f = 0; f < labels.size(); ++f) {
     if (labels[f] == kNone) continue;
@@ -76,8 +75,8 @@ void Components::number_components(std::vector<Label>& labels) {
   }
 }
 
-/// From beyond the box inwards. Where there are nonzero polygons, the components whose neighbours are still to be
-/// looked at have their winding numbers kept.
+/// Computes the covers, component by component, from outside the box inwards. If the world has nonzero polygons,
+/// `known` keeps the winding numbers of each component until the loop has handled the neighbours of that component.
 void Components::cover_components(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const bool has_nonzero = triangulation.items().has_nonzero_polygons();

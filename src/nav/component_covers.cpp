@@ -4,10 +4,11 @@
 #include "constraint/turns.hpp"
 #include "nav/components.hpp"
 
-// Which polygons cover a component. What a component keeps of a polygon is whether it covers it, not its winding
-// number. Across an edge, cover follows from that and from the polygon's sides on the edge, unless the polygon is a
-// nonzero one that turns around the known face and has sides there. Then the winding number is found on a way out of
-// the domain.
+// Computes which polygons cover a component. A component stores only which polygons cover it, not their winding
+// numbers. Two facts decide whether a polygon covers the face beyond an edge: whether it covers the face in front of
+// the edge, and which of its sides lie on the edge. The exception is a nonzero polygon that covers the face in front
+// and whose winding number changes across the edge. For such a polygon, turns_around() computes the winding number
+// along a chain of faces that leads out of the domain.
 
 namespace waywright::nav {
 
@@ -19,20 +20,21 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// Requires: the slots ascend.
+/// Returns whether `slots` contains `slot`. Requires: `slots` ascend.
 bool contains(std::span<const std::uint32_t> slots, std::uint32_t slot) {
   return std::binary_search(slots.begin(), slots.end(), slot);
 }
 
-/// The vertex of the ring that comes first in (x, y) order, by its position.
+/// The index of the ring's corner whose exact position comes first in (x, y) order.
 std::size_t first_corner(const constraint::ExactTriangulation& triangulation, std::span<const mesh::Vertex> ring) {
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return triangulation.triangulation().comes_before(p, q); };
   return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), before) - ring.begin());
 }
 
-/// Goes along the edges of one side of a polygon and calls visit(face) for each face that the polygon covers at an edge
-/// on which its winding number changes. `h` starts at the side's first corner, `turns` is the winding number around its
-/// face; both are then so for the side's last corner.
+/// Follows one side of a polygon, edge by edge. At each vertex on the side except the last, calls visit(face) for the
+/// two faces of each edge around the vertex, if the winding number changes across that edge and the polygon covers the
+/// face. On entry `h` is a half-edge that starts at the side's first corner, and `turns` is the winding number in the
+/// face of `h`. On return both describe the side's last corner in the same way.
 template <class Winding, class Visit>
 void visit_inner_faces(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::uint32_t slot,
                        HalfEdge& h, std::int32_t& turns, Visit&& visit) {
@@ -65,7 +67,7 @@ void visit_inner_faces(const constraint::ExactTriangulation& triangulation, cons
 
 }  // namespace
 
-/// What went covers nothing any more.
+/// Removes the removed polygons from all covers.
 void Components::drop_removed(const Triangulation& triangulation, const Changes& changes) {
   for (const std::uint32_t polygon : changes.removed) {
     find_covered(triangulation.topology(), changes.made, polygon);
@@ -73,8 +75,8 @@ void Components::drop_removed(const Triangulation& triangulation, const Changes&
   }
 }
 
-/// Finds the components of old faces that the polygon covered. They are reached from the new faces: all along its sides
-/// faces have changed.
+/// Collects in `flooded_` the components of old faces that the polygon covered. The flood starts at the new faces: it
+/// reaches every covered face, because faces have changed all along the sides of the polygon.
 void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Face> made, std::uint32_t polygon) {
   const std::uint32_t flood = next_mark_++;
   stack_.clear();
@@ -103,14 +105,14 @@ void Components::set_cover(Label component, Uses cover) {
   records_.write(component, {records_[component].size, cover});
 }
 
-/// A half-edge from a vertex, in a face of the box, with nothing but what comes before the vertex on its right, or what
-/// is beyond the box.
+/// Returns a half-edge that starts at `v`, in a face of the box. To the right of this half-edge lies only what comes
+/// before `v` in (x, y) order, or what lies beyond the box.
 HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::Vertex v) {
   constraint::faces_at(triangulation, {locate::Spot::vertex, triangulation.topology().outgoing(v)}, around_);
   return around_.front();
 }
 
-/// Gives components of their own to the groups that no old face is joined to.
+/// Makes a new component of each group that is not connected to an old face.
 void Components::cover_new_groups(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
@@ -131,7 +133,8 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
   }
 }
 
-/// Finds the group a neighbour that has its cover. Returns whether there is one.
+/// Looks for a neighbour of the group that has a known cover or is a ghost face, and computes the group's cover from
+/// it. Returns whether there is such a neighbour.
 bool Components::cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
@@ -145,7 +148,8 @@ bool Components::cover_from_beyond(const Triangulation& triangulation, const Cha
   return false;
 }
 
-/// `beyond` is a half-edge to the group in a neighbour that has its cover, or in a ghost face.
+/// Makes a component of the group and computes its cover. `beyond` is a half-edge on the group's border, in the face
+/// outside the group. Requires: the cover of that face is known, or it is a ghost face.
 void Components::cover_group(const Triangulation& triangulation, const Changes& changes, std::uint32_t group,
                              HalfEdge beyond) {
   const Uses cover = cover_beyond(triangulation, beyond, changes.inserted);
@@ -154,8 +158,8 @@ void Components::cover_group(const Triangulation& triangulation, const Changes& 
   for (std::uint32_t i = added.begin; i < added.end; ++i) write_label(faces_[i], added.label);
 }
 
-/// What covers the face beyond `h`, a half-edge of one whose cover is known or of a ghost face. What came lately is
-/// left out; it covers nothing yet.
+/// Returns the polygons that cover the face beyond `h`. Leaves out the polygons in `inserted`: no cover contains them
+/// yet. Requires: the cover of the face of `h` is known, or it is a ghost face.
 Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, std::span<const std::uint32_t> inserted) {
   const Label neighbour = of(mesh::face(h));
   polygons_.clear();
@@ -182,7 +186,7 @@ Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, st
   return cover;
 }
 
-/// Adds a polygon to what it covers: the faces between its sides.
+/// Adds the polygon to the covers of the components that it covers: of the faces between its sides.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon) {
   constraint::with_winding(triangulation, polygon, [&](const auto& winding) { cover_with(triangulation, winding); });
 }
@@ -210,7 +214,8 @@ void Components::cover_with(const Triangulation& triangulation, const Winding& w
     const std::size_t count = ring_end - ring_begin;
     const std::size_t first = first_corner(triangulation, {outline_.corners.data() + ring_begin, count});
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
-    // To the right of that half-edge nothing of the ring is left. With other rings the ring may lie within them.
+    // To the right of `h` there is no face between sides of this ring: its first corner is the origin of `h`. So with a
+    // single ring the winding number there is 0. With several rings, this ring may lie inside another one.
     std::int32_t turns = outline_.ring_ends.size() == 1 ? winding.across(h) : turns_around(triangulation, h, polygon);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
       visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, turns, visit);

@@ -11,10 +11,16 @@ using constraint::UseLists;
 using mesh::Face;
 using mesh::HalfEdge;
 
+// update() works in four steps:
+// - It takes the changed faces out of their components.
+// - It divides the new faces into groups. A group is connected through new faces alone.
+// - It finds the parts into which the old components have fallen, and makes one component of all groups and parts that
+//   are connected.
+// - It updates the covers.
 void Components::update(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   make_room(mesh);
-  constexpr std::uint32_t kMarksToSpare = 0x40000000;  // more than an update takes
+  constexpr std::uint32_t kMarksToSpare = 0x40000000;  // more than one update uses
   if (next_mark_ > ~kMarksToSpare) {
     marks_.clear();
     next_mark_ = 1;
@@ -49,7 +55,7 @@ void Components::make_room(const mesh::TriangleMesh& mesh) {
   labels_.cover(mesh.face_slots(), kNone);
 }
 
-/// The changed faces leave their components. One without faces is none.
+/// Takes the changed faces out of their components. Frees a component that has no face left.
 void Components::take_out(std::span<const Face> gone) {
   Label label = kNone;
   Record record;
@@ -72,8 +78,8 @@ void Components::take_out(std::span<const Face> gone) {
   write();
 }
 
-/// The groups, and the old faces at their borders. A way that is free now was free before, so each part of an old
-/// component that lost a face has one.
+/// Finds the groups of new faces, and the old faces at their borders (the contacts). The edges of an old face have not
+/// changed. So each piece of an old component that lost a face has a contact.
 void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   groups_.clear();
   group_sets_.clear();
@@ -128,7 +134,7 @@ void Components::find_parts(const mesh::TriangleMesh& mesh) {
   }
 }
 
-/// Finds the parts of one old component, by searches from its contacts. Source: Even and Shiloach, *An on-line
+/// Finds the pieces of one old component by searches from its contacts. Source: Even and Shiloach, *An on-line
 /// edge-deletion problem*, JACM 1981 (searches that run in turn).
 void Components::part(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
   start_searches({contacts_.data() + begin, end - begin});
@@ -145,7 +151,7 @@ void Components::part(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::
   parts_.push_back({component, searches_[rest].group, size, false, begin, end});
 }
 
-/// One search for all contacts in groups that are joined.
+/// Starts one search for all contacts in groups that are already known to be connected.
 void Components::start_searches(std::span<const Contact> contacts) {
   search_mark_ = next_mark_;
   search_sets_.clear();
@@ -155,7 +161,7 @@ void Components::start_searches(std::span<const Contact> contacts) {
     while (i < search_sets_.size() && searches_[i].group != group) ++i;
     if (i == search_sets_.size()) {
       search_sets_.push_back(i);
-      ++next_mark_;  // before there is a mark, so that none is left for the next should memory run out here
+      ++next_mark_;  // before any face gets this mark: if memory runs out below, no later search gets the same mark
       if (i == searches_.size()) searches_.emplace_back();
       searches_[i].group = group;
       searches_[i].found.clear();
@@ -165,7 +171,8 @@ void Components::start_searches(std::span<const Contact> contacts) {
   }
 }
 
-/// Searches from all sides in turn. Returns the set of searches that is still unfinished, or any if all are done.
+/// Runs all searches in turn, one face each. Stops when at most one set of searches is unfinished. Returns that set, or
+/// an arbitrary set if all are finished.
 std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mesh) {
   const std::span searches(searches_.data(), search_sets_.size());
   const auto is_open = [](const Search& search) { return search.next < search.found.size(); };
@@ -184,7 +191,7 @@ std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mes
   }
 }
 
-/// Looks at one face's neighbours; not at new ones, where searches that meet are one already.
+/// Looks at the old neighbours of one face. It can skip the new ones: searches from one group are one search already.
 void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   const Face f = search.found[search.next++];
   for (std::uint32_t side = 0; side < 3; ++side) {
@@ -194,7 +201,7 @@ void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   }
 }
 
-/// A face is found by the search, or it shows that another search that found it is the same.
+/// Records that `search` has found the face. If another search has found it before, unites the two searches.
 void Components::find(Search& search, Face f) {
   const auto own = static_cast<std::uint32_t>(&search - searches_.data());
   const std::uint32_t found_by = mark(f);
@@ -206,7 +213,7 @@ void Components::find(Search& search, Face f) {
   }
 }
 
-/// What a set of searches that came to their end have found, the set's first being `search`.
+/// Adds the piece that a finished set of searches has found. `search` is the first search of the set.
 void Components::add_piece(std::uint32_t search, Label component) {
   const auto begin = static_cast<std::uint32_t>(parted_.size());
   for (std::uint32_t i = search; i < search_sets_.size(); ++i) {
@@ -217,8 +224,8 @@ void Components::add_piece(std::uint32_t search, Label component) {
   parts_.push_back({component, searches_[search].group, end - begin, true, begin, end});
 }
 
-// Groups that are joined, and all the parts that they join, become one component: under the label of the largest rest
-// of an old one, if there is any.
+// Makes one component of each set of connected groups and the parts that they connect. The component takes the label
+// of the largest rest of an old component among them, if there is one.
 void Components::label_parts(const mesh::TriangleMesh& mesh) {
   for (const Part& part : parts_) {
     Group& group = groups_[top(group_sets_, part.group)];

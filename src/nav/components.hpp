@@ -19,27 +19,27 @@
 
 namespace waywright::nav {
 
-/// The faces of the box in components: two are in one when a way over free edges joins them. All faces of a component
-/// are covered by the same polygons, which it keeps.
+/// The components of the faces of the box. Two faces are in one component if a chain of passages connects them. The
+/// same polygons cover all faces of a component, so each component stores its cover.
 ///
-/// Kept up from one mesh to the next: where something was parted, searches from all sides of it run in turn until one
-/// side at most is still unfinished; where components meet, the smaller ones take the label of the largest. A label is
-/// good for comparing, no more: which component has which depends on history. Four bytes a face, and up to four more
-/// as scratch.
+/// update() carries the components over from one mesh to the next. If a change may have disconnected a component,
+/// searches from all its pieces run in turn until at most one of them is unfinished. If components meet, the smaller
+/// ones take the label of the largest. Labels can only be compared for equality: which label a component has depends on
+/// the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Label = std::uint32_t;
   static constexpr Label kNone = 0xffffffff;
 
-  /// Those of a triangulation. Cost: linear, and no memory besides what stays but for walls between components.
+  /// The components of a triangulation. Cost: linear. Needs scratch memory only for the walls between components.
   explicit Components(const constraint::ExactTriangulation& triangulation);
 
-  /// The component of a face of the box.
+  /// Returns the component of a face of the box.
   [[nodiscard]] Label of(mesh::Face f) const { return labels_[number(f)]; }
   [[nodiscard]] std::size_t count() const { return records_.size() - free_count_; }
-  /// The number of its faces.
+  /// The number of faces in the component.
   [[nodiscard]] std::uint32_t size(Label component) const { return records_[component].size; }
-  /// Whether a polygon covers the face.
+  /// Returns whether a polygon covers the face.
   [[nodiscard]] bool is_covered(mesh::Face f) const { return records_[of(f)].cover != constraint::UseLists::kNone; }
   /// Calls visit(slot) for each polygon that covers the face.
   template <class Visit>
@@ -47,39 +47,39 @@ class Components {
     covers_.for_each(records_[of(f)].cover, visit);
   }
 
-  /// What changed since the last time. `gone` are the faces, by slot, that were made, rebuilt or freed, `made` those of
-  /// them that are now faces of the box, each once. `removed` and `inserted` are the polygons, by slot, that went and
-  /// came, ascending; those that did both are in neither.
+  /// What has changed since the last update. `gone` lists the faces, by slot, that were made, rebuilt or freed. `made`
+  /// lists those of them that are faces of the box now. Each list contains a face once. `removed` and `inserted` list
+  /// the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in neither list.
   struct Changes {
     std::span<const mesh::Face> gone;
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
   };
-  /// Brings everything up to the triangulation. Whatever it changes is logged first.
+  /// Updates the components to the triangulation. Logs every old value before it changes it.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
-  /// update() where `made` fill the place of `gone` with no wall in or around it, before or after, and no polygon came
-  /// or went.
+  /// Does the same as update(), for a change where `made` fill the area of `gone`, no wall lies inside that area or on
+  /// its border, before or after, and no polygon was inserted or removed.
   void refill(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
 
-  /// Where other components of the same faces differ, or nothing.
+  /// Returns the first difference from `other`, other components of the same faces, or nothing if there is none.
   [[nodiscard]] std::optional<std::string> find_difference(const Components& other,
                                                            std::span<const mesh::Face> faces) const;
 
-  /// Calls visit(face) for each face that got another label since begin().
+  /// Calls visit(face) for each face whose label has changed since begin().
   template <class Visit>
   void for_each_relabelled_face(Visit&& visit) const {
     labels_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
   }
 
-  /// Starts the log anew.
+  /// Clears the undo log.
   void begin();
   /// Takes back everything since begin(). Allocates nothing.
   void roll_back();
 
   void count_memory(MemoryUse& use) const;
-  /// Gives back spare memory. Requires: nothing has changed since begin().
+  /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit();
 
  private:
@@ -87,38 +87,39 @@ class Components {
   using Triangulation = constraint::ExactTriangulation;
 
   struct Record {
-    std::uint32_t size = 0;  ///< of a free record, the next free one
+    std::uint32_t size = 0;  ///< of a free record: the next free one
     Uses cover = constraint::UseLists::kNone;
   };
-  /// New faces that are joined to one another without an old one's help.
+  /// A set of new faces that new faces alone connect with one another.
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Label label = kNone;
-    std::uint32_t size = 0;  ///< of the component that it becomes
+    std::uint32_t size = 0;  ///< size of the component to which the group will belong
   };
-  /// An old face with a free edge to a group.
+  /// An old face with a passage to a face of a group.
   struct Contact {
-    Label component;  ///< its own
+    Label component;  ///< of the old face
     std::uint32_t group;
     mesh::Face face;
   };
-  /// A search through what is left of an old component, from contacts in groups that are joined.
+  /// A search through the rest of an old component, from contacts in connected groups.
   struct Search {
     std::uint32_t group;
     std::vector<mesh::Face> found;
-    std::size_t next = 0;  ///< the first face of `found` to be looked at
+    std::size_t next = 0;  ///< index of the first face in `found` whose neighbours the search has not looked at
   };
-  /// What is left of an old component, or a piece that came off it.
+  /// A connected part of what is left of an old component: a piece whose faces a search has listed, or the rest, whose
+  /// faces are not listed.
   struct Part {
     Label component;
-    std::uint32_t group;  ///< one that it is joined to
+    std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
     bool is_piece;
-    std::uint32_t begin, end;  ///< a piece's faces, in `parted_`; else the old component's contacts, in `contacts_`
+    std::uint32_t begin, end;  ///< a piece: its faces in `parted_`; else: the contacts in `contacts_`
   };
 
-  // A mesh that nothing is known of.
-  /// A wall half-edge of a face of the component, or of a ghost face, with another component beyond it.
+  // Building from scratch.
+  /// A half-edge with a wall on it and another component beyond it. Its face is in `component`, or is a ghost face.
   struct Door {
     Label component;
     mesh::HalfEdge h;
@@ -128,7 +129,7 @@ class Components {
   void cover_components(const Triangulation& triangulation);
   [[nodiscard]] std::vector<Door> find_doors(const mesh::TriangleMesh& mesh) const;
 
-  // Labels.
+  // Updating labels.
   void make_room(const mesh::TriangleMesh& mesh);
   void take_out(std::span<const mesh::Face> gone);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
@@ -145,18 +146,18 @@ class Components {
   [[nodiscard]] Label add_record(const Record& record);
   void free_record(Label component);
 
-  // Sets of groups, or of searches, as trees that lead to their first member.
+  // Disjoint sets of groups, or of searches, stored as trees. The root of a tree is the first member of the set.
   [[nodiscard]] static std::uint32_t top(std::vector<std::uint32_t>& sets, std::uint32_t i);
   static void unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j);
 
-  // Marks.
+  // Marks of faces.
   [[nodiscard]] std::uint32_t mark(mesh::Face f) const { return marks_.has_room(number(f)) ? marks_[number(f)] : 0; }
   void set_mark(mesh::Face f, std::uint32_t mark) {
     marks_.make_room(number(f));
     marks_[number(f)] = mark;
   }
 
-  // Covers.
+  // Updating covers.
   void drop_removed(const Triangulation& triangulation, const Changes& changes);
   void find_covered(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made, std::uint32_t polygon);
   void cover_new_groups(const Triangulation& triangulation, const Changes& changes);
@@ -179,11 +180,11 @@ class Components {
   memory::FreeList free_records_before_;
   std::size_t free_count_before_ = 0;
 
-  // Scratch, kept for its memory.
-  memory::Pages<std::uint32_t> marks_;  ///< by face: numbers that are never used twice
+  // Scratch.
+  memory::Pages<std::uint32_t> marks_;  ///< by face: the number of the last flood or search there, never used twice
   std::uint32_t next_mark_ = 1;
-  std::uint32_t group_mark_ = 0;   ///< the first group's; the one before is that of new faces without a group yet
-  std::uint32_t search_mark_ = 0;  ///< the first search's
+  std::uint32_t group_mark_ = 0;   ///< mark of the first group; the number before it marks new faces without a group
+  std::uint32_t search_mark_ = 0;  ///< mark of the first search
   std::vector<mesh::Face> faces_;  ///< new faces, group by group
   std::vector<Group> groups_;
   std::vector<std::uint32_t> group_sets_;

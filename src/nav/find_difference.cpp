@@ -4,7 +4,7 @@
 #include "nav/components.hpp"
 #include "nav/two_core.hpp"
 
-// How what is kept up is held against what is built anew.
+// Compares a maintained abstraction with one that was built from scratch.
 
 namespace waywright::nav {
 
@@ -29,14 +29,14 @@ std::optional<std::string> Components::find_difference(const Components& other, 
     std::sort(other_cover.begin(), other_cover.end());
     if (cover != other_cover) return "the component of " + where + " is covered by other polygons";
   }
-  // As many names as components: no two components have one name.
+  // There are as many names as components, so no two components share a name.
   if (names.size() != count()) return "the abstraction misses a component";
   return std::nullopt;
 }
 
 std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,
                                                     std::span<const Face> faces) const {
-  std::unordered_map<std::uint32_t, std::uint32_t> roots;  // by the other's
+  std::unordered_map<std::uint32_t, std::uint32_t> roots;  // maps the roots of `other` to the roots of this
   const std::vector<Face> tops = this->tops(mesh, faces);
   const std::vector<Face> other_tops = other.tops(mesh, faces);
   for (const Face f : faces) {
@@ -57,7 +57,8 @@ std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& me
   return std::nullopt;
 }
 
-/// Where each face's way towards the core ends; itself where it doesn't end.
+/// Returns, by face slot, the last face of the chain that towards_core() makes from each face: a face of the core or a
+/// root. If a chain runs in a circle, the result is a face of that circle.
 std::vector<Face> TwoCore::tops(const mesh::TriangleMesh& mesh, std::span<const Face> faces) const {
   constexpr Face kUnknown{0xffffffff};
   std::vector<Face> tops(states_.size(), kUnknown);

@@ -8,10 +8,11 @@
 
 namespace waywright::nav {
 
-/// Which polygons cover a place, as a world's components know it where they are kept. Cost: O(1), and the answer.
+/// Finds the polygons that cover a position. It reads them from the components of an abstraction, if it has one. Cost:
+/// O(1) plus the size of the answer.
 class KeptCover final : public constraint::Cover {
  public:
-  /// What to ask from now on, or null; it is to outlive that.
+  /// Sets the abstraction to read from, or null for none. Requires: it outlives its use here.
   void use(const Abstraction* abstraction) {
     components_ = abstraction != nullptr ? &abstraction->components() : nullptr;
   }

@@ -21,21 +21,25 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   }
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     peel_from(mesh, Face{f});
-    begin();  // there is nothing to take back to
+    begin();  // empties the log: there is no earlier state to go back to
   }
   states_.shrink_to_fit();
 }
 
-// The core is found from above: a set that is surely large enough is peeled until every face has two ways.
+// update() starts with a set of faces that surely contains the core, and peels it until every face in it has two
+// passages. The set consists of
+// - the old core,
+// - every new face, and
+// - for each old tree face that is adjacent to a new face: the faces from there up to the core. A tree face that hangs
+//   on a new face is an exception: its tree is connected to nothing but that new face, so it stays a tree.
 //
-// Every new face is in the set, and so are the faces on the way towards the core from each old tree face beside them,
-// but for those that hang on a new face: a tree that is joined to nothing but the face it hangs on stays one. What is
-// left outside of the set are trees that hang on it.
+// All faces outside the set are then in trees that hang on the set.
 //
-// Where just one old tree face lies beside the new ones and the core is far, that way is long and mostly climbed in
-// vain: the new faces take the place of others that hung there. So they are peeled first, as if that face were of the
-// core; only if this leaves a ring is there anything to climb for. (Were there a second such face, or had a root or a
-// core gone, the climb might lead through another of the places that changed and back.)
+// Often just one old tree face is adjacent to the new faces, and the core is far away. Then the climb to the core is
+// long, and mostly useless: the new faces only replace others that hung on the tree face. So update() first peels the
+// new faces as if the tree face were in the core. It climbs only if this leaves a ring. This is not allowed if there is
+// a second such tree face, or if a root or a face of the core was removed: then the climb might lead through another
+// changed region and back.
 void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
   states_.cover(mesh.face_slots(), kAbsent);
   Surroundings around;
@@ -63,7 +67,7 @@ void TwoCore::write(Face f, State state) {
   if ((states_[number(f)] & kNew) == 0) {
     states_.write(number(f), state);
   } else {
-    states_.unrecorded(number(f)) = state;  // its record is from before it was new
+    states_.unrecorded(number(f)) = state;  // the log already has the old state
   }
 }
 
@@ -72,7 +76,8 @@ void TwoCore::add_way(HalfEdge h) {
   write(f, states_[number(f)] | way(h));
 }
 
-/// Gives a new face its ways, one to each tree face beside it included: these have no way back until they are climbed.
+/// Gives a new face its passages, including one to each adjacent old tree face. A tree face gets a passage back only
+/// when climb() takes it into the core.
 void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge h{3 * number(f) + i};
@@ -99,8 +104,8 @@ void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> 
   }
 }
 
-/// Takes a tree face into the core, which has come to it by its half-edge `back`, and all faces between it and the core
-/// or the root.
+/// Takes into the core the face of the half-edge `back`, if it is a tree face, and all faces from there up to the core
+/// or to the root. Requires: the face beyond `back` is in the core.
 void TwoCore::climb(const mesh::TriangleMesh& mesh, HalfEdge back) {
   for (;;) {
     const Face f = mesh::face(back);
@@ -115,7 +120,7 @@ void TwoCore::climb(const mesh::TriangleMesh& mesh, HalfEdge back) {
   }
 }
 
-/// Takes loose faces out of the core until every face has two ways.
+/// Takes loose faces out of the core until every face of the core has two passages.
 void TwoCore::peel(const mesh::TriangleMesh& mesh) {
   while (!loose_.empty()) {
     const Face f = loose_.back();
@@ -124,7 +129,7 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
   }
 }
 
-/// Takes a face out of the core if it has fewer than two ways; then the next, that it hung on.
+/// Takes a face out of the core if it has fewer than two passages, then the face on which it hung, and so on.
 void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
   while (is_core(f) && degree(f) < 2) {
     if (degree(f) == 0) return write(f, kRoot);

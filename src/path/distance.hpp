@@ -8,17 +8,17 @@
 
 #include "base/ieee.hpp"
 
-// Lengths in doubles. They choose between ways and bound searches; what is on which side is decided elsewhere, exactly.
-// Square root is correctly rounded everywhere, which std::hypot is not.
+// Lengths in doubles. They only choose between paths and bound searches. Exact predicates decide on which side
+// something lies. The code uses the square root because it is correctly rounded on every machine, unlike std::hypot.
 
 namespace waywright::path {
 
-/// Edges whose squared length is not above this have no direction in doubles. They join vertices that round to one
-/// place, or to two next to 0.
+/// Edges whose squared length is at most this have no direction in doubles. Such an edge joins two vertices that round
+/// to one point, or to two points next to 0.
 inline constexpr double kNoLength = 0x1p-900;
 
-/// `q` where it doesn't lie on the right of the line through `a` along `edge`, or that has no direction; else its
-/// mirror image there.
+/// Returns `q` if it does not lie to the right of the line through `a` along `edge`, or if `edge` has no direction.
+/// Otherwise returns the mirror image of `q` on the left of the line.
 [[nodiscard]] inline Point on_left(const Point& a, const Point& edge, const Point& q) {
   const double side = cross(edge, {q.x - a.x, q.y - a.y});
   if (!(side < 0.0)) return q;
@@ -28,7 +28,7 @@ inline constexpr double kNoLength = 0x1p-900;
   return {q.x + edge.y * scale, q.y - edge.x * scale};
 }
 
-/// The point nearest to `p` of the line through `a` along `edge`; `a` where that has no direction.
+/// Returns the point nearest to `p` on the line through `a` along `edge`, or `a` if `edge` has no direction.
 [[nodiscard]] inline Point foot(const Point& p, const Point& a, const Point& edge) {
   const double squared_length = edge.x * edge.x + edge.y * edge.y;
   if (squared_length <= kNoLength) return a;
@@ -36,9 +36,9 @@ inline constexpr double kNoLength = 0x1p-900;
   return {a.x + share * edge.x, a.y + share * edge.y};
 }
 
-/// Where the ray from `p` in a direction meets the edge from `a` along `edge`; the edge's nearer end where it hardly
-/// does. Nothing where the two are so nearly parallel that rounding could shift the place by more than 2^-34 of its
-/// distance from `p`.
+/// Returns the point where the ray from `p` in `direction` meets the segment from `a` along `edge`. If rounding lets
+/// the ray miss the segment, returns the nearer end. Returns nothing if the two are so nearly parallel that rounding
+/// could shift the point by more than 2^-34 of its distance from `p`.
 [[nodiscard]] inline std::optional<Point> meeting(const Point& p, const Point& direction, const Point& a,
                                                   const Point& edge) {
   const double one = direction.x * edge.y;
@@ -54,8 +54,8 @@ inline constexpr double kNoLength = 0x1p-900;
   return distance(p, between) + distance(between, q);
 }
 
-/// The length of the shortest way from `p` to `q` that touches the segment from `a` to `b`; with all four on a line, of
-/// one that touches that.
+/// Returns the length of the shortest path from `p` to `q` that touches the segment from `a` to `b`. If all four points
+/// lie on one line, the path need only touch that line.
 [[nodiscard]] inline double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
   const Point edge{b.x - a.x, b.y - a.y};
   const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;

@@ -11,8 +11,8 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-/// Stops a segment walk where the straight way between the ends is not surely free: at a wall, at a vertex on the way,
-/// where a polygon covers the first face.
+/// Stops a segment walk as soon as the straight line between the ends may not be free: at a wall, at a vertex on the
+/// line, or if a polygon covers the first face.
 class Ends::StraightWay : public constraint::SegmentVisitor {
  public:
   explicit StraightWay(Ends& ends)
@@ -22,7 +22,7 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
     ends_.crossed_.clear();
   }
 
-  /// Whether the walk has come to the goal.
+  /// Returns whether the walk has reached the goal.
   [[nodiscard]] bool is_free() const { return is_inside_ && !is_stopped_; }
 
   bool through_face(HalfEdge h) {
@@ -56,11 +56,11 @@ class Ends::StraightWay : public constraint::SegmentVisitor {
   Ends& ends_;
   const mesh::TriangleMesh& mesh_;
   bool is_at_start_;
-  bool is_inside_ = false;  ///< an open face
+  bool is_inside_ = false;  ///< whether the walk is inside an open face
   bool is_stopped_ = false;
 };
 
-// Rounding to float displaces a coordinate by up to 2^-24 of it, and a program computes a place in a few steps.
+// Rounding to float moves a coordinate by up to 2^-24 of its value, and a program computes a point in a few steps.
 double default_end_tolerance(const Box& domain) {
   const double x = std::max(std::abs(domain.min.x), std::abs(domain.max.x));
   const double y = std::max(std::abs(domain.min.y), std::abs(domain.max.y));
@@ -86,8 +86,8 @@ void Ends::free_start() {
   may_start_move_ = false;
 }
 
-// Faces that free edges join are covered alike. So if the first face on the straight way is open, all are, and no
-// polygon can have an end strictly inside.
+// The same polygons cover two faces on both sides of a free edge. So if the first face on the straight line
+// is open, all its faces are open, and neither end lies strictly inside a polygon.
 std::optional<PathStatus> Ends::set_goal(const Point& goal) {
   goal_ = goal;
   moved_goal_.reset();
@@ -101,7 +101,7 @@ std::optional<PathStatus> Ends::set_goal(const Point& goal) {
   return known_status();
 }
 
-/// How the search ends where the straight way is not free and there is nothing to search.
+/// Returns the status of the path if the straight line is not free and no search is necessary.
 std::optional<PathStatus> Ends::known_status() {
   std::swap(tried_, crossed_);
   crossed_.clear();
@@ -112,7 +112,7 @@ std::optional<PathStatus> Ends::known_status() {
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
   if (abstraction_ != nullptr && !are_joined(abstraction_->components())) return PathStatus::no_path;
-  // Along an edge between them.
+  // A common face, but no free straight line: both ends lie on one edge of that face, and the path runs along the edge.
   const bool is_straight =
       std::any_of(start_faces_.begin(), start_faces_.end(), [&](HalfEdge h) { return is_goal(mesh::face(h)); });
   if (is_straight) return PathStatus::found;
@@ -125,7 +125,7 @@ bool Ends::sees_goal() {
   return way.is_free();
 }
 
-// What lies strictly inside a polygon has no open face around it.
+// A position strictly inside a polygon has no open face around it.
 void Ends::find_start_faces() {
   start_faces_ = cover_.open_faces(*triangulation_, start_place_);
   is_start_known_ = true;
@@ -133,7 +133,7 @@ void Ends::find_start_faces() {
 
 void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, goal_place_); }
 
-/// Moves the ends that have no open face around them. Returns whether both ends have some now.
+/// Moves the ends that have no open face around them. Returns whether both ends now have one.
 bool Ends::move_blocked_ends() {
   if (start_faces_.empty() && may_start_move_) move_start(goal_faces_);
   if (goal_faces_.empty() && !start_faces_.empty()) {
@@ -142,8 +142,8 @@ bool Ends::move_blocked_ends() {
   return !start_faces_.empty() && !goal_faces_.empty();
 }
 
-/// If walls part the ends: an end may lie on the wrong side of a wall by no more than rounding. Moves it to the other
-/// side then. Returns whether it did.
+/// An end may lie on the wrong side of a wall by no more than a rounding error. If the ends are not connected, moves
+/// one of them across such a wall. Returns whether it has moved one.
 bool Ends::move_end_across_wall() {
   if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_joined(abstraction_->components())) return false;
   const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));
@@ -176,7 +176,8 @@ void Ends::move_goal_to(const Point& place) {
   find_goal_faces();
 }
 
-/// The free place nearest to an end, among those that are joined with the other end if there are any.
+/// Returns the free position nearest to an end. If some free positions within the limit are connected with the other
+/// end, returns the nearest of these.
 std::optional<Point> Ends::find_free_place(const Point& end, const locate::Located& place,
                                            const std::vector<HalfEdge>& other_faces) {
   const double limit = tolerance();

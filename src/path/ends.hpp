@@ -12,43 +12,45 @@
 
 namespace waywright::path {
 
-/// How far a blocked end may be moved if a query does not say: 2^-20, about a millionth, of the domain's largest
-/// coordinate.
+/// Returns how far a blocked end may be moved if a query does not say it: 2^-20, about a millionth, of the domain's
+/// largest coordinate.
 [[nodiscard]] double default_end_tolerance(const Box& domain);
 
-/// Where a path starts and where it is to end: the faces around each end that no polygon covers. An end that polygons
-/// cover is moved to the nearest free place, if that is near enough. Keep the object: its memory serves many queries.
+/// The start and the goal of a path: for each of these two ends, the faces around it that no polygon covers. An end
+/// that polygons cover is moved to the nearest free position, if that is near enough. Keep the object: its memory
+/// serves many queries.
 class Ends {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Finds the start, with the help of an abstraction if there is one; both must stay as they are. `tolerance` says how
-  /// far blocked ends may be moved; the default is default_end_tolerance(). Requires: the start lies in the domain,
-  /// `tolerance` is not negative.
+  /// Locates the start. `tolerance` is the distance by which blocked ends may be moved; the default is
+  /// default_end_tolerance(). Uses `abstraction` if it is not null. Requires: the triangulation and the abstraction do
+  /// not change during the query, the start lies in the domain, `tolerance` is not negative.
   void set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
                  const std::optional<double>& tolerance);
-  /// Moves the start right away if it is blocked, whatever the goal is. For searches with many goals.
+  /// Moves the start if it is blocked, for all goals alike. For searches with many goals.
   void free_start();
-  /// Finds the goal. Returns how the search ends where there is nothing to search: the straight way is free, or an end
-  /// is blocked or walled in. Requires: the goal lies in the domain.
+  /// Locates the goal. Returns the status of the path if no search is necessary: the straight line is free, or an end
+  /// is blocked or walled in. Otherwise returns nothing. Requires: the goal lies in the domain.
   std::optional<PathStatus> set_goal(const Point& goal);
 
-  /// Writes which ends were moved and, if `status` says that an end is blocked, by which polygons. Requires: `path`
-  /// names none yet.
+  /// Writes which ends were moved and, if `status` says that an end is blocked, which polygons block it. Requires:
+  /// `path.blockers` is empty.
   void write_ends(PathStatus status, Path& path) {
     if (status != PathStatus::found || has_moved()) write_moved_and_blocked(status, path);
   }
 
-  /// The places that the path leads from and to: where the ends were moved to, if they were.
+  /// The points from which and to which the path leads: the given ends or, if they were moved, the points to which they
+  /// were moved.
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_place() const { return start_place_; }
-  /// The open faces around the end, as constraint::Cover::open_faces names and orders them. Requires: there is
-  /// something to search.
+  /// The open faces around the end, named and ordered as constraint::Cover::open_faces() does it. Requires: set_goal()
+  /// returned nothing.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
   [[nodiscard]] const std::vector<mesh::HalfEdge>& goal_faces() const { return goal_faces_; }
-  /// Whether a polygon has come to cover the faces around an end. Requires: there is something to search, and none of
-  /// these faces has been touched since.
+  /// Returns whether a polygon now covers one of the faces around an end. Requires: set_goal() returned nothing, and no
+  /// change has touched these faces since.
   [[nodiscard]] bool are_covered();
   [[nodiscard]] bool is_goal(mesh::Face f) const {
     for (const mesh::HalfEdge h : goal_faces_) {
@@ -56,9 +58,11 @@ class Ends {
     }
     return false;
   }
-  /// The edges that the straight way crosses, in the faces before them. Requires: it is free.
+  /// The edges that the straight path crosses, as half-edges of the faces that it leaves. Requires: the straight path
+  /// is free.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& crossed() const { return crossed_; }
-  /// The edges that the straight way crosses before it meets a wall or a vertex. Requires: it is not free.
+  /// The edges that the straight line crosses before it meets a wall or a vertex. Requires: the straight path is not
+  /// free.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& tried() const { return tried_; }
   [[nodiscard]] bool has_moved() const { return moved_start_ || moved_goal_; }
 
@@ -91,7 +95,7 @@ class Ends {
   std::optional<double> tolerance_;
   locate::Located start_place_;
   locate::Located goal_place_;
-  bool is_start_known_ = false;  ///< whether `start_faces_` is
+  bool is_start_known_ = false;  ///< whether `start_faces_` is up to date
   bool may_start_move_ = true;
   std::optional<MovedEnd> moved_start_;
   std::optional<MovedEnd> moved_goal_;

@@ -7,11 +7,12 @@ namespace waywright::path {
 
 namespace {
 
-/// Triangles between two looks at the clock.
+/// The number of triangles between two looks at the clock.
 constexpr std::size_t kSlice = 256;
 
-/// So many goals are searched for in all directions at once; fewer one by one, each on the way there. About where the
-/// two cost the same among some hundreds of obstacles.
+/// From this number of goals on, one search without a heuristic finds the paths to all of them. For fewer goals, each
+/// gets its own search, with a heuristic. At about this number the two cost the same in a world of some hundreds of
+/// obstacles.
 constexpr std::size_t kManyGoals = 256;
 
 std::size_t add_or_stay_largest(std::size_t a, std::size_t b) {
@@ -61,8 +62,9 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   }
 }
 
-/// Notes what the ends were found from. Where that is not known face by face, every change counts: if there is nothing
-/// to search, if an end was moved, and for `tra`, which has not begun to search.
+/// Marks the faces from which the ends were found as looked at. These faces are not known one by one if the search is
+/// already done, if an end was moved, or if the algorithm is `tra`, which has not started to search. Then all faces are
+/// marked.
 void Finder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();
@@ -124,7 +126,8 @@ bool Finder::search(std::size_t limit, Path& path) {
   return is_proving_ ? search_optimal(slice, path) : search_ta(slice, path);
 }
 
-/// Channels that enter edges anew are `ta`'s own; a search for anything shorter proves the best of them, or betters it.
+/// `ta` enters each half-edge only once, so its best path need not be the shortest. When `ta` has no channel left,
+/// `optimal` searches for a shorter path: this either proves that the path is shortest or improves it.
 bool Finder::search_ta(std::size_t limit, Path& path) {
   if (!ta_.step(limit, path)) return false;
   if (path.status != PathStatus::found || path.lower_bound >= path.length) return true;
@@ -177,7 +180,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
   for (Path& path : paths) path.expansions = expansions;
 }
 
-/// Finds the paths to the goals that the search knows.
+/// Finds the paths to all goals that were added since the last call.
 void Finder::settle(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
   if (searched_.empty()) return;
   optimal_.start();

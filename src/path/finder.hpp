@@ -13,24 +13,27 @@
 
 namespace waywright::path {
 
-/// Carries out path queries, in one go or in slices. An object to keep for its memory.
+/// Answers path queries, in one call or in slices. Keep the object: its memory serves many queries.
 class Finder {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search. Requires: both ends lie in the domain, the algorithm is a supported one, `tra` only with an
-  /// abstraction; both stay as they are until the search is done or given up. If `looked_at` is not null, the search
-  /// notes there at which faces it looks. Then the mesh may change as long as none of these is touched: by a face that
-  /// is made, rebuilt or freed and has a corner in common with it, or by another place in the abstraction.
+  /// Starts a search. Requires: both ends lie in the domain; the algorithm is a supported one; `tra` has an
+  /// abstraction; the triangulation and the abstraction do not change until the search is done or given up.
+  ///
+  /// If `looked_at` is not null, the search records there at which faces it looks. Then the mesh may change during the
+  /// search, as long as the change touches none of these faces. A change touches a face if it makes, rebuilds or frees
+  /// a face that shares a corner with it, or if it changes the face's entry in the abstraction.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
              Path& path, LookedAt* looked_at = nullptr);
-  /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. `path` is the
-  /// best so far.
+  /// Continues the search for at most `expansions` triangles, or a few more. Returns whether the search is done. `path`
+  /// is the best path found by then.
   bool step(std::size_t expansions, Path& path);
 
-  /// To be called before step() if the mesh has changed since the last step: makes room for what it has got.
+  /// Makes room for faces and vertices that were added to the mesh. Call it before step() if the mesh has changed since
+  /// the last step.
   void cover_mesh();
-  /// Whether an end of a search that is not done has come to lie in a polygon.
+  /// Returns whether the search is not done and a polygon now covers one of its ends.
   [[nodiscard]] bool has_covered_end() { return !is_done_ && ends_.are_covered(); }
 
   /// Finds the shortest path to each goal. Requires: all points lie in the domain.
@@ -56,15 +59,15 @@ class Finder {
   LookedAt* looked_at_ = nullptr;                  ///< or null
   PathQuery query_;
   bool is_done_ = true;
-  bool is_searched_ = false;  ///< whether there was anything to search
-  bool is_proving_ = false;   ///< whether `ta` has no more channels of its own, and `optimal` searches on
-  double ta_bound_ = 0.0;     ///< what `ta` has proven
+  bool is_searched_ = false;  ///< whether a search was necessary at all
+  bool is_proving_ = false;   ///< whether `ta` has no channel left and `optimal` searches on
+  double ta_bound_ = 0.0;     ///< the lower bound that `ta` has proven
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;
   TraStar tra_;
   Optimal optimal_;
-  std::vector<std::size_t> searched_;  ///< of many goals, those that are not settled yet
+  std::vector<std::size_t> searched_;  ///< the goals of a query of many goals that are not settled yet
 };
 
 }  // namespace waywright::path

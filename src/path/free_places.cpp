@@ -16,15 +16,15 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// A limit beyond this is none: no two places of a domain are so far apart.
+/// A limit at or above this has no effect: no two positions in a domain are so far apart.
 constexpr double kNoLimit = 0x1p110;
-/// A limit below this is smaller than every distance between a place and a wall that it is not on.
+/// A limit below this is smaller than every distance between a position and a wall on which it does not lie.
 constexpr double kLeastLimit = 0x1p-1000;
 
-/// So many edges are tried for a free double next to their nearest place.
+/// The number of edges at which choose() tries to find a free double next to the nearest position.
 constexpr std::size_t kTries = 8;
 
-/// A double, and the doubles next to it that coordinates may have.
+/// Returns a double and the two doubles next to it that a coordinate may have.
 std::array<double, 3> neighbours(double value) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (std::abs(value) <= kSmallestCoordinate) {
@@ -50,8 +50,8 @@ std::optional<Point> FreePlaces::nearest(const Triangulation& triangulation, con
   return choose(limit, joined);
 }
 
-/// Collects the edges between covered and open faces that may hold the nearest free place. The straight way there
-/// passes through covered faces only, so it crosses edges that are no farther than the place itself.
+/// Collects the edges between covered and open faces that may contain the nearest free position. The straight segment
+/// to it passes only through covered faces, so each edge that it crosses is at most as far as the position itself.
 void FreePlaces::flood(const locate::Located& place, double limit, const Joined& joined) {
   stamp_.next(1, marks_);
   marks_.cover(triangulation_->topology().face_slots());
@@ -68,7 +68,7 @@ void FreePlaces::flood(const locate::Located& place, double limit, const Joined&
   }
 }
 
-/// Looks at the face beyond `h`, a half-edge of a covered face.
+/// Looks at the face beyond `h`, which is a half-edge of a covered face.
 void FreePlaces::visit(HalfEdge h, const Joined& joined) {
   const HalfEdge beyond = triangulation_->topology().twin(h);
   if (triangulation_->triangulation().is_ghost_face(beyond)) return;
@@ -83,7 +83,7 @@ void FreePlaces::visit(HalfEdge h, const Joined& joined) {
   if (std::exchange(marks_[face], stamp_.value()) != stamp_.value()) waiting_.push_back(beyond);
 }
 
-/// In doubles; the error is less than `slack_`.
+/// Returns the distance from the point to the edge of `h`, in doubles, with an error less than `slack_`.
 double FreePlaces::distance_to(HalfEdge h) const {
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
   const Point& a = geometry.nearest(number(triangulation_->topology().origin(h)));
@@ -104,7 +104,7 @@ bool FreePlaces::is_open(HalfEdge h, const Joined& joined) {
                      [&](HalfEdge other) { return joined.components->of(mesh::face(other)) == own; });
 }
 
-/// Chooses among the candidates, the exactly nearest first.
+/// Returns a free double for the candidate that is exactly nearest or, if there is none, for the next, and so on.
 std::optional<Point> FreePlaces::choose(double limit, const Joined& joined) {
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.distance > nearest_ + slack_; });
   const mesh::TriangleMesh& mesh = triangulation_->topology();
@@ -125,7 +125,7 @@ std::optional<Point> FreePlaces::choose(double limit, const Joined& joined) {
   return std::nullopt;
 }
 
-/// Of the doubles around a rounded place, the free one that is nearest to it.
+/// Returns the free double that is nearest to `rounded`, among `rounded` and the doubles around it.
 std::optional<Point> FreePlaces::round_to_free(const Point& rounded, const Joined& joined) {
   std::array<Point, 9> around;
   std::size_t count = 0;

@@ -16,29 +16,29 @@
 
 namespace waywright::path {
 
-/// Finds the free place nearest to a place that polygons cover. A place is free if it lies in or on the border of an
-/// open face: one that no polygon covers. Keep the object: its memory serves many queries.
+/// Finds the free position nearest to a position that polygons cover. A position is free if it lies in or on the border
+/// of an open face, which is a face that no polygon covers. Keep the object: its memory serves many queries.
 class FreePlaces {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// The faces that a free place must be joined with: only faces of the same component count as open.
+  /// The faces with which a free position must be connected: only faces of their components count as open.
   struct Joined {
-    const nav::Components* components = nullptr;  ///< null if any open face will do
+    const nav::Components* components = nullptr;  ///< null if every open face counts
     const std::vector<mesh::HalfEdge>* faces = nullptr;
   };
 
-  /// The nearest free place, rounded to a double that is free itself, or nothing if it is farther than `limit`. Which
-  /// place is nearest, and whether it is near enough, is decided exactly; of two equally near, the first in (x, y)
-  /// order is taken. Of the doubles around it, the free one that is nearest to it, rounded, is the answer. Requires: no
-  /// face around `place`, which is where `point` lies, is open; `limit` is positive. Cost: the covered faces within the
-  /// distance of the answer, or of `limit`.
+  /// Returns the nearest free position, rounded to a free double, or nothing if its distance is larger than `limit`. An
+  /// exact computation decides which position is nearest and whether it is near enough. If two are equally near, the
+  /// first in (x, y) order is taken. The answer is the free one, among the doubles around the nearest position, that is
+  /// nearest to its rounded coordinates. Requires: no face around `place` is open, `point` lies at `place`, `limit` is
+  /// positive. Cost: the covered faces within the distance of the answer, or of `limit`.
   [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::Cover& cover,
                                              const Point& point, const locate::Located& place, double limit,
                                              const Joined& joined);
 
  private:
-  /// A half-edge of a covered face with an open face beyond it, and its distance in doubles.
+  /// A half-edge of a covered face with an open face beyond it, and its distance, computed in doubles.
   struct Candidate {
     mesh::HalfEdge h;
     double distance;
@@ -55,9 +55,9 @@ class FreePlaces {
   const Triangulation* triangulation_ = nullptr;
   constraint::Cover* cover_ = nullptr;
   Point point_;
-  double slack_ = 0.0;                  ///< more than the rounding errors of a distance in doubles
-  double nearest_ = 0.0;                ///< no candidate's distance in doubles is smaller
-  memory::Pages<std::uint32_t> marks_;  ///< by face: the query that reached it last
+  double slack_ = 0.0;                  ///< larger than the rounding error of a distance in doubles
+  double nearest_ = 0.0;                ///< at most the distance in doubles of every candidate
+  memory::Pages<std::uint32_t> marks_;  ///< by face: the last query that reached it
   memory::Stamp stamp_;
   std::vector<mesh::HalfEdge> waiting_;
   std::vector<Candidate> candidates_;

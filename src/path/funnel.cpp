@@ -20,21 +20,22 @@ std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
-// A string of length zero has no direction to turn from, so a vertex at the start is the root itself.
+// A string of length zero has no direction, so no turn can be measured against it. So a vertex at the start is the root
+// itself.
 std::uint32_t TautTree::add_seen(mesh::Vertex v) {
   return geometry_->order(nodes_[kRoot].place, geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
 }
 
-/// The chain from just after `apex` to `end`, backwards.
+/// Collects the nodes from `end` back to `apex`, without `apex`.
 void TautTree::collect(std::uint32_t end, std::uint32_t apex, std::vector<std::uint32_t>& chain) const {
   chain.clear();
   for (; end != apex; end = nodes_[end].parent) chain.push_back(end);
 }
 
-//          own end . . . . . v        The string to v leaves its own chain where v no longer lies inwards of the
-//         /              .'           chain's next piece; if it leaves it nowhere, it follows the other chain from the
-//       own         . '               apex for as long as v lies beyond the other chain's next piece.
-//      /       . '
+//          own end . . . . . v        The string to v leaves its own chain at a corner: the first one, from its own end
+//         /              .'           towards the apex, for which v lies outwards of the piece that ends there. If
+//       own         . '               there is no such corner, the string follows the other chain from the apex on, as
+//      /       . '                    long as v lies beyond the next piece.
 //   apex --- other --- other end
 std::uint32_t TautTree::bend(const Funnel& funnel, std::uint32_t own_end, std::uint32_t other_end, Sign outwards,
                              const Geometry::View& v) {
@@ -59,7 +60,7 @@ Funnel TautTree::move_right(const Funnel& funnel, mesh::Vertex v) {
   return {apex_after(funnel, corner, funnel.right), funnel.left, add(v, corner)};
 }
 
-/// The apex moves where the string bends round the other chain.
+/// Returns the new apex. The apex moves if the string bends around the other chain.
 std::uint32_t TautTree::apex_after(const Funnel& funnel, std::uint32_t corner, std::uint32_t own_end) const {
   for (std::uint32_t node = own_end; node != funnel.apex; node = nodes_[node].parent) {
     if (node == corner) return funnel.apex;

@@ -11,36 +11,38 @@
 
 namespace waywright::path {
 
-/// The funnel of a channel that has come to a portal: the taut strings from the start to the portal's two ends run
-/// together to `apex` and then part, each turning only towards its own side. The three are positions in a TautTree.
+/// The funnel of a channel at a portal. The taut strings from the start to the portal's two ends run together up to
+/// `apex`. From there on the left string turns only to the left, the right string only to the right. The three numbers
+/// are nodes of a TautTree.
 struct Funnel {
   std::uint32_t apex = 0;
   std::uint32_t left = 0;
   std::uint32_t right = 0;
 };
 
-/// The taut strings of all channels of one search, as a tree: every node's string runs through its parent. Channels
-/// that share their beginning share their strings.
+/// The taut strings of all channels of one search, as a tree: the string to each node runs through its parent. Channels
+/// that share their beginning share the strings there.
 ///
 /// Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984 (the funnel).
 class TautTree {
  public:
   using Geometry = exact::Geometry;
 
-  /// Starts anew from a point. Its funnel is itself.
+  /// Starts a new tree whose root is the point `start`. The funnel at the root consists of the root alone.
   void reset(const Geometry& geometry, const Point& start);
 
-  /// The node of a vertex that the start sees: of the root itself where the vertex is at the start.
+  /// Returns the node of a vertex that the start sees. If the vertex lies at the start, this is the root itself.
   [[nodiscard]] std::uint32_t add_seen(mesh::Vertex v);
-  /// The funnel after the portal's left, or right, end has moved on to `v`.
+  /// Returns the funnel after the left (or right) end of the portal has moved to `v`.
   [[nodiscard]] Funnel move_left(const Funnel& funnel, mesh::Vertex v);
   [[nodiscard]] Funnel move_right(const Funnel& funnel, mesh::Vertex v);
-  /// The node from which the taut string through the funnel runs straight to `goal`, just beyond the portal.
+  /// Returns the last node at which the taut string through the funnel to `goal` turns. Requires: `goal` lies in the
+  /// face beyond the portal.
   [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
 
   [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].place.x, nodes_[node].place.y}; }
   [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
-  /// The length of the string from the start.
+  /// The length of the string from the start to the node.
   [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
   [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }
   static constexpr std::uint32_t kRoot = 0;
@@ -52,7 +54,7 @@ class TautTree {
     double length;
   };
 
-  /// Which side of the string from `p` to `q` `v` lies on.
+  /// Returns on which side of the straight line from `p` to `q` the point `v` lies.
   [[nodiscard]] exact::Sign side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const;
   void collect(std::uint32_t end, std::uint32_t apex, std::vector<std::uint32_t>& chain) const;
   [[nodiscard]] std::uint32_t add(mesh::Vertex v, std::uint32_t parent);

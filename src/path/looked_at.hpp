@@ -11,7 +11,7 @@ namespace waywright::path {
 /// The faces that a search has looked at. A change of the mesh concerns the search only if it touches one of them.
 class LookedAt {
  public:
-  /// Forgets all faces. The mesh has so many slots for faces.
+  /// Forgets all faces. `face_slots` is the mesh's number of slots for faces.
   void clear(std::uint32_t face_slots) {
     stamp_.next(1, marks_);
     marks_.cover(face_slots);
@@ -23,7 +23,7 @@ class LookedAt {
     marks_.make_room(number(f));
     marks_[number(f)] = stamp_.value();
   }
-  /// Makes room for faces that the mesh has got since clear().
+  /// Makes room for faces that were added to the mesh after clear().
   void cover(std::uint32_t face_slots) { marks_.cover(face_slots); }
   [[nodiscard]] bool has(mesh::Face f) const {
     return is_all_ || (marks_.has_room(number(f)) && marks_[number(f)] == stamp_.value());

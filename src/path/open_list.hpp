@@ -6,8 +6,9 @@
 
 namespace waywright::path {
 
-/// The nodes of a search that wait to be looked at, least bound first; of equal bounds the one that was made first. A
-/// heap of four children a node: fewer levels, and a node's children lie side by side in memory.
+/// The open nodes of a search. pop() returns the node with the least bound; among equal bounds, the one made first. The
+/// heap has four children per node: it has fewer levels than a binary heap, and the children of a node lie side by side
+/// in memory.
 class OpenList {
  public:
   void clear() { entries_.clear(); }
@@ -49,7 +50,7 @@ class OpenList {
     return p.bound < q.bound || (p.bound == q.bound && p.node < q.node);
   }
 
-  /// Puts `entry` into the empty place at the top.
+  /// Puts `entry` into the heap, whose top is free, and moves smaller entries up.
   void sink(const Entry& entry) {
     const std::size_t count = entries_.size();
     std::size_t at = 0;

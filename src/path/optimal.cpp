@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A window is followed over this many faces before its bound is looked at again.
+/// The search looks at the bound of a window again after it has followed the window over this many faces.
 constexpr int kFacesBetweenLooks = 8;
 
 }  // namespace
 
-/// What a root sees of an edge: which sides of the cone's bounds a point lies on.
+/// The cone of a window. Tells on which side of the cone's two bounds a point lies.
 class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)
@@ -32,23 +32,24 @@ class Optimal::Cone {
     right_ = bound(window.right);
   }
 
-  /// Positive on the left of the cone's left bound.
+  /// Positive if `p` lies to the left of the cone's left bound.
   [[nodiscard]] Sign side_of_left(const Geometry::View& p) const { return geometry_.side(left_, p); }
-  /// Negative on the right of the cone's right bound.
+  /// Negative if `p` lies to the right of the cone's right bound.
   [[nodiscard]] Sign side_of_right(const Geometry::View& p) const { return geometry_.side(right_, p); }
 
   void set_left(mesh::Vertex v) { left_ = Geometry::Line(root_, geometry_.view(number(v))); }
   void set_right(mesh::Vertex v) { right_ = Geometry::Line(root_, geometry_.view(number(v))); }
 
   [[nodiscard]] Point root() const { return {root_.x, root_.y}; }
-  /// From the root along the bounds.
+  /// The directions from the root along the bounds.
   [[nodiscard]] Point left_direction() const { return {left_.dx, left_.dy}; }
   [[nodiscard]] Point right_direction() const { return {right_.dx, right_.dy}; }
 
  private:
   const Geometry& geometry_;
   Geometry::View root_;
-  // The lines that the bounds lie on: through the root, from and to where a path along them comes to first and next.
+  // The lines of the bounds. They run through the root, in the direction in which a path along the bound passes their
+  // two points.
   Geometry::Line left_;
   Geometry::Line right_;
 };
@@ -65,7 +66,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   roots_.clear();
   nodes_.clear();
   open_.clear();
-  at_once_.clear();  // not empty where memory ran out
+  at_once_.clear();  // not empty if memory ran out in the last search
   traces_.clear();
   goals_.clear();
   goal_faces_.clear();
@@ -75,7 +76,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   forget_last_query();
 }
 
-/// Those of the start's faces, in order, each once.
+/// Lists the components of the start's faces, in ascending order, each once.
 void Optimal::list_components() {
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
@@ -133,14 +134,14 @@ void Optimal::cover_mesh() {
   goals_below_.cover(mesh_->face_slots());
 }
 
-/// The place of a component's entry in the list of components, or where it would be.
+/// Returns the index of a component's entry in the list of components, or the index where it would be.
 std::size_t Optimal::place_of(nav::Components::Label component) const {
   const auto comes_before = [](const GoalsInComponent& p, nav::Components::Label label) { return p.component < label; };
   const auto at = std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component, comes_before);
   return static_cast<std::size_t>(at - goals_in_components_.begin());
 }
 
-/// Counts a goal's face in its component, and at each face on the way from there to the core.
+/// Counts a goal face in its component, and at each face from there up to the core.
 void Optimal::count_goal_face(mesh::Face f) {
   const nav::Components::Label component = components_->of(f);
   const std::size_t at = place_of(component);
@@ -159,24 +160,24 @@ void Optimal::count_goal_face(mesh::Face f) {
   }
 }
 
-/// How many of the goals' faces lie in the face's component, which is one of the start's.
+/// Returns how many goal faces lie in the face's component. Requires: this is a component of a start face.
 std::uint32_t Optimal::goals_around(mesh::Face f) const {
   return goals_in_components_[place_of(components_->of(f))].count;
 }
 
-/// Whether no goal's face lies beyond a free edge that is no way in the core, in a component with a goal. Where the
-/// roots of trees without a core are makes no difference.
+/// Returns whether no goal face lies beyond `exit`. Requires: `exit` is a passage, but not one in the core, and its
+/// component has a goal. In a tree without a core, the result does not depend on which face is the root.
 bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
   const mesh::Face f = mesh::face(exit);
   if (core_->leads_up(exit)) return goals_below(f) != 0 && goals_below(f) == goals_around(f);
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
-// The start sees all edges of its faces, but for those that it lies on.
+// The start sees all edges of its faces, except the edges on which it lies.
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
   const locate::Spot spot = ends_->start_place().spot;
-  at_once_bound_ = -1.0;  // nothing is
+  at_once_bound_ = -1.0;  // do not follow any window at once
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
     if (spot == locate::Spot::vertex) reached(mesh_->origin(h)).length = 0.0;
@@ -206,7 +207,7 @@ bool Optimal::step(std::size_t limit, std::size_t& expansions) {
   return is_done();
 }
 
-// By value: what it leads to is put where it was.
+// Takes the node by value: the new nodes may move the memory of `nodes_`.
 void Optimal::follow(Node node) {
   switch (node.kind) {
     case Kind::window:
@@ -218,9 +219,9 @@ void Optimal::follow(Node node) {
   }
 }
 
-//        apex            The face was entered across `entry` from below: its left end is the edge's origin. Where the
-//       /    \           cone passes the apex on one side, it goes on over one edge; an apex within it parts it.
-//   origin - target
+//        apex            The window has entered the face across `entry`, from below: its left end is the edge's
+//       /    \           origin. If the apex lies outside the cone, the window continues across one edge. If the apex
+//   origin - target      lies inside the cone, it divides the window.
 void Optimal::follow_window(Node window) {
   Cone cone(*this, window);
   for (int faces = 1;; ++faces) {
@@ -295,10 +296,10 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   if (was_longest && --longest_count_ == 0) limit_lengths();
 }
 
-//          apex          The cone's left bound grazes the entry's left end and leaves the face's apex on its left: what
-//        /    \          lies beyond on that side can be reached by turning there, around the walls at that vertex.
-//       /      \         There are none on the right of the way, which the cone has passed; so without walls there is
-//   origin --- target    nothing to turn around.
+//          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
+//        /    \          its left. A path that turns at v, around the walls there, can reach what lies on that side.
+//       /      \         No wall at v lies to the right of the path, because the cone has passed there. So if v has
+//   v -------- target    no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_side = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
@@ -323,7 +324,8 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
-/// The shortest way to `v` so far: infinite where there is none yet, minus infinite where no path can turn.
+/// Returns the entry of `v`. Its length is that of the shortest path to `v` so far: infinity if there is none yet,
+/// minus infinity if no path can turn at `v`.
 Optimal::Reached& Optimal::reached(mesh::Vertex v) {
   Reached& entry = reached_[number(v)];
   if (entry.query == stamp_.value()) return entry;
@@ -347,9 +349,9 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
-//   .  apex              The path has come to the entry's left end and turns left around the walls there. From the way
-//    .  |  \             straight on it looks around: at what the face's far side lets through between that way and the
-//   walls - v - target   apex, then at the far sides of the faces around v up to the walls.
+//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. From v it
+//    .  |  \             sees two things: the piece of the face's far side between the path's straight continuation
+//   walls - v - target   (dotted) and the apex, and the far sides of the next faces around v, up to the walls.
 void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;
@@ -382,7 +384,7 @@ void Optimal::make_left_turn(const Node& turn) {
   }
 }
 
-/// The mirror image of make_left_turn: `entry` ends at the vertex.
+/// The mirror image of make_left_turn(): `entry` ends at the vertex.
 void Optimal::make_right_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.right, turn.root);
   if (roots_[root].length > reached(turn.right).length) return;
@@ -431,10 +433,11 @@ void Optimal::offer(const Node& window, const Point& left, const Point& right) {
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
-/// Whether the known way to one end of the window's edge, from where `from_end` runs along it, and on along the edge
-/// leads to its other end sooner than the straight way from the root would. By the triangle inequality it then leads
-/// sooner to every place between, so that no shortest path comes through the window. By more than rounding can make of
-/// a sum of lengths: of two ways that are equally long, neither outdoes the other.
+/// Let E be the origin of `from_end`, a half-edge of the window's edge. Returns whether the known path to E, continued
+/// along the edge, reaches the other end of the edge sooner than the straight line from the root. By the triangle
+/// inequality it then also reaches every position between them sooner, so no shortest path comes through the window.
+/// "Sooner" means by more than the rounding error of a sum of lengths: of two equally long paths, neither rules out the
+/// other.
 bool Optimal::is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const {
   constexpr double kSurely = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
@@ -445,7 +448,8 @@ bool Optimal::is_outdone_by(const Reached& way, const Node& window, mesh::HalfEd
   return is_sooner && are_in_one_wedge(from_end, way.spoke);
 }
 
-/// Whether no wall lies between two free edges from a vertex with walls, on one of the ways around.
+/// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` without crossing a
+/// wall. Requires: both are passages and start at a vertex that has walls.
 bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
   for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->next_around(at)) {
     if (at == h) return true;
@@ -456,15 +460,16 @@ bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
   return false;
 }
 
-/// No path from `p` to a goal is shorter.
+/// No path from `p` to a goal is shorter than this.
 double Optimal::bound_from(const Point& p) const {
   return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
 }
 
-/// No path through the window is shorter, but for what rounding makes of a length: with one goal, the way through the
-/// window and on to the goal; with more, the way to the window. In doubles: of what lies on which side it decides
-/// nothing. Where the cone's bound meets the edge at so small an angle that doubles don't tell where, the window is
-/// taken to be as wide as the edge, or the way to it to have no length.
+/// Returns a lower bound, up to rounding, of the length of the paths through the window. With one goal the bound covers
+/// the path through the window and on to the goal; with several goals, only the path to the window. All numbers are
+/// doubles: the result decides no question of left and right. If the cone's bound meets the edge at so small an angle
+/// that doubles cannot tell where, the function assumes the widest case: with one goal, that the window is as wide as
+/// the edge; with several, that the path from the root to the window has length zero.
 double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
   const Point& a = place(mesh_->origin(window.entry));
   const Point& b = place(mesh_->target(window.entry));

@@ -17,109 +17,112 @@
 
 namespace waywright::path {
 
-/// The shortest path of a point: A* over the windows through which a corner of the path, its *root*, sees the edges of
-/// the mesh.
+/// The shortest path of a point agent: A* over windows. A window is what a corner of the path, its *root*, sees of an
+/// edge of the mesh.
 ///
-/// A window is an edge, the root, and the cone of sight between the two vertices that bound it, left and right.
-/// Crossing a face, a cone goes on over one or both of the other edges, by the sides on which the face's apex lies. So
-/// only orientations of mesh vertices decide where a cone goes; lengths only decide what is looked at first, and which
-/// of two ways is shorter. A path turns where a cone grazes a vertex with walls, around the walls; then that vertex is
-/// the root of new windows.
+/// A window consists of the edge, the root, and the cone of sight between two vertices that bound it, left and right.
+/// When a cone crosses a face, it continues across one or both of the other edges: this depends on whether the face's
+/// apex lies left of the cone, inside it, or right of it. So only orientations of mesh vertices decide where a cone
+/// continues. Lengths decide only which node the search expands first, and which of two paths is shorter. Where a cone
+/// touches a vertex with walls, a path can turn around these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
-/// search, its bound, and leaving out roots that have been reached on a shorter way. Departures: no interval's end is
-/// ever computed to decide where a search goes; the windows beyond a turn are made only when no other way looks
-/// shorter; windows whose bound is not above the least one are followed at once, without passing the open list; windows
-/// all of whose places are reached sooner by way of an end of their edge are left out (Xin and Wang, *Improving Chen
-/// and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
+/// search, its bound, and the rule that drops roots which a shorter path has reached. Departures:
+/// - The search never computes the end of an interval to decide where it goes.
+/// - It makes the windows beyond a turn only when no other node has a smaller bound.
+/// - It follows windows whose bound is not above the least bound at once, without the open list.
+/// - It drops a window if a path by way of an end of its edge reaches all positions on it sooner (Xin and Wang,
+///   *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
 class Optimal {
  public:
   using Triangulation = constraint::ExactTriangulation;
   using Geometry = exact::Geometry;
 
-  /// Starts anew. The ends' start, the triangulation and its abstraction, if it has one, must stay as they are.
-  /// `looked_at`, if it is not null, notes the faces that the search looks at.
+  /// Starts a new search. Requires: the start in `ends`, the triangulation and the abstraction, if there is one, do not
+  /// change. If `looked_at` is not null, the search records there at which faces it looks.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// A goal that isn't at a face of the start, and the open faces around it. Without any, there is nothing to find.
+  /// Adds a goal and the open faces around it. Requires: the goal does not lie at a face of the start. A search without
+  /// goals finds nothing.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
-  /// To be called once all goals are known. Paths that are not shorter than `known_length` are left out.
+  /// Call this after the last add_goal(). The search leaves out paths that are not shorter than `known_length`.
   void start(double known_length = std::numeric_limits<double>::infinity());
 
-  /// The mesh has grown since begin().
+  /// Makes room for faces and vertices that were added to the mesh after begin().
   void cover_mesh();
 
-  /// Searches on until `expansions` comes to `limit` or the shortest path to each goal is found; returns whether they
-  /// are, or there are none.
+  /// Continues the search until `expansions` reaches `limit` or the search has found the shortest path to each goal
+  /// that has one. Returns whether the search is finished.
   bool step(std::size_t limit, std::size_t& expansions);
-  /// No path that is yet to be found is shorter. Requires: step() has returned false.
+  /// No path that the search has yet to find is shorter than this. Requires: step() has returned false.
   [[nodiscard]] double least_bound() const { return open_.least_bound(); }
 
-  /// Goals are numbered in the order in which they were added.
+  /// Returns whether the search has found a path to the goal. Goals are numbered in the order in which they were added.
   [[nodiscard]] bool is_found(std::size_t goal) const { return goals_[goal].root != kNone; }
-  /// Writes status, length and, where they are wanted, points. Requires: a path to the goal is found.
+  /// Writes the status, the length and, if `wants_points` is true, the points. Requires: is_found(goal).
   void write_path(std::size_t goal, bool wants_points, Path& path) const;
-  /// Writes the edges that the path crosses. Requires: the search was begun for it, a path is found.
+  /// Writes to `path` the edges that it crosses. Requires: begin() was called with `wants_channel`, and is_found(goal).
   void write_channel(std::size_t goal, Path& path) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
-  /// In place of a cone's tangent vertex: the cone is bounded by the way on which the path came to its root.
+  /// Stands in a node for the vertex that bounds a cone. It says that the bound is the straight continuation of the
+  /// path's segment to the root.
   static constexpr mesh::Vertex kStraightOn = mesh::kNoVertex;
 
-  /// A point where paths turn, or start.
+  /// A corner of paths, or their start.
   struct Root {
     Point point;
-    mesh::Vertex vertex;  ///< kNoVertex: the start
+    mesh::Vertex vertex;  ///< kNoVertex for the start
     std::uint32_t before;
-    double length;  ///< of the path up to here
+    double length;  ///< of the path from the start to this root
   };
 
   enum class Kind : std::uint8_t { window, left_turn, right_turn };
 
-  /// A window, or a turn that has not been made yet.
+  /// A window, or a turn whose windows have not been made yet.
   struct Node {
     Kind kind;
-    mesh::HalfEdge entry;  ///< the edge as a half-edge of the face beyond; of a turn, an edge with an end there
-    std::uint32_t root;    ///< of a turn, the root before
-    mesh::Vertex left;     ///< the cone's left bound; of a left turn, where it is
-    mesh::Vertex right;    ///< the same on the right
-    std::uint32_t trace;   ///< how the search came here
+    mesh::HalfEdge entry;  ///< of a window: its edge, in the face beyond; of a turn: an edge that ends at the vertex
+    std::uint32_t root;    ///< of a window: its root; of a turn: the root before it
+    mesh::Vertex left;     ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
+    mesh::Vertex right;    ///< the vertex that bounds the cone on the right; of a right turn, where the path turns
+    std::uint32_t trace;   ///< index in `traces_` of the last edge that the search has crossed, or kNone
   };
 
   /// A goal and the best path to it so far.
   struct Goal {
     Point point;
     double length;
-    std::uint32_t root;   ///< where the path turns last; kNone while there is none
-    std::uint32_t trace;  ///< how the search came there
+    std::uint32_t root;   ///< where the path turns last; kNone as long as there is no path
+    std::uint32_t trace;  ///< index in `traces_` of the last edge that the path crosses, or kNone
   };
   struct GoalFace {
     mesh::Face face;
     std::uint32_t goal;
   };
 
-  /// The search has crossed an edge: kept only where the channel is asked for.
+  /// An edge that the search has crossed. Recorded only if the query wants the channel.
   struct Trace {
     mesh::HalfEdge entry;
     std::uint32_t before;
   };
 
-  /// The shortest way to a vertex at which a path may turn, in the query that saw it last.
+  /// The shortest path found to a vertex at which a path may turn. Valid only in query number `query`.
   struct Reached {
     double length = 0.0;
     std::uint32_t query = 0;
-    mesh::HalfEdge spoke{};  ///< an edge from there in the wedge between walls that the way came to
+    mesh::HalfEdge spoke{};  ///< an edge at the vertex, in the wedge between walls that the path reaches
   };
 
-  /// How many of the goals' faces lie at a face outside the core or beyond it, as seen from the core, in the query that
-  /// counted last.
+  /// For a face outside the core: how many goal faces lie in its subtree of the dead-end tree, the face included. Valid
+  /// only in query number `query`.
   struct GoalsBelow {
     std::uint32_t query = 0;
     std::uint32_t count = 0;
   };
 
-  /// How many of the goals' faces lie in a component.
+  /// How many goal faces lie in a component.
   struct GoalsInComponent {
     nav::Components::Label component;
     std::uint32_t count;
@@ -152,7 +155,7 @@ class Optimal {
   }
   [[nodiscard]] bool is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const;
   [[nodiscard]] bool are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const;
-  /// Whether there may be a goal at the face; nearly everywhere there is none.
+  /// Returns whether there may be a goal at the face. For most faces the answer is false.
   [[nodiscard]] bool may_have_goals(mesh::Face f) const { return (goal_bits_ & bit_of(f)) != 0; }
   [[nodiscard]] static std::uint64_t bit_of(mesh::Face f) { return std::uint64_t{1} << number(f) % 64; }
   /// Calls visit(goal) for each goal at the face.
@@ -161,8 +164,8 @@ class Optimal {
   void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
   void limit_lengths();
 
-  /// Whether no path leaves the face `f` by its side `exit`: for a wall, or because beyond it there is a dead end
-  /// without the goal.
+  /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or beyond it lies a
+  /// dead end without a goal.
   [[nodiscard]] bool is_barred(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_way(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_dead_end(exit));
@@ -182,7 +185,7 @@ class Optimal {
   [[nodiscard]] double bound_from(const Point& p) const;
 
   const Ends* ends_ = nullptr;
-  const nav::TwoCore* core_ = nullptr;  ///< or null
+  const nav::TwoCore* core_ = nullptr;  ///< null without an abstraction
   const nav::Components* components_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
@@ -191,22 +194,22 @@ class Optimal {
 
   std::vector<Root> roots_;
   std::vector<Node> nodes_;
-  OpenList open_;              ///< positions in `nodes_`
-  std::vector<Node> at_once_;  ///< windows to follow before the next of the open list
+  OpenList open_;              ///< indices in `nodes_`
+  std::vector<Node> at_once_;  ///< windows to follow before the next node of the open list
   std::vector<Trace> traces_;
   memory::ZeroedArray<Reached> reached_;               ///< by vertex
   memory::ZeroedArray<GoalsBelow> goals_below_;        ///< by face outside the core
-  std::vector<GoalsInComponent> goals_in_components_;  ///< of the start's components, in order
+  std::vector<GoalsInComponent> goals_in_components_;  ///< one entry for each component of a start face, ascending
   std::vector<Goal> goals_;
   std::vector<GoalFace> goal_faces_;
-  std::uint64_t goal_bits_ = 0;  ///< the bit_of each of their faces
+  std::uint64_t goal_bits_ = 0;  ///< the union of bit_of() for all goal faces
   memory::Stamp stamp_;
 
   std::size_t expansions_ = 0;
-  double at_once_bound_ = 0.0;  ///< windows whose bound is not above are followed at once
+  double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   double known_length_ = 0.0;
-  double longest_ = 0.0;           ///< paths that are not shorter are of no use to any goal
-  std::size_t longest_count_ = 0;  ///< goals whose best path, or the known length, is as long as that
+  double longest_ = 0.0;           ///< a path at least as long is of no use to any goal
+  std::size_t longest_count_ = 0;  ///< number of goals whose best or known length, the smaller, is `longest_`
 };
 
 }  // namespace waywright::path

@@ -43,7 +43,8 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
 
 namespace {
 
-/// The box of all places whose rounded coordinates are those of `point`, and little more. Its coordinates are in range.
+/// Returns a box that contains all positions whose rounded coordinates are those of `point`, and little more. All
+/// coordinates of the box are in the valid range.
 Box box_of_rounded(const Point& point) {
   constexpr double kTiny = 2.0 * kSmallestCoordinate;
   const auto margin = [&](double coordinate) {
@@ -57,7 +58,7 @@ Box box_of_rounded(const Point& point) {
 
 }  // namespace
 
-/// Adds to the meanings the constructed vertices whose rounded coordinates are those of `point`. Each of them lies
+/// Adds to `meanings_` the constructed vertices whose rounded coordinates are those of `point`. Each of them lies
 /// within box_of_rounded(point), so it is a corner of a face that meets this box.
 void PolylineWalk::collect_crossings_at(const Point& point) {
   if (!geometry().has_constructed()) return;
@@ -105,13 +106,13 @@ void PolylineWalk::walk_piece(const View& target) {
 
 Sign PolylineWalk::side(mesh::Vertex v) const { return geometry().side(line_, view(v)); }
 
-/// Of two places on the line: whether `q` comes after `p` on the way.
+/// Returns whether `q` comes after `p` on the segment. Requires: both lie on its line.
 bool PolylineWalk::is_ahead(const View& p, const View& q) const {
   const auto order = geometry().order(p, q);
   return ascends_ ? order < 0 : order > 0;
 }
 
-/// Whether the piece ends before `v`, a vertex on its line ahead.
+/// Returns whether the segment ends before `v`. Requires: `v` lies on the segment's line, ahead of the agent.
 bool PolylineWalk::ends_before(mesh::Vertex v) const { return is_ahead(line_.to, view(v)); }
 
 void PolylineWalk::leave(const State& state) {
@@ -125,8 +126,8 @@ void PolylineWalk::leave(const State& state) {
   }
 }
 
-/// Leaves the origin of `h` from the wedge that holds the face of `h`: looks through its faces, counter-clockwise from
-/// its first.
+/// Leaves the origin of `h` from the wedge that contains the face of `h`. Tries the wedge's faces counter-clockwise
+/// from its first face.
 void PolylineWalk::leave_vertex(HalfEdge h) {
   const HalfEdge first = first_of_wedge(h);
   h = first;
@@ -138,8 +139,8 @@ void PolylineWalk::leave_vertex(HalfEdge h) {
   } while (h != first);
 }
 
-/// Leaves the origin of `h` through the face of `h`, if the piece runs through its inside or along one of its two edges
-/// there. Returns whether no other face of the wedge has to be looked at.
+/// Leaves the origin of `h` through the face of `h`, if the segment runs through the face's interior or along one of
+/// its two edges at the vertex. Returns whether leave_vertex() can skip the other faces of the wedge.
 //
 //    apex
 //     |  \          The face lies on the left of the edge to the target, and on the right of the edge to the apex.
@@ -159,7 +160,7 @@ bool PolylineWalk::leave_vertex_through(HalfEdge h) {
   return false;
 }
 
-/// Leaves a place inside the edge of `h`, coming from the face of `h`.
+/// Leaves a position on the edge of `h`. The agent is in the face of `h`.
 void PolylineWalk::leave_edge(HalfEdge h) {
   const mesh::Vertex from = mesh_->origin(h);
   const mesh::Vertex to = mesh_->target(h);
@@ -173,7 +174,7 @@ void PolylineWalk::leave_edge(HalfEdge h) {
   run_along(h, goes_to_target ? mesh::next(h) : h);
 }
 
-/// Leaves a place inside the face of `h`.
+/// Leaves a position inside the face of `h`.
 void PolylineWalk::leave_face(HalfEdge h) {
   const std::array<HalfEdge, 3> sides = {h, mesh::next(h), mesh::previous(h)};
   std::array<Sign, 3> corner{};
@@ -181,7 +182,7 @@ void PolylineWalk::leave_face(HalfEdge h) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Sign after = corner[(i + 1) % 3];
     const Sign before = corner[(i + 2) % 3];
-    // A corner on the line lies ahead if the corner after it is on the left and the one before it is on the right.
+    // A corner on the line lies ahead if the next corner is to the left of the line and the previous one to its right.
     if (corner[i] == Sign::zero && after == Sign::positive && before == Sign::negative) {
       if (ends_before(mesh_->origin(sides[i]))) return arrive(Spot::face, h);
       return come_to_vertex(sides[i]);
@@ -190,14 +191,14 @@ void PolylineWalk::leave_face(HalfEdge h) {
   }
 }
 
-/// Runs along `edge`, in its face, to a vertex or to the end of the piece. `at_end` is the half-edge of the same face
+/// Follows `edge`, in its face, to a vertex or to the end of the segment. `at_end` is the half-edge of the same face
 /// that starts at that vertex.
 void PolylineWalk::run_along(HalfEdge edge, HalfEdge at_end) {
   if (ends_before(mesh_->origin(at_end))) return arrive(Spot::edge, edge);
   come_to_vertex(at_end);
 }
 
-/// Leaves a face by the inside of its side `exit`, unless the piece ends before or on it.
+/// Leaves a face through the interior of its edge `exit`, unless the segment ends before or on that edge.
 void PolylineWalk::cross_faces(HalfEdge exit) {
   const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
   if (end_side == Sign::positive) return arrive(Spot::face, exit);
@@ -205,7 +206,7 @@ void PolylineWalk::cross_faces(HalfEdge exit) {
   if (nav::PointAgent::can_cross(*mesh_, exit)) enter(mesh_->twin(exit));
 }
 
-/// Enters faces by the inside of `entry`, and goes on as long as the piece crosses free edges.
+/// Enters a face through the interior of `entry`, and goes on as long as the segment crosses passages.
 void PolylineWalk::enter(HalfEdge entry) {
   for (;;) {
     const Sign apex_side = side(mesh_->apex(entry));
@@ -231,10 +232,10 @@ void PolylineWalk::add_arrived(const State& state) {
   if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
 }
 
-/// Comes to the origin of `outgoing` through its face: the end of the piece, or a place to go on from.
+/// Comes to the origin of `outgoing` through the face of `outgoing`. The segment ends there or continues from there.
 void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
   const HalfEdge wedge = first_of_wedge(outgoing);
-  // The agent comes to the vertices in their order on the line, to each at most once on each side of it.
+  // The agent reaches the vertices in their order on the line, and each at most once from each side of the line.
   const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));
   if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
@@ -243,8 +244,8 @@ void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
   waiting_.push_back({Spot::vertex, wedge, place});
 }
 
-/// Names the wedge between walls that holds the face of `outgoing`: by its first half-edge, counter-clockwise. The
-/// wedge around a vertex without walls has its half-edge of the smallest number.
+/// Names the wedge between walls that contains the face of `outgoing` by its first half-edge, counter-clockwise. A
+/// vertex without walls has one wedge; its name is the half-edge with the smallest number.
 HalfEdge PolylineWalk::first_of_wedge(HalfEdge outgoing) const {
   HalfEdge least = outgoing;
   HalfEdge h = outgoing;

@@ -11,32 +11,33 @@
 
 namespace waywright::path {
 
-/// Decides exactly whether a point agent can walk along a polyline. The agent may touch walls and vertices and may run
-/// along walls. It must not pass through a wall, through the inside of a polygon, or through a point where walls meet
-/// from one wedge between these walls to another.
+/// Decides exactly whether a point agent can walk along a polyline. The agent may touch walls and vertices and may walk
+/// along walls. It must not pass through a wall or through the interior of a polygon. At a point where walls meet, it
+/// must not pass from one wedge between these walls to another.
 ///
-/// The walk follows the agent from face to face. At each place it keeps the faces that the agent can be in, or at the
-/// border of. The agent leaves a vertex in some direction only if that direction lies in the closed wedge, between two
-/// walls, of such a face.
+/// The walk follows the agent from face to face. At each position it keeps a list of faces: the agent can be
+/// inside each of them or on its border. The agent can leave a vertex in a direction only if this direction lies in the
+/// closed wedge, between two walls, that contains one of these faces.
 ///
 /// Keep the object: its memory serves many queries.
 class PolylineWalk {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Whether the agent can walk from the first point to the last, in straight pieces. A point between the first and the
-  /// last stands for itself, and also for each crossing of walls whose rounded coordinates it has: paths name such
-  /// crossings by these. False if there are no points, or if the first lies strictly inside a polygon.
-  /// Requires: all points lie in the domain. Cost: the location of the first point, and the faces that the pieces
-  /// cross.
+  /// Returns whether the agent can walk from the first point to the last along straight segments. A point between the
+  /// first and the last may stand for itself, or for any crossing of walls that has the same rounded coordinates,
+  /// because paths name a crossing by its rounded coordinates. Returns false if there are no points, or if the first
+  /// lies strictly inside a polygon. Requires: all points lie in the domain. Cost: the point location of the first
+  /// point, and the faces that the segments cross.
   [[nodiscard]] bool is_clear(const Triangulation& triangulation, constraint::Cover& cover,
                               std::span<const Point> points);
 
  private:
   using View = exact::Geometry::View;
 
-  /// The agent at a place, in one of the faces there. `h` is a half-edge of that face: any of them if the place lies
-  /// inside the face, the one along the edge if it lies on an edge, the outgoing one if it is a vertex.
+  /// A position of the agent, in one of the faces there. `h` is a half-edge of that face: any of the three if the
+  /// position lies inside the face, the half-edge along the edge if it lies on an edge, the outgoing half-edge if it is
+  /// a vertex.
   struct State {
     locate::Spot spot;
     mesh::HalfEdge h;
@@ -66,13 +67,13 @@ class PolylineWalk {
 
   const Triangulation* triangulation_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
-  exact::Geometry::Line line_;          ///< of the piece
-  bool ascends_ = false;                ///< whether its end comes after its start in (x, y) order
-  std::vector<View> meanings_;          ///< the places that the piece's end stands for
-  std::vector<State> states_;           ///< at the start of the piece
-  std::vector<State> arrived_;          ///< at its end
-  std::vector<State> waiting_;          ///< at vertices on the way
-  std::vector<mesh::HalfEdge> wedges_;  ///< the wedges that the piece has come to, each by its first half-edge
+  exact::Geometry::Line line_;          ///< of the segment that the agent walks along
+  bool ascends_ = false;                ///< whether the segment's end comes after its start in (x, y) order
+  std::vector<View> meanings_;          ///< the exact positions for which the segment's end stands
+  std::vector<State> states_;           ///< at the start of the segment
+  std::vector<State> arrived_;          ///< at the end of the segment
+  std::vector<State> waiting_;          ///< at vertices on the segment
+  std::vector<mesh::HalfEdge> wedges_;  ///< wedges that the walk has reached on it, each by its first half-edge
   std::vector<mesh::Face> flooded_;
 };
 

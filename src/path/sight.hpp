@@ -8,16 +8,17 @@
 
 namespace waywright::path {
 
-/// A channel's funnel, as far as a search needs to know it to choose: the last corner that the taut string surely turns
-/// at, the string's length up to there, and the cone in which the corner sees the way on. All in doubles, and where the
-/// string turns the corners on the way to the next portal are forgotten; so lengths come out right or a little short.
+/// An approximate funnel of a channel, by which a search chooses between channels. It holds the last corner at which
+/// the taut string surely turns (the root), the length of the string up to there, and the cone in which the root sees
+/// the rest of the channel. All numbers are doubles. When the string turns, the corners between the new root and the
+/// next portal are forgotten. So a length is right or a little too short.
 class Sight {
  public:
   Sight() = default;
-  /// From a point on the border of, or inside, a face that is left by the portal.
+  /// The cone of `from`, which lies inside or on the border of a face. The channel leaves this face through the portal.
   Sight(const Point& from, const Point& left, const Point& right) : root_(from), left_(left), right_(right) {}
 
-  /// The portal's left, or right, end moves on to `v`; the other stays.
+  /// Moves the left (or right) end of the portal to `v`. The other end stays.
   void move_left(const Point& v, const Point& right_end) {
     if (cross(from_root(left_), from_root(v)) > 0.0) return;
     if (cross(from_root(right_), from_root(v)) < 0.0) {
@@ -35,7 +36,8 @@ class Sight {
     right_ = v;
   }
 
-  /// The length of the string to here and straight on to the goal, or by one of the cone's ends.
+  /// Returns the length of the string to the root and from there to `goal`: straight if `goal` lies in the cone,
+  /// otherwise by way of an end of the cone.
   [[nodiscard]] double length_to(const Point& goal) const {
     const bool is_left = cross(from_root(left_), from_root(goal)) > 0.0;
     const bool is_right = cross(from_root(right_), from_root(goal)) < 0.0;

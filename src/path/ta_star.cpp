@@ -54,7 +54,7 @@ double TaStar::lower_bound() const {
   return std::min({open_bound, given_up_bound_, best_length_});
 }
 
-// Seen from inside the face, an edge's left end is its target.
+// Seen from inside the face, the left end of an edge is its target.
 void TaStar::leave_start_face(mesh::HalfEdge h) {
   for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
     if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
@@ -64,9 +64,9 @@ void TaStar::leave_start_face(mesh::HalfEdge h) {
   }
 }
 
-//          c             The face was entered across `entry` from below: its left end is the edge's origin, its
-//        /   \           right end the target. Going on across target - c moves the left end to c, across
-//      /       \         c - origin the right end.
+//          c             The channel has entered the face across `entry`, from below: the left end is the edge's
+//        /   \           origin, the right end its target. If the channel leaves across target - c, c becomes the left
+//      /       \         end of the portal. If it leaves across c - origin, c becomes the right end.
 //  origin --> target
 void TaStar::leave(std::uint32_t position) {
   const Node node = nodes_[position];

@@ -15,46 +15,47 @@
 
 namespace waywright::path {
 
-/// Triangulation A* for a point: A* over faces entered by an edge, each entry once, then the taut string through the
-/// channel. A node's bound is the string's length to the funnel's apex and on, by way of the portal, to the goal: a
-/// lower bound for its channel; the search goes on until no open bound is below the best length found.
+/// Triangulation A* for a point agent: A* over half-edges through which a channel enters a face, each half-edge once.
+/// The path is the taut string through the channel. The bound of a node is the length of the string to the funnel's
+/// apex plus the length of the shortest path from there through the portal to the goal. This is a lower bound for every
+/// path along the channel. The search goes on until no open bound is below the length of the best path found.
 ///
-/// Channels cross free edges and never vertices, so no path passes a wall or a point where walls meet.
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: their bound g is a
-/// maximum of estimates from the portals' ends; ours keeps each channel's funnel as it grows, which is tighter and as
-/// cheap.
+/// Channels cross passages and never vertices. So no path passes a wall or a point where walls meet.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: the paper's
+/// bound g is a maximum of estimates from the portals' ends. This class keeps the funnel of each channel as it grows,
+/// which gives a tighter bound at the same cost.
 class TaStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search between ends that are not at one face. They and the triangulation must stay as they are.
-  /// `looked_at`, if it is not null, notes the faces that the search looks at.
+  /// Starts a search between two ends that do not lie at one face. Requires: the ends and the triangulation do not
+  /// change. If `looked_at` is not null, the search records there at which faces it looks.
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
-  /// The mesh has grown since begin().
+  /// Makes room for faces that were added to the mesh after begin().
   void cover_mesh() { entered_.cover(std::size_t{3} * mesh_->face_slots()); }
-  /// Searches on until `path.expansions` comes to `limit`, a path better than the one in `path` is found, or neither
-  /// is to come; returns whether the latter.
+  /// Continues the search until `path.expansions` reaches `limit`, a path better than the one in `path` is found, or no
+  /// better path can be found. Returns whether the last is the case.
   bool step(std::size_t limit, Path& path);
-  /// Writes the edges that the best path crosses.
+  /// Writes to `path` the edges that the best path crosses.
   void write_channel(Path& path) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// A channel that the search has followed to the edge of a face.
+  /// A channel that the search has followed to an edge of a face.
   struct Node {
-    mesh::HalfEdge entry;  ///< the edge by which the channel comes into the face, as a half-edge of that face
-    std::uint32_t before;  ///< the node whose face it comes from, or kNone
+    mesh::HalfEdge entry;  ///< the edge through which the channel enters the face, as a half-edge of that face
+    std::uint32_t before;  ///< the node from whose face the channel comes, or kNone
     Funnel funnel;
     double bound;  ///< no path from start to goal along this channel is shorter
   };
 
   void forget_entries();
-  /// Puts the faces around a start face, or beyond a node's face, on the open list.
+  /// Opens a node for each face adjacent to a start face, or to the face of a node.
   void leave_start_face(mesh::HalfEdge h);
   void leave(std::uint32_t position);
   void open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel);
-  /// Follows the node's string to the goal. Returns whether that betters the best path.
+  /// Ends the node's string at the goal. Returns whether this is the best path so far.
   bool arrive(std::uint32_t position);
   void write_path(Path& path) const;
   [[nodiscard]] double bound(const Funnel& funnel) const;
@@ -65,14 +66,14 @@ class TaStar {
   LookedAt* looked_at_ = nullptr;  ///< or null
   TautTree tree_;
   std::vector<Node> nodes_;
-  OpenList open_;                               ///< positions in `nodes_`
-  memory::ZeroedArray<std::uint32_t> entered_;  ///< by half-edge: the query that entered a face by it last
+  OpenList open_;                               ///< indices in `nodes_`
+  memory::ZeroedArray<std::uint32_t> entered_;  ///< by half-edge: the last query that entered a face through it
   memory::Stamp stamp_;
   bool is_found_ = false;
   double best_length_ = 0.0;
   std::uint32_t best_corner_ = 0;
   std::uint32_t best_node_ = 0;
-  double given_up_bound_ = 0.0;  ///< no channel that was given up because its edge had been entered goes below
+  double given_up_bound_ = 0.0;  ///< no channel dropped at an edge already entered has a smaller bound
 };
 
 }  // namespace waywright::path

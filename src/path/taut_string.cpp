@@ -6,7 +6,8 @@ namespace waywright::path {
 
 using exact::Sign;
 
-// A string of length zero has no direction to turn from, so a vertex at the start is the apex itself.
+// A string of length zero has no direction, so no turn can be measured against it. So a vertex at the start is not
+// added: it is the apex itself.
 void TautString::begin(const Geometry& geometry, const Point& start, mesh::Vertex left, mesh::Vertex right,
                        std::size_t portal_count) {
   geometry_ = &geometry;
@@ -22,10 +23,10 @@ bool TautString::is_at_start(mesh::Vertex v) const {
   return geometry_->order(row_[apex_], geometry_->view(number(v))) == 0;
 }
 
-//        left end . . . . . v       The string to v leaves the left one where v no longer lies inwards of its
-//       /               .'          next piece; if it leaves it nowhere, it follows the right one from the apex for
-//      .            . '             as long as v lies beyond its next piece.
-//     /        . '
+//        left end . . . . . v       The new string to v leaves the left string at a corner: the first one, from the
+//       /               .'          left end towards the apex, for which v lies to the left of the piece that ends
+//      .            . '             there. If there is no such corner, the new string follows the right string from the
+//     /        . '                  apex on, as long as v lies to the right of the next piece.
 //   apex --- . --- right end
 void TautString::move_left(mesh::Vertex v) {
   const View place = geometry_->view(number(v));
@@ -39,7 +40,7 @@ void TautString::move_left(mesh::Vertex v) {
   row_[--left_] = place;
 }
 
-/// The mirror image of move_left.
+/// The mirror image of move_left().
 void TautString::move_right(mesh::Vertex v) {
   const View place = geometry_->view(number(v));
   while (right_ > apex_ && geometry_->orientation(row_[right_ - 1], row_[right_], place) != Sign::negative) --right_;

@@ -10,28 +10,29 @@
 
 namespace waywright::path {
 
-/// The taut string through one channel. An object to keep for its memory.
+/// The taut string through one channel. Keep the object: its memory serves many queries.
 ///
-/// From the last corner that is certain, the funnel's apex, the strings to the two ends of the portal at hand part and
-/// turn each towards its own side. They are kept in a row, the left end first, the apex between them. Cost: O(1) a
-/// portal, amortised. Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*,
-/// 1984. TautTree is the same for all channels of a search.
+/// The funnel's apex is the last corner that is certain. From there one string runs to the left end of the current
+/// portal and another to its right end. The left string turns only to the left, the right string only to the right.
+/// `row_` holds both, from the left end over the apex to the right end. Cost: O(1) per portal, amortised. Source: Lee
+/// and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984. TautTree does the same for
+/// all channels of a search.
 class TautString {
  public:
   using Geometry = exact::Geometry;
 
-  /// Starts anew from a point that sees the first portal, of a channel of so many.
+  /// Starts a new string from the point `start`, which sees the first portal of a channel of `portal_count` portals.
   void begin(const Geometry& geometry, const Point& start, mesh::Vertex left, mesh::Vertex right,
              std::size_t portal_count);
-  /// The portal's left, or right, end moves on to `v`.
+  /// Moves the left (or right) end of the portal to `v`.
   void move_left(mesh::Vertex v);
   void move_right(mesh::Vertex v);
-  /// The string ends at `goal`, just beyond the last portal.
+  /// Ends the string at `goal`. Requires: `goal` lies in the face beyond the last portal.
   void end_at(const Point& goal);
 
-  /// Where the string turns, as rounded, from its start on; the goal is left out.
+  /// The points at which the string turns, as rounded, from its start on. The goal is not among them.
   [[nodiscard]] std::span<const Point> corners() const { return corners_; }
-  /// That of the string.
+  /// The length of the string. Requires: the string has ended.
   [[nodiscard]] double length() const { return length_; }
 
  private:
@@ -42,10 +43,10 @@ class TautString {
 
   const Geometry* geometry_ = nullptr;
   std::vector<View> row_;
-  std::size_t left_ = 0;  ///< where in the row the left end is; then the apex and the right end
+  std::size_t left_ = 0;  ///< index in `row_` of the left end; `apex_` and `right_` likewise
   std::size_t apex_ = 0;
   std::size_t right_ = 0;
-  std::vector<Point> corners_;  ///< before the apex; once the string has ended, all
+  std::vector<Point> corners_;  ///< the corners before the apex; after end_at(), all corners
   double length_ = 0.0;
 };
 

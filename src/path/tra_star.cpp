@@ -77,8 +77,11 @@ void TraStar::climb_from_goal(Face goal) {
   }
 }
 
-/// From a face above the goal, a way that isn't down leads to it too where more goal faces are in its component than
-/// lie below: beside another top, and under a face that is itself the goal, parts, or has such a way.
+/// Marks the faces above the goal from which a passage up leads to the goal as well. These are the faces whose
+/// component has goal faces that do not lie below them:
+/// - a top (the last face of a chain), if its component has a second top;
+/// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face that is marked
+///   itself.
 void TraStar::mark_ways_between_goals() {
   const auto component = [&](Face top) { return components_->of(top); };
   std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });
@@ -101,8 +104,8 @@ void TraStar::mark_ways_between_goals() {
   }
 }
 
-/// Down, and where there is more of the goal elsewhere, to that. Of a tree without a core, these and ways_up() are the
-/// same whichever face is its root.
+/// Returns the passages down towards the goal, and also those up if there are goal faces elsewhere. In a tree without a
+/// core, the result of ways_on() does not depend on which face is the root.
 unsigned TraStar::ways_above_goal(Face f, std::uint32_t marks) const {
   return (marks & kGoalElsewhere) == 0 ? ways_down(f) : ways_down(f) | ways_up(f);
 }
@@ -120,7 +123,7 @@ unsigned TraStar::ways_down(Face f) const {
   return ways;
 }
 
-// Seen from inside the face, an edge's left end is its target.
+// Seen from inside the face, the left end of an edge is its target.
 void TraStar::leave_start_face(HalfEdge h) {
   const Face f = mesh::face(h);
   const unsigned ways = ways_on(f, marks_of(f));
@@ -142,12 +145,12 @@ void TraStar::leave(const Node& node, std::uint32_t position) {
   follow(left, position, to_left);
 }
 
-//          c             A face entered across `entry` from below: its left end is the edge's origin, its right end the
-//        /   \           target. Going on to the right, across target - c, moves the left end to c; to the left, across
-//      /       \         c - origin, the right end.
+//          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
+//        /   \           the right end its target. If it leaves to the right, across target - c, c becomes the left end
+//      /       \         of the portal. If it leaves to the left, across c - origin, c becomes the right end.
 //  origin --> target
 //
-/// Goes on for as long as there is no choice.
+/// Follows the channel for as long as there is no choice.
 void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
   for (HalfEdge out = exit;;) {
     const HalfEdge entry = mesh_->twin(out);
@@ -171,7 +174,7 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
   }
 }
 
-/// Of two channels that look equally long, the one that has got farther is the better known.
+/// Prefers, of two channels that look equally long, the one that is closer to the goal: more of its length is known.
 void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
   constexpr double kHaste = 1.0 / 128;
   const Point& goal = ends_->goal();

@@ -15,43 +15,45 @@
 
 namespace waywright::path {
 
-/// Triangulation reduction A* for a point: A* over the faces where a choice is to be made. Whoever comes out of a dead
-/// end, or into one because the goal is there, has no choice, nor has whoever follows a corridor; all dead ends but
-/// those of start and goal are passed by. The first channel that gets to the goal gives the path: its taut string.
+/// Triangulation reduction A* for a point agent: A* over the faces where the search has a choice. It has none on its
+/// path out of a dead end, none on its path into the dead end that contains the goal, and none in a corridor. It never
+/// enters another dead end. The path is the taut string through the first channel that reaches the goal.
 ///
-/// Good paths for very little: what the search goes by is a channel's length in doubles, kept as it grows, and each
-/// face is chosen from once.
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departures: one rule for what leads
-/// on from a face, where they distinguish where start and goal lie; corridors are followed face by face, which costs
-/// little and tells their length exactly for the way on which they were entered.
+/// The search is cheap and its paths are good, but not always shortest: it orders the channels by an approximate length
+/// in doubles, which it updates as a channel grows, and makes a choice at each face only once.
+///
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departures: one rule says through
+/// which edges the search leaves a face, while the paper distinguishes cases by where start and goal lie. Corridors are
+/// followed face by face, which costs little and gives their exact length for the direction in which the search entered
+/// them.
 class TraStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search between ends that are not at one face, but in one component. They, the triangulation and its
-  /// abstraction must stay as they are.
+  /// Starts a search between two ends that do not lie at one face but in one component. Requires: the ends, the
+  /// triangulation and its abstraction do not change.
   void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
   /// Finds the path.
   void find(Path& path);
-  /// Writes the edges that the path crosses. Requires: it has been found.
+  /// Writes to `path` the edges that it crosses. Requires: find() has found it.
   void write_channel(Path& path) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// A way that the search has followed to a face where it has a choice, or to the goal.
+  /// A channel that the search has followed to the goal, or to a face where it has a choice.
   struct Node {
-    mesh::HalfEdge exit;   ///< by which it left the face of the node before
-    mesh::HalfEdge entry;  ///< by which it came into its own face
-    std::uint32_t before;  ///< kNone: from a start face
+    mesh::HalfEdge exit;   ///< the half-edge through which the channel left the face of the node before
+    mesh::HalfEdge entry;  ///< the half-edge through which it entered this node's face
+    std::uint32_t before;  ///< the node before, or kNone: the channel comes from a start face
     Sight sight;
   };
 
-  // What is known of a face in this query.
+  // Marks of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
-  static constexpr std::uint32_t kAboveGoal = 2;      ///< the goal itself or, from it, on the way towards the core
-  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< above the goal, but not above all its faces in the component
-  static constexpr std::uint32_t kChosen = 8;         ///< a choice has been made here
+  static constexpr std::uint32_t kAboveGoal = 2;      ///< from a goal face (included) towards the core
+  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< kAboveGoal, but not above all goal faces in its component
+  static constexpr std::uint32_t kChosen = 8;         ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 
   void forget_marks();
@@ -63,11 +65,11 @@ class TraStar {
   void mark_ways_to_goal();
   void climb_from_goal(mesh::Face goal);
   void mark_ways_between_goals();
-  /// The sides of a face, a bit for each, by which a way to the goal can leave it.
+  /// Returns the passages through which a path to the goal can leave the face, as one bit for each of its half-edges.
   [[nodiscard]] unsigned ways_on(mesh::Face f, std::uint32_t marks) const {
     return (marks & kAboveGoal) == 0 ? ways_up(f) : ways_above_goal(f, marks);
   }
-  /// In a dead end the way up; in the core all that stay in the core.
+  /// In a dead end: the passage up. In the core: all passages in the core.
   [[nodiscard]] unsigned ways_up(mesh::Face f) const {
     if (core_->is_core(f)) return core_->ways(f);
     const mesh::HalfEdge up = core_->towards_core(f);
@@ -90,12 +92,12 @@ class TraStar {
   const nav::Components* components_ = nullptr;
 
   std::vector<Node> nodes_;
-  OpenList open_;                             ///< positions in `nodes_`
-  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp and marks, if this search wrote them
+  OpenList open_;                             ///< indices in `nodes_`
+  memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp plus the marks, if this search wrote them
   memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
-  std::vector<mesh::Face> tops_;              ///< faces of the core, and roots, above the goal; then faces below them
+  std::vector<mesh::Face> tops_;              ///< core faces and roots above the goal; later also faces below them
   std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the goal back
-  std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces before them
+  std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces that it leaves
   TautString string_;
 };
 

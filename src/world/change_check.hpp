@@ -15,12 +15,12 @@ namespace waywright {
 
 [[nodiscard]] Error unknown_id_error(ItemId id);
 
-/// Says what is wrong with changes before any of them is made. Each is checked against the ids and the size that the
-/// changes before it will have left. Every function that changes a world asks this class and nothing else.
+/// Checks changes before any of them is made. It checks each change against the ids and the number of vertices that the
+/// world will have after the changes before it. Every function that changes a world uses this class and no other check.
 class ChangeCheck {
  public:
-  /// Whether the check remembers the changes that it has accepted. For a single change, and for points under ids that
-  /// count up, it need not; then it allocates nothing.
+  /// Whether the check remembers the changes that it has accepted. It need not do so for a single change, or for points
+  /// whose ids count up; then it allocates nothing.
   enum class Record { no, yes };
 
   ChangeCheck(const constraint::ExactTriangulation& triangulation, Record record)
@@ -29,8 +29,8 @@ class ChangeCheck {
         largest_(triangulation.items().largest_id_seen()),
         vertex_count_(triangulation.topology().vertex_count() - 1) {}
 
-  // Each returns what is wrong, and nothing if the change is accepted. A null id becomes the one that the world will
-  // give. The error's index is the position of the point that is wrong, or 0.
+  // Each function returns an error, or nothing if it accepts the change. It replaces a null id by the id that the world
+  // will give. The index of the error is the index of the wrong point, or 0.
   [[nodiscard]] std::optional<Error> add_insertion(const Shape& shape, ItemId& id);
   [[nodiscard]] std::optional<Error> add_removal(ItemId id);
   [[nodiscard]] std::optional<Error> add_replacement(ItemId id, const Shape& shape);
@@ -47,10 +47,10 @@ class ChangeCheck {
 
   const constraint::ExactTriangulation& triangulation_;
   bool keeps_record_;
-  ItemId largest_;                            ///< of all ids, those of the record included
-  std::size_t vertex_count_;                  ///< at most, after the changes accepted so far
-  std::vector<ItemId> fresh_;                 ///< inserted under an id larger than all before: they ascend
-  std::unordered_map<ItemId, bool> changed_;  ///< for each other id that a change named, whether its item is alive now
+  ItemId largest_;                            ///< the largest id of all, including accepted changes
+  std::size_t vertex_count_;                  ///< an upper bound, after the changes accepted so far
+  std::vector<ItemId> fresh_;                 ///< ids inserted that were larger than all before; ascending
+  std::unordered_map<ItemId, bool> changed_;  ///< for each other id in a change: whether its item is alive now
 };
 
 }  // namespace waywright

@@ -16,15 +16,16 @@
 
 namespace waywright {
 
-/// Where the last operations on a world changed walls: the box of each item that came or went.
+/// Records where the last operations on a world changed walls: the box of each item that was inserted or removed.
 class ChangeLog {
  public:
-  /// So many boxes are kept at least, if there have been so many.
+  /// The log keeps at least this many boxes, if there have been so many.
   static constexpr std::size_t kKept = 2048;
 
-  /// An operation begins.
+  /// Starts an operation.
   void begin() { boxes_.clear(); }
-  /// Takes note of an item that the operation inserts or removes: first of the item, then of each of its points.
+  /// Records an item that the operation inserts or removes. Call add_item() first, then add_point() for each point of
+  /// the item.
   void add_item() {
     if (boxes_.size() < kBoxesOfOperation) boxes_.push_back({{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
   }
@@ -34,18 +35,19 @@ class ChangeLog {
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
   }
 
-  /// Makes room for what commit() adds. Allocates.
+  /// Allocates the memory that commit() needs.
   void reserve() {
     if (entries_.size() + boxes_.size() > 2 * kKept) drop_oldest();
     if (entries_.capacity() < entries_.size() + boxes_.size()) entries_.reserve(2 * (entries_.size() + boxes_.size()));
   }
-  /// The operation succeeds, and makes the world that of `version`. Allocates nothing. Requires: reserve().
+  /// Ends an operation that has succeeded. `version` is the new version of the world. Allocates nothing. Requires:
+  /// reserve() was called.
   void commit(std::uint64_t version) {
     for (const Box& box : boxes_) entries_.push_back({version, box});
   }
 
-  /// Whether the polyline meets the box of an item that came or went after the world had the version `since`. Also true
-  /// if the log does not reach back so far.
+  /// Returns whether the polyline meets the box of an item that was inserted or removed after version `since` of the
+  /// world. Also returns true if the log does not reach back to that version.
   [[nodiscard]] bool meets(std::span<const Point> points, std::uint64_t since) const {
     if (since < complete_since_) return true;
     const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
@@ -54,14 +56,14 @@ class ChangeLog {
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
-  /// Gives back spare memory; the entries stay. Requires: no operation is under way.
+  /// Frees spare memory. The entries stay. Requires: no operation is in progress.
   void shrink_to_fit() {
     memory::shrink(entries_);
     memory::release(boxes_);
   }
 
  private:
-  /// The items of one operation beyond these share the last box.
+  /// If an operation changes more items than this, the rest of the items share the last box.
   static constexpr std::size_t kBoxesOfOperation = 256;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -85,9 +87,9 @@ class ChangeLog {
     entries_.erase(entries_.begin(), kept);
   }
 
-  std::vector<Entry> entries_;        ///< ascending
+  std::vector<Entry> entries_;        ///< ascending by version
   std::uint64_t complete_since_ = 0;  ///< there are entries for all operations after this version
-  std::vector<Box> boxes_;            ///< of the operation under way
+  std::vector<Box> boxes_;            ///< boxes of the operation in progress
 };
 
 }  // namespace waywright

@@ -8,7 +8,7 @@
 #include "world/change_check.hpp"
 #include "world/world_impl.hpp"
 
-// What changes a world: each function checks all that it is given, then makes one operation of it.
+// The functions that change a world. Each checks all its arguments, and then makes the change in one operation.
 
 namespace waywright {
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kNoThread[] = "BulkOptions: `threads` is 0; the calling thread is one";
 
-/// What is reported is less than `total` until all is done.
+/// The crew calls `progress` only for less than `total`; the caller reports `total` when all is done.
 threads::Crew crew_of(const BulkOptions& options, std::size_t total) {
   threads::Crew::Report report;
   if (options.progress) {
@@ -27,12 +27,13 @@ threads::Crew crew_of(const BulkOptions& options, std::size_t total) {
   return {options.threads, std::move(report), options.jobs};
 }
 
-/// The check of a change that is alone.
+/// Returns a check for a single change.
 ChangeCheck check_one(const constraint::ExactTriangulation& triangulation) {
   return {triangulation, ChangeCheck::Record::no};
 }
 
-/// What is wrong with the change, or nothing. A null `id` of an insertion becomes the one that the world will give.
+/// Returns the error in the change, or nothing. Replaces a null `id` of an insertion by the id that the world will
+/// give.
 std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId& id) {
   switch (change.kind) {
     case Change::Kind::insert:
@@ -45,7 +46,7 @@ std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId
   return std::nullopt;
 }
 
-/// The error of the i-th element of a list, which the message names.
+/// Returns the error as one of element number `i` of a list. The message calls the element `element`.
 Error in_list(const char* element, std::size_t i, Error error) {
   error.index = i;
   error.words.list = element;

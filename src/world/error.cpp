@@ -74,7 +74,7 @@ void append_point_error(std::string& text, const Error& error) {
   }
 }
 
-/// Of an error that its id says all about.
+/// Appends the message of an error that only names an id.
 void append_id_error(std::string& text, const Error& error) {
   switch (error.code) {
     case ErrorCode::id_in_use:
@@ -112,7 +112,7 @@ std::string Error::message() const {
 
 BadResult::BadResult(Error error) : std::runtime_error(error.message()), error_(std::move(error)) {}
 
-// Defined here so that the class's type information is in the library, once.
+// Defined here, so that only the library contains the type information of the class.
 BadResult::~BadResult() = default;
 
 namespace detail {

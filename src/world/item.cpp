@@ -19,8 +19,8 @@ struct Moments {
   double y = 0.0;
 };
 
-/// About `origin`, which keeps small things far from (0, 0) accurate. The area is positive where the ring turns
-/// counter-clockwise.
+/// Returns the moments about `origin`. A near origin keeps the result accurate for small shapes far from (0, 0). The
+/// area is positive if the ring turns counter-clockwise.
 Moments moments(PointSpan ring, const Point& origin) {
   Moments sum;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -37,7 +37,7 @@ Moments moments(PointSpan ring, const Point& origin) {
   return sum;
 }
 
-/// The ring's winding number around the point.
+/// The winding number of the ring around the point.
 int turns_around(const Point& point, PointSpan ring) {
   int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -49,7 +49,8 @@ int turns_around(const Point& point, PointSpan ring) {
   return turns;
 }
 
-/// What the ring's area counts for in its shape's area: 1, -1 for a hole, or 0 where it makes no difference.
+/// Returns the factor by which the ring's area counts in the area of its shape: 1, -1 for a hole, or 0 if it makes no
+/// difference.
 double share_of_ring(const Shape& shape, std::size_t ring, bool turns_left) {
   int outside = 0;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
@@ -72,8 +73,8 @@ Point mean_of_points(const Shape& shape, const Point& origin) {
   return {origin.x + x / count, origin.y + y / count};
 }
 
-/// Cosine and sine of the angle, which lies within [0, pi / 4], by their series: the first terms left out are below
-/// 2^-54. The standard library's differ from machine to machine; sums, products and quotients do not.
+/// Returns the cosine and the sine of an angle within [0, pi / 4], by their series. The first terms left out are below
+/// 2^-54. The functions of the standard library differ from machine to machine; sums, products and quotients do not.
 Point direction(double angle) {
   const double square = angle * angle;
   double cosine = 1.0;
@@ -85,7 +86,8 @@ Point direction(double angle) {
   return {cosine, angle * sine};
 }
 
-/// The direction of i / n of a full turn, from an angle within an eighth of a turn by reflection and quarter turns.
+/// Returns the direction of i / n of a full turn, from an angle within an eighth of a turn by reflection and quarter
+/// turns.
 Point direction(std::size_t i, std::size_t n) {
   const std::size_t eighth = 8 * i / n;
   const std::size_t rest = 8 * i % n;

@@ -4,13 +4,13 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// The items of a world, as they are.
+// The functions that read the items of a world.
 
 namespace waywright {
 
 namespace {
 
-/// Fills `shape` with that of a live item, for its memory.
+/// Fills `shape` with the shape of a live item. An existing `shape` lends its memory.
 void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -19,16 +19,16 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
   items.for_each_corner(slot, [&](mesh::Vertex, bool) { ++count; });
   shape.kind = items.kind(slot);
   shape.fill = items.fill(slot);
-  const bool is_a_place = shape.kind == ItemKind::segment && count == 1;
+  const bool is_one_point = shape.kind == ItemKind::segment && count == 1;
   shape.rings.clear();
-  shape.rings.reserve(is_a_place ? 2 : count);
+  shape.rings.reserve(is_one_point ? 2 : count);
   bool starts_ring = true;
   items.for_each_corner(slot, [&](mesh::Vertex corner, bool ends_ring) {
     if (starts_ring) shape.rings.start_ring();
     shape.rings.add_point(geometry.nearest(number(corner)));
     starts_ring = ends_ring;
   });
-  if (is_a_place) shape.rings.add_point(shape.rings[0][0]);
+  if (is_one_point) shape.rings.add_point(shape.rings[0][0]);
 }
 
 }  // namespace

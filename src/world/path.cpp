@@ -19,37 +19,38 @@ namespace {
 
 using exact::Sign;
 
-/// A coordinate that a query takes and that fits into the precision.
+/// Returns the coordinate in the given precision that is nearest to `value`, or 0 if a query does not accept that.
 double fitted(double value, Precision precision) {
   if (precision == Precision::float32) value = static_cast<double>(static_cast<float>(value));
   return is_in_range(value) ? value : 0.0;
 }
 
-/// The next such coordinate in the direction of `way`, or `value` itself where that is 0.
-double next_coordinate(double value, double way, Precision precision) {
-  if (way == 0.0) return value;
+/// Returns the next such coordinate: above `value` if `direction` is positive, below `value` if it is negative. Returns
+/// `value` itself if `direction` is 0.
+double next_coordinate(double value, double direction, Precision precision) {
+  if (direction == 0.0) return value;
   if (std::abs(value) <= kSmallestCoordinate) {
-    return value * way < 0.0 ? 0.0 : std::copysign(2.0 * kSmallestCoordinate, way);
+    return value * direction < 0.0 ? 0.0 : std::copysign(2.0 * kSmallestCoordinate, direction);
   }
   if (precision == Precision::float32) {
-    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(way));
+    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(direction));
     return fitted(static_cast<double>(std::nextafter(static_cast<float>(value), towards)), precision);
   }
-  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), way)), precision);
+  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), direction)), precision);
 }
 
 Sign side_of(const Point& a, const Point& b, const Point& c) {
   return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
 }
 
-/// A turn of the path: where it is, and in which direction; zero if there is none.
+/// A turn of the path: its corner and its direction, which is zero if there is no turn.
 struct Turn {
   std::size_t corner = 0;
   Sign direction = Sign::zero;
 };
 
-/// The first turn at or after the end of a segment, and the last at or before its start. Corners on the segment's line
-/// are no turns.
+/// turn_after() returns the first turn at or after the end of a segment, turn_before() the last turn at or before its
+/// start. A corner on the line of the segment is no turn.
 Turn turn_after(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment + 2; i < points.size(); ++i) {
     const Sign direction = side_of(points[segment], points[segment + 1], points[i]);
@@ -65,8 +66,8 @@ Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
   return {};
 }
 
-/// A path turns around walls, so those that it touches lie on the side that it turns to, above all near the turn. This
-/// is the other side: positive on the left of the segment, zero if nothing is known.
+/// A path turns around walls. So near a turn, the walls that it touches lie on the side to which it turns. Returns the
+/// other side: positive is left of the segment, zero means that nothing is known.
 Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& place) {
   const Turn before = turn_before(points, segment);
   const Turn after = turn_after(points, segment);
@@ -78,35 +79,37 @@ Sign free_side(const std::vector<Point>& points, std::size_t segment, const Poin
   return turn == Sign::positive ? Sign::negative : Sign::positive;
 }
 
-/// A coordinate that lies `step` from `value` in the direction of `way`, or at least the next one in that direction.
-double moved_coordinate(double value, double way, double step, Precision precision) {
-  if (way == 0.0) return value;
-  const double moved = fitted(value + std::copysign(step, way), precision);
-  return (moved - value) * way > 0.0 ? moved : next_coordinate(value, way, precision);
+/// Returns the coordinate at the distance `step` from `value`, or at least the next one: above or below `value`, as for
+/// next_coordinate().
+double moved_coordinate(double value, double direction, double step, Precision precision) {
+  if (direction == 0.0) return value;
+  const double moved = fitted(value + std::copysign(step, direction), precision);
+  return (moved - value) * direction > 0.0 ? moved : next_coordinate(value, direction, precision);
 }
 
-/// A place next to `place` that does not lie on the wrong side of the line from `a` to `b`. The steps begin with the
-/// rounding error of a place between `a` and `b`, which next to 0 is far larger than the distance of neighbouring
-/// doubles.
+/// Returns a point near `place` that does not lie on the wrong side of the line from `a` to `b`. The first step is as
+/// long as the rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of
+/// neighbouring doubles.
 Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
-  const auto is_right = [&](const Point& p) {
+  const auto is_allowed = [&](const Point& p) {
     const Sign own = side_of(a, b, p);
     return own == Sign::zero || own == side;
   };
-  if (side == Sign::zero || is_right(place)) return place;
+  if (side == Sign::zero || is_allowed(place)) return place;
   const double sign = side == Sign::positive ? 1.0 : -1.0;
-  const Point way{-sign * (b.y - a.y), sign * (b.x - a.x)};
+  const Point direction{-sign * (b.y - a.y), sign * (b.x - a.x)};
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   for (double step = largest * 0x1p-52;; step *= 2.0) {
-    const Point next{moved_coordinate(place.x, way.x, step, precision),
-                     moved_coordinate(place.y, way.y, step, precision)};
+    const Point next{moved_coordinate(place.x, direction.x, step, precision),
+                     moved_coordinate(place.y, direction.y, step, precision)};
     for (const Point& candidate : {Point{next.x, place.y}, Point{place.x, next.y}, next}) {
-      if (is_right(candidate)) return candidate;
+      if (is_allowed(candidate)) return candidate;
     }
   }
 }
 
-/// The position at `along` from the start of a segment of that length.
+/// Returns the position at distance `along` from the start of a segment. `length` is the length of the segment,
+/// `before` that of the path up to its start.
 PathPosition position_on(const std::vector<Point>& points, std::size_t segment, double before, double along,
                          double length, Precision precision) {
   const Point& a = points[segment];
@@ -134,7 +137,7 @@ PathPosition Path::advance(const PathPosition& from, double step, Precision prec
   const base::FloatEnvironment environment;
   WAYWRIGHT_ASSERT(!points.empty(), "Path::advance: the path has no points");
   const double asked = from.distance + step;
-  const double total = asked > 0.0 ? asked : 0.0;  // of NaN, 0
+  const double total = asked > 0.0 ? asked : 0.0;  // NaN gives 0
   const bool goes_on = total >= from.before && from.segment + 1 < points.size();
   std::size_t segment = goes_on ? from.segment : 0;
   double before = goes_on ? from.before : 0.0;
@@ -159,13 +162,14 @@ PathPosition Path::nearest(const Point& place, Precision precision) const {
   std::size_t best_segment = 0;
   double before = 0.0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Point way{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
+    const Point direction{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
     const double segment_length = waywright::distance(points[i], points[i + 1]);
-    const Point foot = path::foot(place, points[i], way);
-    const double ahead = (foot.x - points[i].x) * way.x + (foot.y - points[i].y) * way.y;
+    const Point foot = path::foot(place, points[i], direction);
+    const double ahead = (foot.x - points[i].x) * direction.x + (foot.y - points[i].y) * direction.y;
     const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), segment_length);
     const double share = segment_length > 0.0 ? along / segment_length : 0.0;
-    const double distance = waywright::distance(place, {points[i].x + share * way.x, points[i].y + share * way.y});
+    const double distance =
+        waywright::distance(place, {points[i].x + share * direction.x, points[i].y + share * direction.y});
     if (distance < best_distance) {
       best_distance = distance;
       best_along = along;

@@ -8,7 +8,7 @@
 
 namespace waywright {
 
-// What is wrong with a path query, or nothing.
+// Each function returns the error in a path query, or nothing.
 [[nodiscard]] std::optional<Error> find_query_error(const Box& domain, bool keeps_abstraction, const PathQuery& query);
 [[nodiscard]] std::optional<Error> find_radius_error(double radius);
 [[nodiscard]] std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance);

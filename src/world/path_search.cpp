@@ -27,7 +27,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     touch_log = nullptr;
   }
   void begin() { finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at); }
-  /// Makes the search one of the world as it is now.
+  /// Continues the search in the current version of the world. Restarts it if a change concerns it.
   void catch_up() {
     if (version == touch_log->version()) return;
     finder.cover_mesh();
@@ -38,7 +38,8 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     begin();
   }
 
-  /// Stops the search at its end, unless there is more to search: also where memory runs out.
+  /// Stops the search when the step ends, if the search is then done. If memory runs out during the step, `is_done` is
+  /// still true, so the search stops then as well.
   class Step {
    public:
     explicit Step(Impl& impl) : impl_(impl) { impl_.is_done = true; }
@@ -52,9 +53,9 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     Impl& impl_;
   };
 
-  std::shared_ptr<TouchLog> touch_log;  ///< null while no search is running
-  const World::Impl* world = nullptr;   ///< stays where it is as long as its log does not say that it has gone
-  std::uint64_t version = 0;            ///< of the world that the search belongs to
+  std::shared_ptr<TouchLog> touch_log;  ///< null unless a search is running
+  const World::Impl* world = nullptr;   ///< does not move until `touch_log` says that the world is gone
+  std::uint64_t version = 0;            ///< of the world when the search last saw it
   PathQuery query;
   path::Finder finder;
   path::LookedAt looked_at;
@@ -81,7 +82,7 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   return {};
 }
 
-// While a step lasts, no search is running: one that memory runs out in is given up.
+// If memory runs out during a step, the search is given up.
 Result<bool> PathSearch::step(std::size_t expansions) {
   const base::FloatEnvironment environment;
   if (!is_running()) return true;

@@ -12,7 +12,7 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// Questions about paths.
+// Path queries.
 
 namespace waywright {
 
@@ -42,7 +42,7 @@ Result<Path> World::find_path(const PathQuery& query) const {
   return path;
 }
 
-// Every query is checked before the first is searched, so that an error leaves nothing half done.
+// Checks all queries before it searches for the first path, so that an error leaves nothing half done.
 Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                std::vector<Path>& paths, JobSystem* jobs) const {
   const base::FloatEnvironment environment;

@@ -10,22 +10,22 @@
 
 namespace waywright {
 
-/// What is wrong with the coordinates of `point`, which messages call `name`.
+/// Returns the error in the coordinates of `point`, or nothing. Messages call the point `name`.
 [[nodiscard]] std::optional<Error> find_range_error(const Point& point, std::size_t index,
                                                     const detail::PointName& name);
 
-/// Whether `point` may be asked about in a world over `domain`.
+/// Returns whether a query or a change may use `point` in a world over `domain`.
 [[nodiscard]] inline bool is_point_of(const Box& domain, const Point& point) {
   return is_in_range(point) && point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y &&
          point.y <= domain.max.y;
 }
 
-/// What is wrong with `point` as a point of a world over `domain`, where is_point_of() says that something is. It is
-/// the `index`-th of a list; messages call it `name`.
+/// Returns the error in `point`, which is number `index` of a list and which messages call `name`. Requires:
+/// is_point_of() is false.
 [[nodiscard]] Error point_error(const Box& domain, const Point& point, std::size_t index,
                                 const detail::PointName& name);
 
-/// That, or nothing.
+/// Returns the error in `point`, or nothing.
 [[nodiscard]] inline std::optional<Error> find_point_error(const Box& domain, const Point& point, std::size_t index,
                                                            const detail::PointName& name) {
   if (is_point_of(domain, point)) return std::nullopt;

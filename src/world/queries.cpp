@@ -9,13 +9,13 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// Questions about places, segments and boxes.
+// Queries about points, segments and boxes.
 
 namespace waywright {
 
 namespace {
 
-/// Of a segment that a query is about.
+/// Returns the error in the two ends of a query's segment, or nothing.
 std::optional<Error> find_ends_error(const Box& domain, const Point& from, const Point& to) {
   if (auto error = find_point_error(domain, from, 0, "the start")) return error;
   return find_point_error(domain, to, 1, "the end");

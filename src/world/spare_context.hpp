@@ -7,10 +7,10 @@
 
 namespace waywright {
 
-/// A context that a world keeps for queries that bring none. So these, too, cost what they search: the arrays of a new
-/// context have room for the whole mesh.
+/// The context that a world keeps for queries without one. A new context for each query would cost time for arrays as
+/// large as the mesh.
 ///
-/// Threads: queries may borrow at once. One gets the context that is kept, the others make their own.
+/// Threads: several queries may borrow at the same time. One gets the kept context, the others get new ones.
 class SpareContext {
  public:
   SpareContext() = default;
@@ -18,7 +18,7 @@ class SpareContext {
   SpareContext(const SpareContext&) = delete;
   SpareContext& operator=(const SpareContext&) = delete;
 
-  /// A context for one query. Afterwards the world keeps it.
+  /// A context for one query. The destructor gives the context to the world, which keeps it.
   class Loan {
    public:
     explicit Loan(SpareContext& from) : from_(from), context_(from.kept_.exchange(nullptr)) {

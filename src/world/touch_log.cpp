@@ -4,8 +4,8 @@
 
 namespace waywright {
 
-// A search reads of a face it looks at, and of the faces that share a corner with it. So all faces around the corners
-// of those that were made count as touched.
+// A search that looks at a face reads that face and the faces that share a corner with it. So each face around the
+// corners of a made face counts as touched.
 void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
   if (searches_.load(std::memory_order_relaxed) == 0 || entries_.size() > kLongest) {
     entries_.clear();
@@ -32,7 +32,7 @@ void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
 }
 
 void TouchLog::note_abstraction(const nav::Abstraction& abstraction) {
-  if (complete_since_ > version_) return;  // everything is noted
+  if (complete_since_ > version_) return;  // everything counts as touched already
   const bool is_told = abstraction.for_each_changed_face([&](mesh::Face f) {
     if (entries_.size() < entries_.capacity()) {
       entries_.push_back({version_ + 1, f});

@@ -14,10 +14,11 @@
 
 namespace waywright {
 
-/// The version of a world, and which faces its operations touch, for sliced searches that go on in a world that has
-/// changed. A world and its searches share one; it outlives the world. Faces are noted only while a search runs.
+/// The version of a world, and the faces that its operations touch. Sliced searches need it to continue in a world that
+/// has changed. A world and its searches share one log, which outlives the world. It records faces only while a search
+/// runs.
 ///
-/// Threads: searches may begin and end at once with one another; all else follows the rules of World.
+/// Threads: searches may begin and end at the same time. For all else the rules of World hold.
 class TouchLog {
  public:
   static constexpr std::uint64_t kGone = std::numeric_limits<std::uint64_t>::max();
@@ -28,30 +29,32 @@ class TouchLog {
   void add_search() { searches_.fetch_add(1, std::memory_order_relaxed); }
   void remove_search() { searches_.fetch_sub(1, std::memory_order_relaxed); }
 
-  /// Takes note of what an operation has touched of the mesh. The operation may be taken back afterwards. Allocates.
+  /// Records the faces that an operation has touched in the mesh. The operation may be taken back afterwards.
+  /// Allocates.
   void note_mesh(const constraint::ExactTriangulation& triangulation);
-  /// Then, of what it has changed in the abstraction. Allocates nothing: if that is more than note_mesh() has made room
-  /// for, the operation counts as one that has touched everything.
+  /// Records the faces whose entry in the abstraction has changed. Call it after note_mesh(). Allocates nothing: if
+  /// there are more such faces than note_mesh() has made room for, the operation counts as one that has touched
+  /// everything.
   void note_abstraction(const nav::Abstraction& abstraction);
-  /// Takes note that an operation has touched everything. Allocates nothing.
+  /// Records that an operation has touched everything. Allocates nothing.
   void note_everything() { complete_since_ = version_ + 1; }
-  /// An operation succeeds.
+  /// Ends an operation that has succeeded.
   void commit() { ++version_; }
 
-  /// Whether an operation after the version `since` has touched a face that a search has looked at.
+  /// Returns whether an operation after version `since` has touched a face at which the search has looked.
   [[nodiscard]] bool has_touched(const path::LookedAt& looked_at, std::uint64_t since) const;
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_); }
-  /// Gives back spare memory. The notes stay while a search runs.
+  /// Frees spare memory. While a search runs, the entries stay.
   void shrink_to_fit();
 
  private:
-  /// A log that is longer starts anew, and all searches do, too.
+  /// If the log gets longer than this, it is emptied, and all searches restart.
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
-  /// Room for so many changes of the abstraction.
+  /// note_mesh() makes room for this many changes of the abstraction.
   static constexpr std::size_t kSpare = 4096;
 
-  /// A face, and the version that the operation which touched it led to.
+  /// A face that an operation has touched, and the version of the world after that operation.
   struct Entry {
     std::uint64_t version;
     mesh::Face face;

@@ -24,13 +24,13 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Inserts a batch as one operation.
   template <class Batch>
   void insert_all(const Batch& batch, const threads::Crew& crew = {});
-  /// Takes note, for those who ask whether a path is affected, of items that come and of one that goes.
+  /// Records in `change_log` the items that a batch inserts, the item that is inserted or the item that is removed.
   template <class Batch>
   void note_changes(const Batch& batch);
   template <class Rings>
   void note_item(ItemKind kind, const Rings& rings);
   void note_removal(std::uint32_t slot);
-  /// Or null.
+  /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
   constraint::ExactTriangulation triangulation;
@@ -41,7 +41,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   SpareContext spare_context;
 };
 
-/// Everything from its making to commit() happens or, if it goes before that (memory ran out), has never happened.
+/// An operation on a world. If it is destroyed before commit(), for instance because memory runs out, the world is as
+/// before.
 class WAYWRIGHT_INTERNAL World::Operation {
  public:
   explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
@@ -75,7 +76,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
       impl_.abstraction->update(impl_.triangulation);
       impl_.touch_log->note_abstraction(*impl_.abstraction);
     }
-    // Nothing fails from here on.
+    // Nothing can fail from here on.
     operation_.commit();
     impl_.touch_log->commit();
     impl_.change_log.commit(impl_.touch_log->version());
@@ -90,7 +91,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   constraint::ExactTriangulation::Operation operation_;
 };
 
-/// A world without items is made anew: a batch then needs no operation to be all or nothing.
+/// If the world has no items, builds a new triangulation: then a batch is all or nothing without an operation.
 template <class Batch>
 void World::Impl::insert_all(const Batch& batch, const threads::Crew& crew) {
   if (triangulation.items().size() != 0) {
@@ -117,7 +118,7 @@ void World::Impl::note_changes(const Batch& batch) {
   }
 }
 
-/// Points are no walls, so they are no changes to note.
+/// Points are not walls, so the log does not record them.
 template <class Rings>
 void World::Impl::note_item(ItemKind kind, const Rings& rings) {
   if (kind == ItemKind::point) return;

@@ -20,10 +20,10 @@ using Words = std::vector<std::string>;
 
 bool asks_for_help(std::string_view word) { return word == "-h" || word == "--help" || word == "--version"; }
 
-/// Whether a word is an option where no value is due.
+/// Returns whether a word is an option at a position where no value is expected.
 bool is_option(std::string_view word) { return word.size() > 1 && word[0] == '-'; }
 
-/// Whether a word is a value where one is due: -1, -.5 and - are values too.
+/// Returns whether a word is a value at a position where one is expected: -1, -.5 and - are values too.
 bool is_value(std::string_view word) {
   if (!is_option(word) || word == "-inf" || word == "-nan") return true;
   return word[1] != '-' && std::isalpha(static_cast<unsigned char>(word[1])) == 0;
@@ -43,9 +43,9 @@ class WordCheck {
   void run(const Words& words);
 
  private:
-  /// Reads an option and its values; returns where the next word is.
+  /// Reads an option and its values. Returns the index of the next word.
   std::size_t read_option(const Words& words, std::size_t at);
-  /// Throws unless the option has as many values as it takes; `extra` are words that follow them.
+  /// Throws Failure unless the option has as many values as it takes. `values` are the words after the option.
   void check_values(const CLI::Option& option, const std::string& name, const Words& values) const;
   void check_positionals() const;
   void check_required() const;
@@ -54,7 +54,7 @@ class WordCheck {
   const CLI::App& command_;
   Words positionals_;
   std::set<const CLI::Option*> seen_;
-  std::string crowded_;  ///< the message about the first option that more words follow than it takes
+  std::string crowded_;  ///< the message about the first option with more words after it than it takes
 };
 
 void WordCheck::fail(const std::string& what) const {
@@ -62,7 +62,7 @@ void WordCheck::fail(const std::string& what) const {
       fmt::format("waywright {}: {} (see waywright {} --help)", command_.get_name(), what, command_.get_name()));
 }
 
-/// `a value, FILE` or `2 values, X Y`.
+/// Returns the values that the option takes as text: `a value, FILE` or `2 values, X Y`.
 std::string needs_of(const CLI::Option& option) {
   const int count = option.get_items_expected_min();
   const std::string values = count == 1 ? "a value" : fmt::format("{} values", count);

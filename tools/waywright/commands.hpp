@@ -11,13 +11,13 @@
 
 namespace waywright::command {
 
-/// Names of files are `-` for standard input, and for standard output.
+/// In all options below, the file name `-` means standard input or standard output.
 
 /// `waywright run`
 struct RunOptions {
   std::string script;
-  std::string dump;  ///< empty: none
-  std::string svg;   ///< empty: none
+  std::string dump;  ///< empty for none
+  std::string svg;   ///< empty for none
   PictureOptions picture;
   bool check = false;
   bool strict = false;
@@ -30,7 +30,7 @@ struct PathOptions {
   std::vector<std::string> from;  ///< x, y
   std::vector<std::string> to;    ///< x, y
   PathAlgorithm algorithm = PathAlgorithm::optimal;
-  std::string svg;  ///< empty: none
+  std::string svg;  ///< empty for none
   PictureOptions picture;
 };
 
@@ -39,9 +39,9 @@ struct ScenarioOptions {
   std::string map;
   std::string scenario;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
-  std::string csv;                   ///< empty: none
-  std::string svg;                   ///< empty: none
-  std::vector<std::size_t> queries;  ///< to draw, from 1
+  std::string csv;                   ///< empty for none
+  std::string svg;                   ///< empty for none
+  std::vector<std::size_t> queries;  ///< the numbers of the queries to draw, from 1
   bool any_map = false;
   PictureOptions picture;
 };
@@ -50,11 +50,11 @@ struct ScenarioOptions {
 struct ConvertOptions {
   std::string in;
   std::string out;
-  std::string format;  ///< `wws`, `svg`, or empty: what the ending of `out` says
+  std::string format;  ///< `wws`, `svg`, or empty if the ending of `out` tells the format
   PictureOptions picture;
 };
 
-/// The subcommands. Each throws Failure for what ends in status 2.
+/// The subcommands. Each throws Failure for errors that end in status 2.
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus path(const PathOptions& options);
 [[nodiscard]] ExitStatus scenario(const ScenarioOptions& options);

@@ -22,7 +22,8 @@ std::string picture_of(const Scene& scene, const ConvertOptions& options) {
   return draw(build_world(scene, options.in), {}, picture);
 }
 
-/// Whether OUT becomes a picture, or else a world script. Throws Failure where nothing says so.
+/// Returns whether OUT becomes a picture; otherwise it becomes a world script. Throws Failure if neither the options
+/// nor the file name tells.
 bool is_picture(const ConvertOptions& options) {
   const std::string_view name = options.out;
   if (!options.format.empty()) return options.format == "svg";

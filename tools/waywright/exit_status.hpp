@@ -2,7 +2,7 @@
 
 namespace waywright::command {
 
-/// What the command ends with.
+/// The exit status of the command.
 enum ExitStatus : int {
   kDone = 0,
   kRefused = 1,   ///< a check failed or, with --strict, an operation was refused

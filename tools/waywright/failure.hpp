@@ -5,7 +5,7 @@
 
 namespace waywright::command {
 
-/// What ends the command with status 2: one line for standard error.
+/// An error that ends the command with status 2. Its message is one line for standard error.
 class Failure : public std::runtime_error {
  public:
   explicit Failure(const std::string& line) : std::runtime_error(line) {}

@@ -25,7 +25,8 @@ bool is_device(const fs::path& name) {
   return fs::is_character_file(name, fault);
 }
 
-/// Whether two outputs are one file, which need not exist. A device, such as /dev/null, may be named twice.
+/// Returns whether two outputs are the same file, which need not exist. Two outputs may name the same device, such as
+/// /dev/null.
 bool same_output(const std::string& a, const std::string& b) {
   const bool a_is_standard = is_standard_output(a);
   if (a_is_standard || is_standard_output(b)) return a_is_standard && is_standard_output(b);
@@ -46,7 +47,8 @@ void refuse_shared_input(const NamedFile& input, const NamedFile& output) {
   if (read == written) refuse(output, fmt::format("the file that {} reads", input.argument));
 }
 
-/// The shell has opened what standard output and standard error go to.
+/// Throws Failure if the stream writes to the file of an input or another output. The shell may have redirected
+/// standard output and standard error to a file.
 void refuse_shared_stream(StandardStream stream, std::string_view stream_name, const std::vector<NamedFile>& inputs,
                           const std::vector<NamedFile>& outputs) {
   const auto written = identity_of(stream);
@@ -83,7 +85,7 @@ fs::path followed(fs::path name) {
     if (!fs::is_symlink(fs::symlink_status(name, fault))) break;
     const fs::path next = fs::read_symlink(name, fault);
     if (fault) break;
-    name = name.parent_path() / next;  // an absolute `next` replaces all of it
+    name = name.parent_path() / next;  // if `next` is absolute, it replaces the whole name
   }
   return name;
 }

@@ -44,7 +44,7 @@ double parse_number(std::string_view option, const std::string& word) {
   if (stop != end || fault == std::errc::invalid_argument) {
     throw Failure(fmt::format("waywright: {}: '{}' is not a decimal number such as -1.5 or 2e3", option, word));
   }
-  // What is too small is the nearest double, as in a script: 0 or a denormal.
+  // A number that is too small becomes the nearest double, as in a script: 0 or a denormal number.
   if (fault == std::errc::result_out_of_range) value = std::strtod(word.c_str(), nullptr);
   if (fault == std::errc::result_out_of_range && std::isinf(value)) {
     throw Failure(fmt::format("waywright: {}: '{}' lies beyond +-2^100", option, word));
@@ -81,7 +81,7 @@ World build_world(const Scene& scene, const std::string& name) {
   Progress progress("insert");
   const auto show = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
   if (world.insert_all(scene.items, {.threads = 1, .progress = show}).ok()) return world;
-  // Some are refused: one by one, the others come in all the same.
+  // The world refuses some items. Inserts all items one by one, so that it gets the others.
   std::size_t left_out = 0;
   std::size_t done = 0;
   std::string first_reason;

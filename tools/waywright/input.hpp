@@ -13,27 +13,27 @@
 
 namespace waywright::command {
 
-/// All of a file, or of standard input where `name` is `-`. Throws Failure.
+/// Reads a whole file, or standard input if `name` is `-`. Throws Failure.
 [[nodiscard]] std::string read_text(const std::string& name);
 
-/// A world script from a file, or from standard input where `name` is `-`. Throws Failure.
+/// Reads a world script from a file, or from standard input if `name` is `-`. Throws Failure.
 [[nodiscard]] Script load_script(const std::string& name);
 
-/// A scene from a file, whose ending tells its format; from a world script on standard input where `name` is `-`.
+/// Reads a scene from a file, whose ending tells its format, or a world script from standard input if `name` is `-`.
 /// Throws Failure.
 [[nodiscard]] Scene load_scene(const std::string& name);
 
-/// The world of a scene's items. Items that the world refuses are left out, and one line on standard error says so.
-/// Throws Failure where the domain is refused.
+/// Builds a world from the items of a scene. Leaves out items that the world refuses, and reports this in one line on
+/// standard error. Throws Failure if the world refuses the domain.
 [[nodiscard]] World build_world(const Scene& scene, const std::string& name);
 
-/// The files that load_scene reads; the second may be missing.
+/// Returns the names of the files that load_scene() reads. The second one may be missing.
 [[nodiscard]] std::vector<NamedFile> files_of_map(const std::string& name);
 
-/// The point that the two values of an option give. Throws Failure.
+/// Returns the point in the two values of an option. Throws Failure.
 [[nodiscard]] Point parse_point(std::string_view option, const std::vector<std::string>& values);
 
-/// A file's name without its folders: what pictures are titled with.
+/// Returns the name of a file without its folders. It is the title of pictures.
 [[nodiscard]] std::string title_of(const std::string& name);
 
 }  // namespace waywright::command

@@ -11,7 +11,7 @@ namespace waywright::command {
 
 namespace {
 
-// The library writes 0.0 where the format has 0, and sorts what it prints: only its quoting serves here.
+// This file uses only the quoting of the JSON library, because the library writes 0.0 for 0 and sorts its output.
 std::string json_string(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -21,7 +21,7 @@ std::string opening(const Request& request) {
   return fmt::format(R"({{"line":{},"op":"{}")", *request.line, request.op);
 }
 
-/// Adding zero leaves every number as it is but -0.
+/// Returns the value, with -0 replaced by 0: adding 0 changes no other number.
 double without_sign_of_zero(double value) { return value + 0.0; }
 
 void append_ids(std::string& out, const std::vector<ItemId>& ids) {

@@ -14,13 +14,14 @@
 
 namespace waywright::command {
 
-/// What a line of output answers: an operation, and the script's line that asked for it where a script did.
+/// What a line of output answers: an operation, and the number of its line if a script contains it.
 struct Request {
   std::string_view op;
   std::optional<std::uint32_t> line;
 };
 
-/// The answers, each one JSON object without a line end. Numbers are in the shortest form that reads back the same.
+/// Each function returns an answer as one JSON object without a line end. Numbers have the shortest form that reads
+/// back as the same number.
 [[nodiscard]] std::string json_line(const Request& request, const Location& location);
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
 [[nodiscard]] std::string json_line(const Request& request, const RayHit& hit);
@@ -29,7 +30,7 @@ struct Request {
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);
 
-/// The counts of a whole run, and what the world at its end takes.
+/// The counts of a whole run, and the memory of the world at its end.
 [[nodiscard]] std::string json_line(const PredicateCounts& counts, const MemoryUse& memory);
 
 }  // namespace waywright::command

@@ -72,7 +72,7 @@ constexpr const char* kConvertExamples =
     "  waywright convert face.poly face.svg --no-mesh\n"
     "  waywright convert arena.map - --format svg | display\n";
 
-/// The command line: what it may hold, and what it holds once parsed.
+/// The definition of the command line, and the values that it has after parsing.
 struct CommandLine {
   CLI::App app{kAbout, "waywright"};
   RunOptions run_options;
@@ -84,17 +84,17 @@ struct CommandLine {
   CLI::App* scenario = nullptr;
   CLI::App* convert = nullptr;
   CLI::App* help = nullptr;
-  std::string helped;  ///< the command that `help` is asked about; empty for all of them
+  std::string helped;  ///< the command in `help COMMAND`; empty for `help` alone
 };
 
 std::string check_file_name(const std::string& name) { return name.empty() ? "the file's name is empty" : ""; }
 
-/// A file that is named without an option.
+/// Adds an argument that names a file, without an option.
 void add_file(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
   command.add_option(name, value, about)->check(check_file_name)->required();
 }
 
-/// Adds an option that names a file to write.
+/// Adds an option that names an output file.
 CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value, const std::string& about) {
   return command.add_option(name, value, about)->type_name("FILE")->check(check_file_name);
 }
@@ -121,7 +121,8 @@ CLI::Option* add_theme(CLI::App& command, SvgTheme& theme) {
       ->type_name("NAME");
 }
 
-/// Adds the options of a picture. They need `file`, the option that names its file; null for a command without one.
+/// Adds the options of a picture. They need `file`, the option that names the picture's file, or null if the command
+/// has no such option.
 void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) {
   command.add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
   CLI::Option* const no_axes =
@@ -242,7 +243,7 @@ void print_text(std::string text) {
   output.flush();
 }
 
-/// Help and version go to standard output; anything else is a mistake, told in one line.
+/// Prints help and the version on standard output. All else is an error, reported in one line.
 ExitStatus answer(const CommandLine& line, const CLI::ParseError& error) {
   if (error.get_exit_code() != 0) {
     const auto commands = line.app.get_subcommands();
@@ -254,7 +255,7 @@ ExitStatus answer(const CommandLine& line, const CLI::ParseError& error) {
   return kDone;
 }
 
-/// `help COMMAND` prints what `COMMAND --help` does.
+/// `help COMMAND` prints the same as `COMMAND --help`.
 ExitStatus help(const std::string& command) {
   const auto line = make_command_line();
   if (!command.empty() && command_named(line->app, command) == nullptr) {

@@ -25,7 +25,7 @@ std::FILE* file_of(StandardStream stream) { return stream == StandardStream::out
 }  // namespace
 
 void print_message(std::string_view line) noexcept {
-  std::array<char, 512> buffer{};  // standard error keeps none, and the memory may be used up
+  std::array<char, 512> buffer{};  // a buffer of its own: standard error has none, and memory may have run out
   std::size_t length = 0;
   for (const char c : line) {
     const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
@@ -93,12 +93,12 @@ void OutputFile::choose_way_to_regular_file(bool exists) {
   }
   std::fclose(file);
   if (exists && !adopt_attributes()) way_ = Way::in_place;
-  // The run may be long, and may be stopped: no empty file lies about meanwhile.
+  // The run may take long, and someone may stop it. So no empty file exists during the run.
   remove_temporary();
 }
 
 std::FILE* OutputFile::create_temporary() {
-  constexpr std::size_t kLongestStem = 200;  // file systems take names of 255 bytes
+  constexpr std::size_t kLongestStem = 200;  // file systems allow names of 255 bytes
   const std::string stem = target_.filename().string().substr(0, kLongestStem);
   for (int attempt = 0;; ++attempt) {
     fs::path name = target_.parent_path() / fmt::format("{}.tmp{}", stem, attempt);
@@ -112,7 +112,7 @@ bool OutputFile::adopt_attributes() const {
   std::error_code fault;
   const fs::file_status status = fs::status(target_, fault);
   if (!fs::exists(status)) return true;
-  // The new owner first: the system takes some permissions away when an owner changes.
+  // Sets the owner first, because the system removes some permissions when the owner changes.
   if (!copy_owner(target_, temporary_)) return false;
   fs::permissions(temporary_, status.permissions() & fs::perms::all, fault);
   return !fault;

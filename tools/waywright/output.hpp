@@ -9,11 +9,11 @@
 
 namespace waywright::command {
 
-/// Prints one line for people on standard error. A failure to write is ignored, since nobody is left to be told.
-/// Control characters, which a file's name may hold, are replaced.
+/// Prints one line for people on standard error. Ignores a failure to write, because there is no other channel to
+/// report it. Replaces control characters, which a file name may contain.
 void print_message(std::string_view line) noexcept;
 
-/// Text on standard output or standard error, written in large pieces; every failure to write is noticed.
+/// Writes text to standard output or standard error in large pieces, and detects every failure to write.
 class StreamWriter {
  public:
   /// `stream` is `output` or `error`.
@@ -31,44 +31,44 @@ class StreamWriter {
   std::string pending_;
 };
 
-/// A file that is written whole or not at all. Its target is one of these:
-/// - empty: no file is wanted.
-/// - `-`, or a name of this process' standard output such as `/dev/stdout`: standard output.
-/// - a regular file, or a name that is free: the text goes to a temporary file in the same folder, which then takes the
-///   target's name, permissions, owner and group. Symbolic links are followed. A file whose folder takes no new files,
-///   or whose owner the user cannot give to a new file, is overwritten in place.
-/// - a device, a pipe, an open descriptor (`/dev/fd/3`): written to directly.
+/// A file that the command writes whole or not at all. Its target is one of these:
+/// - empty: no file.
+/// - `-`, or another name of this process's standard output such as `/dev/stdout`: standard output.
+/// - a regular file, or a name without a file: the text goes to a temporary file in the same folder. commit() gives
+///   this file the target's name, permissions, owner and group. Symbolic links are followed. The file is instead
+///   overwritten in place if its folder accepts no new files, or if the user cannot give a new file the same owner.
+/// - a device, a pipe, an open descriptor (`/dev/fd/3`): written directly.
 class OutputFile {
  public:
-  /// Finds out whether the target can be written, so that the user is told before any work. Throws Failure.
+  /// Checks whether the target can be written, before the command does any work. Throws Failure.
   explicit OutputFile(const std::string& target);
-  /// Removes the temporary file unless committed.
+  /// Removes the temporary file unless commit() has succeeded.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   [[nodiscard]] bool wanted() const { return way_ != Way::none; }
-  /// Writes all of the file's text. Throws Failure.
+  /// Writes the whole text of the file. Throws Failure.
   void write(std::string_view text);
-  /// Puts the written text in the target's place. Throws Failure.
+  /// Moves the written text to the target. Throws Failure.
   void commit();
 
  private:
   enum class Way : unsigned char { none, standard_output, temporary, in_place, special };
 
   void choose_way_to_regular_file(bool exists);
-  /// Creates the temporary file under a free name. Returns null, with errno set, where the folder takes none.
+  /// Creates the temporary file under an unused name. Returns null and sets errno if the folder accepts no new file.
   std::FILE* create_temporary();
-  /// Gives the temporary file what the target has. Returns false where the user may not do so.
+  /// Gives the temporary file the owner, group and permissions of the target. Returns false if the user may not do so.
   [[nodiscard]] bool adopt_attributes() const;
   void remove_temporary();
   [[noreturn]] void fail(int fault) const;
 
   std::string name_;                 // as the user gave it
-  std::filesystem::path target_;     // links followed
-  std::filesystem::path temporary_;  // empty while there is none
+  std::filesystem::path target_;     // after following links
+  std::filesystem::path temporary_;  // empty if there is none
   Way way_ = Way::none;
-  std::FILE* file_ = nullptr;  // open from the start for a special file, else while it is written
+  std::FILE* file_ = nullptr;  // for a special file open from the start, otherwise only during writing
 };
 
 }  // namespace waywright::command

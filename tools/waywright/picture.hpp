@@ -9,7 +9,7 @@
 
 namespace waywright::command {
 
-/// How a picture shows the world: the options that all commands with a picture share.
+/// The options of a picture that all commands with a picture share.
 struct PictureOptions {
   bool no_mesh = false;
   bool no_axes = false;
@@ -17,15 +17,15 @@ struct PictureOptions {
   std::vector<std::string> crop;  ///< x0, y0, x1, y1; empty for the whole domain
 };
 
-/// What to_svg is told: the options, and the title and orientation of what is drawn. Throws Failure if the crop box is
-/// none, or shows nothing of the domain: to be called before any work.
+/// Returns the options for to_svg(), with the title and the direction of the y axis. Throws Failure if the crop box is
+/// empty or shows nothing of the domain; so call it before any work.
 [[nodiscard]] SvgOptions svg_options(const PictureOptions& options, const Box& domain, std::string_view title,
                                      bool y_down);
 
-/// The picture's text. Throws Failure.
+/// Returns the text of the picture. Throws Failure.
 [[nodiscard]] std::string draw(const World& world, const SvgOverlay& overlay, const SvgOptions& options);
 
-/// Puts a query's answer, found or not, where the picture shows it.
+/// Adds the answer of a query to the overlay: a path, or a failed path.
 void add_answer(SvgOverlay& overlay, const PathQuery& query, Path path);
 
 }  // namespace waywright::command

@@ -34,12 +34,12 @@ std::optional<FileIdentity> identity_of(HANDLE handle) {
 
 }  // namespace
 
-// Windows has no signal for a broken pipe. No byte may be changed on the way, as Windows would change line ends.
+// Windows has no signal for a broken pipe. Binary mode stops Windows from changing line ends.
 void prepare_standard_streams() {
   for (std::FILE* stream : {stdin, stdout, stderr}) _setmode(_fileno(stream), _O_BINARY);
 }
 
-// A terminal of which the command makes no use is none: one that does not understand escape sequences.
+// A terminal that does not understand escape sequences does not count as a terminal.
 bool error_is_terminal() {
   const HANDLE console = handle_of(stderr);
   DWORD mode = 0;
@@ -64,7 +64,7 @@ std::optional<FileIdentity> identity_of(StandardStream stream) {
 
 bool is_writable(const std::filesystem::path& file) { return _waccess(file.c_str(), 2) == 0; }
 
-// A new file takes its owner and its rights from its folder.
+// On Windows a new file gets its owner and its permissions from its folder.
 bool copy_owner(const std::filesystem::path& /*from*/, const std::filesystem::path& /*to*/) { return true; }
 
 #else
@@ -93,8 +93,8 @@ std::optional<FileIdentity> identity_of(const struct stat& status) {
 void prepare_standard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // A closed descriptor is filled in the wrong direction, so that each read or write on it still fails. The lowest
-  // free descriptor is the one that open takes.
+  // Opens /dev/null in place of a closed descriptor, in the wrong direction: so each read or write on it still fails.
+  // open() takes the lowest unused descriptor, which is this one.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
     static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));

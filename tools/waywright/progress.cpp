@@ -15,7 +15,7 @@ using std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPatience{1000};
 constexpr std::chrono::milliseconds kInterval{200};
 
-/// The terminal may be gone: then nobody is left to be told.
+/// Ignores errors: if the terminal is gone, there is nobody to inform.
 void print(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);

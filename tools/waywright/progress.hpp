@@ -6,8 +6,8 @@
 
 namespace waywright::command {
 
-/// A line on standard error about how far long work has come; silent unless that is a terminal, and for the first
-/// second.
+/// A line on standard error that shows the progress of long work. Prints nothing if standard error is not a terminal,
+/// and nothing during the first second.
 class Progress {
  public:
   explicit Progress(std::string_view what);
@@ -15,9 +15,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// So much of it is done.
+  /// Shows that `done` of `total` steps are done.
   void show(std::size_t done, std::size_t total);
-  /// Wipes the line.
+  /// Erases the line.
   void finish();
 
  private:

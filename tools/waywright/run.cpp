@@ -28,7 +28,7 @@ World create_world(const Script& script, const std::string& name) {
   return std::move(world).value();
 }
 
-/// All operations, or those up to the one that ends the run early.
+/// The result of a run, which carries out all operations or stops after one that ends it early.
 struct RunResult {
   ExitStatus status = kDone;
   bool to_the_end = true;
@@ -57,7 +57,7 @@ ExitStatus run(const RunOptions& options) {
   OutputFile dump(options.dump);
   OutputFile svg(options.svg);
   StreamWriter output(stream_beside({options.dump, options.svg}));
-  // A script's y axis points up, as in a mathematician's plane.
+  // The y axis of a script points up, as in mathematics.
   const SvgOptions picture = svg_options(options.picture, world.domain(), title_of(options.script), false);
   SvgOverlay overlay;
   Runner runner(world, output, svg.wanted() ? &overlay : nullptr);

@@ -12,17 +12,17 @@
 
 namespace waywright::command {
 
-/// How an operation of a script went.
+/// The outcome of one operation of a script.
 enum class Outcome : unsigned char { done, refused, check_failed };
 
-/// Carries out a script's operations, one by one, and prints their answers.
+/// Carries out the operations of a script, one by one, and prints their answers.
 class Runner {
  public:
-  /// Keeps in `overlay`, unless it is null, the queries carried out since the world last changed, and their answers.
+  /// Unless `overlay` is null, keeps in it the queries since the last change of the world, with their answers.
   Runner(World& world, StreamWriter& output, SvgOverlay* overlay) : world_(world), output_(output), overlay_(overlay) {}
 
   Outcome carry_out(const Operation& operation);
-  /// Validates the world; prints only a fault.
+  /// Validates the world after an operation. Prints only an error.
   [[nodiscard]] bool validate_after(const Operation& operation);
 
  private:

@@ -28,7 +28,7 @@ namespace waywright::command {
 
 namespace {
 
-/// How an answer compares with the length that the scenario gives.
+/// The comparison of an answer with the length that the scenario gives.
 enum class Verdict : unsigned char { same, shorter, longer, missing, surprising };
 
 struct Answer {
@@ -43,7 +43,8 @@ double ratio_of(const ScenarioQuery& query, const Answer& answer) {
   return query.length > 0.0 ? answer.length / query.length : 1.0;
 }
 
-/// Lengths are the same within the given one's own digits, and what doubles round.
+/// Two lengths are the same if they differ by no more than the precision of the given length plus the rounding errors
+/// of doubles.
 Verdict verdict_of(const ScenarioQuery& query, const Path& path) {
   const bool is_found = path.status == PathStatus::found;
   if (query.length < 0.0) return is_found ? Verdict::surprising : Verdict::same;
@@ -52,8 +53,8 @@ Verdict verdict_of(const ScenarioQuery& query, const Path& path) {
   return path.length < query.length ? Verdict::shorter : Verdict::longer;
 }
 
-/// Whether the point is the corner of two blocked cells of a map that meet there alone: whoever stands there may be
-/// thought to be on either side, so that lengths others give may be for the other.
+/// Returns whether two blocked cells of a map touch only at this point. An agent at such a point may count as being on
+/// either of two sides, so the length in a scenario may be that of the other side.
 bool is_between_cells(const World& world, const Point& point, QueryContext& context) {
   if (std::floor(point.x) != point.x || std::floor(point.y) != point.y) return false;
   const auto is_blocked = [&](double dx, double dy) {
@@ -72,14 +73,14 @@ std::vector<ScenarioQuery> load_scenario(const std::string& name) {
   return std::move(queries).value();
 }
 
-/// The name of a map without folders and ending, in which maps of another format differ too. A scenario may come from a
-/// system with other separators.
+/// Returns the name of a map without folders and without ending, because the same map may be in another format. A
+/// scenario may come from a system with other separators.
 std::string_view stem_of(std::string_view name) {
   name.remove_prefix(std::min(name.find_last_of("/\\") + 1, name.size()));
   return name.substr(0, name.rfind('.'));
 }
 
-/// Throws Failure where a query is for another map than the one at hand.
+/// Throws Failure if a query is for another map.
 void check_map(const ScenarioOptions& options, const Scene& scene, const std::vector<ScenarioQuery>& queries) {
   constexpr std::string_view kAdvice = "; give that map, or --any-map to ask the queries all the same";
   if (options.any_map) return;
@@ -89,7 +90,7 @@ void check_map(const ScenarioOptions& options, const Scene& scene, const std::ve
                                 query.line, query.map, title_of(options.map), kAdvice));
     }
     const Point size = scene.domain.max;
-    const bool counts_cells = scene.y_down;  // only such a map has a size in cells
+    const bool counts_cells = scene.y_down;  // only such a map measures its size in cells
     if (counts_cells && (static_cast<double>(query.width) != size.x || static_cast<double>(query.height) != size.y)) {
       throw Failure(fmt::format("{}:{}: the query is for a map of {} x {} cells, and {} has {} x {}{}",
                                 options.scenario, query.line, query.width, query.height, title_of(options.map), size.x,
@@ -98,7 +99,7 @@ void check_map(const ScenarioOptions& options, const Scene& scene, const std::ve
   }
 }
 
-/// The queries to be drawn, as positions. Throws Failure.
+/// Returns the indices of the queries to draw. Throws Failure.
 std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::size_t count) {
   if (options.svg.empty() != options.queries.empty()) {
     throw Failure("waywright: --svg and --query go together: the file, and the queries to draw");
@@ -119,7 +120,7 @@ class ScenarioRun {
   ScenarioRun(const ScenarioOptions& options, const World& world, std::vector<ScenarioQuery> queries)
       : options_(options), world_(world), queries_(std::move(queries)) {}
 
-  /// Asks every query. Throws Failure where the world refuses one.
+  /// Answers every query. Throws Failure if the world refuses one.
   void ask_all() {
     Progress progress("query");
     QueryContext context;
@@ -135,7 +136,7 @@ class ScenarioRun {
     }
   }
 
-  /// The chosen queries' answers, for a picture.
+  /// Returns the answers of the chosen queries, for a picture.
   [[nodiscard]] SvgOverlay overlay_of(const std::vector<std::size_t>& chosen) const {
     SvgOverlay overlay;
     QueryContext context;
@@ -147,7 +148,7 @@ class ScenarioRun {
     return overlay;
   }
 
-  /// A line for each query, after a line of names.
+  /// Returns a line for each query, after a line of column names.
   [[nodiscard]] std::string csv() const {
     std::string out = "query,start_x,start_y,goal_x,goal_y,given,status,length,ratio,expansions,microseconds\n";
     for (std::size_t i = 0; i < queries_.size(); ++i) {
@@ -213,7 +214,7 @@ class ScenarioRun {
     append_row(out, "length / given", ratios, 6);
   }
 
-  /// Percentiles are values that occur: the least that so many of a hundred do not exceed.
+  /// A percentile is one of the values: the smallest that at least this percentage of all values does not exceed.
   static void append_row(std::string& out, const char* name, std::vector<double> values, int digits) {
     if (values.empty()) return;
     std::sort(values.begin(), values.end());
@@ -228,7 +229,7 @@ class ScenarioRun {
   const World& world_;
   std::vector<ScenarioQuery> queries_;
   std::vector<Answer> answers_;
-  std::size_t ambiguous_count_ = 0;  ///< of queries with an end between two cells
+  std::size_t ambiguous_count_ = 0;  ///< number of queries with an end between two cells
 };
 
 }  // namespace
