@@ -41,7 +41,7 @@ class ConstrainedTriangulation {
   [[nodiscard]] const mesh::TriangleMesh& topology() const { return triangulation_.topology(); }
   [[nodiscard]] const ItemTable& items() const { return items_; }
   /// Marks an id as used: it is never given to a new item.
-  void see(ItemId id) { items_.see(id); }
+  void mark_used(ItemId id) { items_.mark_used(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }

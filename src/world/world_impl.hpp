@@ -100,7 +100,7 @@ void World::Impl::insert_all(const Batch& batch, const threads::Crew& crew) {
     return operation.commit();
   }
   constraint::ExactTriangulation made(triangulation.domain(), batch, crew);
-  made.see(triangulation.items().largest_id_seen());
+  made.mark_used(triangulation.items().largest_id_seen());
   change_log.begin();
   note_changes(batch);
   change_log.reserve();
