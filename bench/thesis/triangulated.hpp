@@ -26,7 +26,7 @@ class Triangulated {
   explicit Triangulated(const Box& domain) : triangulation_(domain) {}
 
   void insert(const Item& item) {
-    typename Triangulation::Operation operation(triangulation_);
+    typename Triangulation::UndoGuard operation(triangulation_);
     triangulation_.insert(item.shape, item.id);
     operation.commit();
   }
@@ -59,7 +59,7 @@ class Triangulated {
   using Triangulation = constraint::ConstrainedTriangulation<Geometry>;
 
   void remove(ItemId id) {
-    typename Triangulation::Operation operation(triangulation_);
+    typename Triangulation::UndoGuard operation(triangulation_);
     triangulation_.remove(id);
     operation.commit();
   }

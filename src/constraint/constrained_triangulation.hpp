@@ -48,16 +48,16 @@ class ConstrainedTriangulation {
 
   /// One operation, all or nothing. If the object is destroyed before commit(), for example because memory ran out, the
   /// destructor undoes all changes since the object was made. Requires: no other operation is under way.
-  class Operation {
+  class UndoGuard {
    public:
-    explicit Operation(ConstrainedTriangulation& triangulation) : triangulation_(triangulation) {
+    explicit UndoGuard(ConstrainedTriangulation& triangulation) : triangulation_(triangulation) {
       triangulation_.begin();
     }
-    ~Operation() {
+    ~UndoGuard() {
       if (!is_committed_) triangulation_.roll_back();
     }
-    Operation(const Operation&) = delete;
-    Operation& operator=(const Operation&) = delete;
+    UndoGuard(const UndoGuard&) = delete;
+    UndoGuard& operator=(const UndoGuard&) = delete;
 
     void commit() { is_committed_ = true; }
 

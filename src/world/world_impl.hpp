@@ -88,7 +88,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   }
 
   Impl& impl_;
-  constraint::ExactTriangulation::Operation operation_;
+  constraint::ExactTriangulation::UndoGuard operation_;
 };
 
 /// If the world has no items, builds a new triangulation: then a batch is all or nothing without an operation.

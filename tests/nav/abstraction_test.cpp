@@ -29,7 +29,7 @@ class Reduced {
   explicit Reduced(const Box& domain) : mesh_(domain), abstraction_(mesh_) {}
 
   void apply(const std::vector<Change>& changes, const std::vector<ItemId>& ids) {
-    constraint::ExactTriangulation::Operation operation(mesh_);
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
     abstraction_.begin();
     for (std::size_t i = 0; i < changes.size(); ++i) {
       if (changes[i].kind != Change::Kind::insert) {
