@@ -80,7 +80,7 @@ struct Shape {
 ///
 /// @code{.cpp}
 /// const Shape house = Shape::rectangle({{2, 2}, {6, 4}});
-/// const Point centre = centroid(translated(house, 10, 0));  // == Point(14, 3)
+/// const Point centre = centroid(translated(house, 10, 0));  // == Point{14, 3}
 /// @endcode
 /// @{
 

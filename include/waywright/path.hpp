@@ -95,7 +95,7 @@ struct Portal {
 ///
 /// @code{.cpp}
 /// const Path moved = world.find_path({.start = {41, 50}, .goal = goal, .end_tolerance = 2.0}).value();
-/// const Point start_of_path = moved.moved_start->to;  // == Point(40, 50)
+/// const Point start_of_path = moved.moved_start->to;  // == Point{40, 50}
 /// @endcode
 struct MovedEnd {
   Point from;

@@ -23,7 +23,7 @@ namespace waywright {
 ///
 /// @code{.cpp}
 /// const Point a{1, 2};
-/// const Point middle = (a + Point{5, 4}) / 2;  // == Point(3, 3)
+/// const Point middle = (a + Point{5, 4}) / 2;  // == Point{3, 3}
 /// world.insert_segment(a, middle).value();
 /// @endcode
 struct Point {
@@ -81,10 +81,10 @@ inline constexpr double kSmallestCoordinate = 0x1p-100;
 /// @code{.cpp}
 /// const Point a{0, 0};
 /// const Point b{3, 4};
-/// const double way = distance(a, b);               // == 5
-/// const Point quarter = lerp(a, b, 0.25);          // == Point(0.75, 1)
-/// const bool turns_left = cross(b, {-4, 3}) > 0;   // == true
-/// const std::string text = to_string(b);           // == "(3, 4)"
+/// const double length_of_side = distance(a, b);   // == 5
+/// const Point quarter = lerp(a, b, 0.25);         // == Point{0.75, 1}
+/// const bool turns_left = cross(b, {-4, 3}) > 0;  // == true
+/// const std::string text = to_string(b);          // == "(3, 4)"
 /// @endcode
 /// @{
 

@@ -106,6 +106,10 @@ struct SvgKey {
 /// overlay.discs.push_back({.centre = start, .radius = 1.5, .colour = "#d55e00", .hint = "Archers"});
 /// overlay.labels.push_back({.at = start, .text = "Archers", .radius = 1.5});
 /// overlay.keys.push_back({.text = "our units", .colour = "#d55e00"});
+/// overlay.polylines.push_back({.points = {{5, 5}, {9, 8}, {5, 11}}, .width = 4, .dashed = true});
+/// overlay.rays.push_back({start, goal, world.ray(start, goal).value()});
+/// overlay.places.push_back({goal, world.locate(goal).value()});
+/// overlay.failed_paths.push_back({start, {50, 50}, PathStatus::goal_blocked});
 /// const std::string svg = to_svg(world, overlay, {}).value();
 /// @endcode
 struct SvgOverlay {

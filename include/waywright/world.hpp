@@ -325,7 +325,10 @@ class WAYWRIGHT_API World {
   /// sight or a selection rectangle.
   ///
   /// @code{.cpp}
-  /// const std::vector<ItemId> clicked = world.items_at({50, 50}, context).value();
+  /// const std::vector<ItemId> clicked = world.items_at({50, 50}).value();
+  /// const ItemId house = clicked.front();                                    // == 1
+  /// const bool sees_goal = !world.ray(start, goal).value().hit;              // == false
+  /// const std::size_t count = world.items_in({start, goal}).value().size();  // == 1
   /// @endcode
   /// @{
 
