@@ -182,9 +182,11 @@ class [[nodiscard]] Result {
   /// Returns the value.
   /// Requires: ok(). The library checks this in every build; see set_assertion_handler.
   [[nodiscard]] const T& operator*() const& { return *operator->(); }
-  /// @copydoc operator*() const&
+  /// Returns the value.
+  /// Requires: ok().
   [[nodiscard]] T& operator*() & { return *operator->(); }
-  /// @copydoc operator*() const&
+  /// Moves the value out of a temporary result.
+  /// Requires: ok().
   [[nodiscard]] T operator*() && { return std::move(*operator->()); }
   /// Gives access to the members of the value.
   /// Requires: ok(). The library checks this in every build.
@@ -192,7 +194,8 @@ class [[nodiscard]] Result {
     if (!ok()) detail::fail_value_of(error());
     return std::get_if<0>(&state_);
   }
-  /// @copydoc operator->() const
+  /// Gives access to the members of the value.
+  /// Requires: ok().
   [[nodiscard]] T* operator->() {
     if (!ok()) detail::fail_value_of(error());
     return std::get_if<0>(&state_);

@@ -73,7 +73,7 @@ struct PathQuery {
 
 /// The outcome of a search. "No path" is an answer, not an error.
 enum class PathStatus : std::uint8_t {
-  found,
+  found,          ///< there is a path
   start_blocked,  ///< the start lies strictly inside a polygon, and no free position is within the end tolerance
   goal_blocked,   ///< the goal lies strictly inside a polygon, and no free position is within the end tolerance
   no_path,        ///< neither end lies strictly inside a polygon, but walls separate them

@@ -160,6 +160,8 @@ class Rings {
   std::vector<std::size_t> later_begins_;  ///< the position in `points_` where each ring but the first begins
 };
 
+/// @}
+
 template <class P>
 class Rings::Iterator {
  public:
@@ -204,7 +206,5 @@ inline Rings::const_iterator Rings::begin() const { return {*this, 0}; }
 inline Rings::const_iterator Rings::end() const { return {*this, ring_count_}; }
 inline Rings::iterator Rings::begin() { return {*this, 0}; }
 inline Rings::iterator Rings::end() { return {*this, ring_count_}; }
-
-/// @}
 
 }  // namespace waywright

@@ -216,17 +216,17 @@ class WAYWRIGHT_API World {
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
-  /// Inserts a vertex that stays as long as the item is live. It is not a wall. Result, errors and cost are as for
-  /// insert().
+  /// Inserts a vertex that stays as long as the item is live. It is not a wall. Returns the id. Errors and cost are as
+  /// for insert().
   Result<ItemId> insert_point(Point point, ItemId id = {});
-  /// Inserts a wall from `a` to `b`. A wall of length zero acts as a point. Result, errors and cost are as for
+  /// Inserts a wall from `a` to `b`. A wall of length zero acts as a point. Returns the id. Errors and cost are as for
   /// insert().
   Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
-  /// Inserts an open chain of walls through one or more points. Result, errors and cost are as for insert().
+  /// Inserts an open chain of walls through one or more points. Returns the id. Errors and cost are as for insert().
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
   /// Inserts a solid obstacle of one or more closed rings: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side
   /// from the last point of a ring to its first is implied. The fill rule is FillRule::even_odd: a ring in a ring is a
-  /// hole. Result, errors and cost are as for insert().
+  /// hole. Returns the id. Errors and cost are as for insert().
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
