@@ -27,7 +27,7 @@ enum class ErrorCode : std::uint8_t {
   unknown_id,        ///< no live item has this id
   bad_radius,        ///< a radius that is negative or not finite
   bad_distance,      ///< a distance that is negative or not a number
-  bad_id,            ///< an id above 2^63 - 1; a negative number becomes such an id
+  bad_id,            ///< an id above 2^63 - 1, for example one that was made from a negative number
   bad_domain,        ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
   too_large,         ///< more vertices, triangles or items than 32-bit indices can name

@@ -66,7 +66,7 @@ struct PathQuery {
   bool wants_time = false;     ///< whether the answer contains Path::time
   /// The distance by which the search may move a blocked start or goal. The search takes the nearest free position
   /// instead, if that is not farther away. A position that a program computes on a path can lie inside a polygon by a
-  /// rounding error. The default, World::default_end_tolerance(), allows for such errors, also for coordinates kept as
+  /// rounding error. The default, World::default_end_tolerance(), allows for these errors, also for coordinates kept as
   /// `float`. With 0 a blocked end stays blocked. The value must be 0 or more; infinity is allowed.
   std::optional<double> end_tolerance{};
 };
@@ -82,8 +82,13 @@ enum class PathStatus : std::uint8_t {
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathStatus status);
 
-/// An edge of the mesh that a path crosses. `left` and `right` are its ends as an agent on the path sees them, as
-/// nearest doubles.
+/// An edge of the mesh that a path crosses: an element of Path::channel. `left` and `right` are its ends as an agent on
+/// the path sees them, as nearest doubles.
+///
+/// @code{.cpp}
+/// path = world.find_path({.start = start, .goal = goal, .wants_channel = true}).value();
+/// for (const Portal& portal : path.channel) draw_line(portal.left, portal.right);
+/// @endcode
 struct Portal {
   Point left;
   Point right;
@@ -158,7 +163,7 @@ struct WAYWRIGHT_API Path {
   /// A path query may start at the result. The point lies on the path if doubles can express it. Otherwise the function
   /// rounds it to the left or right of the path, where the nearer turn of the path leaves no walls. There is one
   /// exception: if segments or polylines touch one straight piece of the path from the left and from the right, the
-  /// point can fall beyond one of them.
+  /// point can fall beyond one of them. On a path without turns, the function rounds to nearest.
   ///
   /// The coordinates fit into `precision` without further rounding. If the border of the domain has a coordinate that
   /// is not a `float`, then with Precision::float32 a point on the border can come to lie outside the domain.
