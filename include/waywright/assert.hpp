@@ -4,28 +4,41 @@
 
 namespace waywright {
 
-/// A broken precondition: a bug in the program that calls the library. The strings live as long as the handler runs.
+/// @addtogroup errors
+/// @{
+
+/// A broken precondition: a bug in the program that calls the library. The strings are valid while the handler runs.
 struct AssertionFailure {
   const char* message = "";    ///< what the caller did wrong
   const char* condition = "";  ///< the expression that should have been true
-  const char* file = "";       ///< where the library checked it
-  int line = 0;
+  const char* file = "";       ///< the source file of the check
+  int line = 0;                ///< the line of the check in `file`
 };
 
-/// Called when a precondition is broken, on the thread that broke it. It may log the failure, show it or stop in a
-/// debugger. The process is aborted when the handler returns. It must not throw.
+/// A function that the library calls when a precondition is broken, on the thread that broke it. The handler may log
+/// the failure, show it or stop in a debugger. The library aborts the process when the handler returns.
+/// Exceptions: the handler must not throw.
 using AssertionHandler = void (*)(const AssertionFailure& failure);
 
-/// Sets the handler of the whole process and returns the one before; null stands for the default handler, which prints
-/// the failure to stderr. This is the only hook into the library that a log needs: the library itself prints nothing
-/// else and writes no log. Bad data is no broken precondition: it gives a Result with an Error.
+/// Sets the assertion handler of the whole process and returns the previous one. Null stands for the default handler,
+/// which prints the failure to stderr.
 ///
-/// Preconditions are checked in release builds too, wherever that costs nothing that can be measured: the value of a
+/// @code{.cpp}
+/// set_assertion_handler([](const AssertionFailure& failure) {
+///   std::fprintf(stderr, "bug: %s (%s:%d)\n", failure.message, failure.file, failure.line);
+/// });
+/// @endcode
+///
+/// A program that keeps a log needs no other hook: the library prints nothing else and writes no log. Bad data is not
+/// a broken precondition: it gives a Result with an Error.
+///
+/// The library also checks preconditions in release builds, wherever the check costs no measurable time: the value of a
 /// refused Result, the use of an object that has been moved from, a number of threads or contexts that is 0, the
-/// centroid of no points. Each function names what it requires.
-///
-/// Threads: may be called at any time.
+/// centroid of no points. The documentation of each function names what the function requires.
+/// Threads: any thread may call this function at any time.
 WAYWRIGHT_API AssertionHandler set_assertion_handler(AssertionHandler handler) noexcept;
+
+/// @}
 
 namespace detail {
 /// Calls the handler, then aborts.
@@ -34,7 +47,8 @@ namespace detail {
 
 }  // namespace waywright
 
-/// Calls the assertion handler and aborts if `condition` is false. An expression of type void.
+/// Calls the assertion handler and aborts if `condition` is false. The type of this expression is void.
+/// @ingroup errors
 #define WAYWRIGHT_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)        \
                : ::waywright::detail::fail_assertion({(message), #condition, __FILE__, __LINE__}))

@@ -16,30 +16,35 @@
 
 namespace waywright {
 
-/// Why data was refused. A refused call has changed nothing.
+/// @addtogroup errors
+/// @{
+
+/// The reason why a function refused its arguments or its data. A refused call has changed nothing.
 enum class ErrorCode : std::uint8_t {
-  coordinate_range,  ///< not finite, beyond ±2^100, or nearer to 0 than 2^-100 without being 0
+  coordinate_range,  ///< a coordinate that is not finite, beyond ±2^100, or nearer to 0 than 2^-100 but not 0
   out_of_domain,     ///< a point outside the world's domain
-  id_in_use,         ///< an item of that id is alive
-  unknown_id,        ///< no item of that id is alive
+  id_in_use,         ///< a live item has this id already
+  unknown_id,        ///< no live item has this id
   bad_radius,        ///< a radius that is negative or not finite
   bad_distance,      ///< a distance that is negative or not a number
-  bad_id,            ///< an id above 2^63 - 1; a negative number is one
-  bad_domain,        ///< a domain that is not min.x < max.x and min.y < max.y
+  bad_id,            ///< an id above 2^63 - 1, for example one that was made from a negative number
+  bad_domain,        ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
   too_large,         ///< more vertices, triangles or items than 32-bit indices can name
-  world_gone,        ///< the world of a search no longer exists
-  not_supported,     ///< a request this version does not carry out
+  world_gone,        ///< the world of a PathSearch no longer exists
+  not_supported,     ///< a request that this version, or this world, cannot carry out
   unreadable,        ///< a file that cannot be opened or read
   malformed,         ///< text that does not follow its format
 };
 
-/// The code as the world script prints it: `coordinate-range`, `out-of-domain`, ...
+/// Returns the name of a code in the output of world scripts: `coordinate-range`, `out-of-domain`, ...
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(ErrorCode code);
+
+/// @}
 
 namespace detail {
 
-/// What messages call a point: by a name, `the start`, or by its number in a list, `goal 3`.
+/// The words that a message uses for a point: a name, `the start`, or a number in a list, `goal 3`.
 struct PointName {
   constexpr PointName() = default;
   template <std::size_t N>
@@ -51,10 +56,10 @@ struct PointName {
   bool has_number = false;
 };
 
-/// What Error::message() makes its text of. Only a text that a reader of files has written takes memory of its own.
+/// The data from which Error::message() makes its text. Only a text that a parser of files has written owns memory.
 struct ErrorWords {
   ErrorWords() = default;
-  /// The whole message. It is not copied, so it must be a literal.
+  /// The whole message. The constructor keeps the pointer, so `message` must be a literal.
   template <std::size_t N>
   ErrorWords(const char (&message)[N]) : literal(message) {}
   template <std::size_t N>
@@ -64,28 +69,49 @@ struct ErrorWords {
 
   std::string text;
   const char* literal = nullptr;
-  const char* list =
-      nullptr;           ///< of a list's element: what one is called, `change` or `query`; its position is the index
-  PointName point_name;  ///< of a point that is refused
+  /// If an element of a list is refused: its noun, `change` or `query`. Error::index is its position.
+  const char* list = nullptr;
+  PointName point_name;  ///< if a point is refused: its name
   Point point;
   Box domain;
 };
 
 }  // namespace detail
 
-/// What was wrong, where, and what to do about it. An Error that a World gives owns no memory, so a refusal in a hot
-/// loop allocates nothing; the text is made when it is asked for.
+/// @addtogroup errors
+/// @{
+
+/// An error: what is wrong, and where. An Error that a World returns owns no memory, so a refusal in a hot loop
+/// allocates nothing. message() makes the text when you call it.
+///
+/// @code{.cpp}
+/// const Result<ItemId> id = world.insert_point({101, 5});  // the domain is (0, 0) to (100, 100)
+/// if (!id) {
+///   const bool is_outside = id.error().code == ErrorCode::out_of_domain;  // == true
+///   std::puts(id.error().message().c_str());
+/// }
+/// @endcode
 struct Error {
   ErrorCode code = ErrorCode::malformed;
-  detail::ErrorWords words;  ///< what message() makes its text of; of your own errors: a string
-  ItemId item;               ///< the offending id, null where no id is to blame
-  std::uint64_t index = 0;   ///< the offending point's position in its list, or the line of a text (from 1)
+  detail::ErrorWords words;  ///< the data of message(); for an error that you make yourself: a string
+  ItemId item;               ///< the id that caused the error; null if no id did
+  std::uint64_t index = 0;   ///< the position of the refused element in a list (from 0), or a line of a text (from 1)
 
-  /// The error in words, for a person to read: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.
+  /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.
   [[nodiscard]] WAYWRIGHT_API std::string message() const;
 };
 
-/// Thrown by Result::value() on an error, for callers who like exceptions; the library itself throws nothing.
+/// The exception that Result::value() throws on an error. The library itself throws no BadResult: only your call of
+/// value() does.
+///
+/// @code{.cpp}
+/// try {
+///   world.remove(99).value();  // no item has this id
+/// } catch (const BadResult& bad) {
+///   std::puts(bad.what());
+///   const bool is_unknown = bad.error().code == ErrorCode::unknown_id;  // == true
+/// }
+/// @endcode
 class WAYWRIGHT_API_EXCEPTION BadResult : public std::runtime_error {
  public:
   explicit BadResult(Error error);
@@ -95,53 +121,88 @@ class WAYWRIGHT_API_EXCEPTION BadResult : public std::runtime_error {
   BadResult& operator=(BadResult&&) = default;
   ~BadResult() override;
 
+  /// Returns the error of the Result that threw this exception.
   [[nodiscard]] const Error& error() const { return error_; }
 
  private:
   Error error_;
 };
 
+/// @}
+
 namespace detail {
 [[noreturn]] WAYWRIGHT_API void raise(const Error& error);
-/// Fails as an assertion does: the value of a refused call was taken without a look at ok().
+/// Calls the assertion handler and aborts: the caller took the value of a refused call without checking ok().
 [[noreturn]] WAYWRIGHT_API void fail_value_of(const Error& error);
 }  // namespace detail
 
-/// A value, or the reason why there is none.
+/// @addtogroup errors
+/// @{
+
+/// A value of type `T`, or the Error that says why there is none.
+///
+/// @code{.cpp}
+/// const Result<Path> result = world.find_path({.start = start, .goal = goal});
+/// if (!result) {
+///   std::puts(result.error().message().c_str());
+///   return;
+/// }
+/// std::printf("length %g\n", result->length);
+///
+/// const double length = world.find_path({start, goal}).value().length;  // == result->length
+/// @endcode
+///
+/// Use `*result` and `result->` after a check of ok(), and value() if an exception shall report the error.
 template <class T>
 class [[nodiscard]] Result {
  public:
+  /// Makes a result with a value.
   Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  /// Makes a result with an error.
   Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
 
+  /// Returns whether there is a value.
   [[nodiscard]] bool ok() const { return state_.index() == 0; }
+  /// Returns ok().
   explicit operator bool() const { return ok(); }
 
-  /// The value. Throws BadResult on an error (ends the process where exceptions are off).
+  /// Returns the value.
+  /// Exceptions: throws BadResult if there is an error. In a build without exceptions it ends the process instead.
   const T& value() const& {
     if (!ok()) detail::raise(error());
     return *std::get_if<0>(&state_);
   }
-  /// Of a temporary, the value itself, so that `for (auto& x : f().value())` is safe.
+  /// Moves the value out of a temporary result, so that `for (auto& x : f().value())` is safe.
+  /// Exceptions: throws BadResult if there is an error. In a build without exceptions it ends the process instead.
   T value() && {
     if (!ok()) detail::raise(error());
     return std::move(*std::get_if<0>(&state_));
   }
 
-  /// Requires: ok(). Checked in every build; see set_assertion_handler.
+  /// Returns the value.
+  /// Requires: ok(). The library checks this in every build; see set_assertion_handler.
   [[nodiscard]] const T& operator*() const& { return *operator->(); }
+  /// Returns the value.
+  /// Requires: ok().
   [[nodiscard]] T& operator*() & { return *operator->(); }
+  /// Moves the value out of a temporary result.
+  /// Requires: ok().
   [[nodiscard]] T operator*() && { return std::move(*operator->()); }
+  /// Gives access to the members of the value.
+  /// Requires: ok(). The library checks this in every build.
   [[nodiscard]] const T* operator->() const {
     if (!ok()) detail::fail_value_of(error());
     return std::get_if<0>(&state_);
   }
+  /// Gives access to the members of the value.
+  /// Requires: ok().
   [[nodiscard]] T* operator->() {
     if (!ok()) detail::fail_value_of(error());
     return std::get_if<0>(&state_);
   }
 
-  /// Requires: not ok(). Checked in every build.
+  /// Returns the error.
+  /// Requires: not ok(). The library checks this in every build.
   [[nodiscard]] const Error& error() const {
     WAYWRIGHT_ASSERT(!ok(), "Result::error(): the call was carried out, there is no error");
     return *std::get_if<1>(&state_);
@@ -151,22 +212,33 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// Done, or the reason why nothing was done.
+/// The result of a function that returns no value: success, or the Error that says why nothing was done.
+///
+/// @code{.cpp}
+/// const Result<void> done = world.replace(1, Shape::rectangle({{30, 30}, {50, 50}}));
+/// if (!done) std::puts(done.error().message().c_str());
+/// @endcode
 template <>
 class [[nodiscard]] Result<void> {
  public:
+  /// Makes a result without an error.
   Result() = default;
+  /// Makes a result with an error.
   Result(Error error) : error_(std::move(error)) {}
 
+  /// Returns whether there is no error.
   [[nodiscard]] bool ok() const { return !error_.has_value(); }
+  /// Returns ok().
   explicit operator bool() const { return ok(); }
 
-  /// Throws BadResult on an error (ends the process where exceptions are off).
+  /// Does nothing if there is no error.
+  /// Exceptions: throws BadResult if there is an error. In a build without exceptions it ends the process instead.
   void value() const {
     if (!ok()) detail::raise(*error_);
   }
 
-  /// Requires: not ok(). Checked in every build.
+  /// Returns the error.
+  /// Requires: not ok(). The library checks this in every build.
   [[nodiscard]] const Error& error() const {
     WAYWRIGHT_ASSERT(!ok(), "Result::error(): the call was carried out, there is no error");
     return *error_;
@@ -175,5 +247,7 @@ class [[nodiscard]] Result<void> {
  private:
   std::optional<Error> error_;
 };
+
+/// @}
 
 }  // namespace waywright

@@ -1,9 +1,13 @@
 #pragma once
 
-/// WAYWRIGHT_API stands before each public class and function that the library defines outside its headers. It makes
-/// them visible outside a shared library, which hides everything else. In a static library it does nothing.
+/// @addtogroup build
+/// @{
+
+/// @def WAYWRIGHT_API
+/// Marks each public class and function that the library defines outside its headers. The mark makes them visible
+/// outside a shared library, which hides everything else. In a static library the mark does nothing.
 ///
-/// The build sets two macros. CMake targets and waywright.pc set them for you:
+/// The build sets two macros. The CMake targets and waywright.pc set them for you:
 /// - WAYWRIGHT_SHARED, in the library and in programs that use it, if the library is a shared one;
 /// - WAYWRIGHT_BUILDING, in the sources of the library only.
 #if !defined(WAYWRIGHT_SHARED)
@@ -20,24 +24,27 @@
 #define WAYWRIGHT_API
 #endif
 
-/// Stands before the private classes inside a class that has WAYWRIGHT_API. It hides them again.
+/// @def WAYWRIGHT_INTERNAL
+/// Marks a private class inside a class that has WAYWRIGHT_API. The mark hides the private class again.
 #if defined(__GNUC__) && !defined(_WIN32) && !defined(__CYGWIN__)
 #define WAYWRIGHT_INTERNAL __attribute__((visibility("hidden")))
 #else
 #define WAYWRIGHT_INTERNAL
 #endif
 
-/// Stands before classes that a program catches. Their type information must be one and the same in a program and in
-/// all its shared libraries, also where the library itself is static.
+/// @def WAYWRIGHT_API_EXCEPTION
+/// Marks a class that a program catches. A program and all its shared libraries must share the type information of an
+/// exception, even if this library is a static one.
 #if !defined(WAYWRIGHT_SHARED) && defined(__GNUC__) && !defined(_WIN32) && !defined(__CYGWIN__)
 #define WAYWRIGHT_API_EXCEPTION __attribute__((visibility("default")))
 #else
 #define WAYWRIGHT_API_EXCEPTION WAYWRIGHT_API
 #endif
 
-/// Stands before inline functions of public headers that take more than one rounded step. The compiler puts each call
-/// of them in place. Otherwise a linker could replace the library's copy by one that a program has compiled with its
-/// own floating-point options, and the library's answers would change.
+/// @def WAYWRIGHT_INLINE
+/// Marks an inline function of a public header that rounds more than once. The compiler inlines each call of it.
+/// Otherwise a linker could replace the library's copy by a copy that a program has compiled with its own
+/// floating-point options, and the library's answers would change.
 #if defined(__GNUC__)
 #define WAYWRIGHT_INLINE __attribute__((always_inline)) inline
 #elif defined(_MSC_VER)
@@ -45,3 +52,5 @@
 #else
 #define WAYWRIGHT_INLINE inline
 #endif
+
+/// @}

@@ -11,27 +11,37 @@ namespace waywright {
 
 namespace detail {
 
-/// An integer that counts or names something; `bool` and the character types do not.
+/// An integer type that can hold an id: every integral type but `bool` and the character types.
 template <class T>
 concept IdNumber = std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char> && !std::same_as<T, wchar_t> &&
                    !std::same_as<T, char8_t> && !std::same_as<T, char16_t> && !std::same_as<T, char32_t>;
 
-/// Not constexpr, so that a negative id in a constant expression does not compile.
+/// This function is not constexpr, so a negative id in a constant expression does not compile.
 inline void negative_id() {}
 
 }  // namespace detail
 
-/// Names an item of a world: a point, segment, polyline or polygon. The number is the user's own, 1 to 2^63 - 1, or is
-/// handed out by the world. Zero is null; where the items on an edge are listed, zero stands for the domain's boundary.
+/// @addtogroup items
+/// @{
+
+/// The id of an item in a world. You choose the number, from 1 to 2^63 - 1, or you leave it to the world. The id 0 is
+/// null. In lists of the items on an edge, the id 0 stands for the border of the domain.
+///
+/// @code{.cpp}
+/// world.insert_segment({1, 1}, {4, 1}, 12).value();      // an id that you choose
+/// const ItemId id = world.insert_point({5, 5}).value();  // == 13
+/// world.remove(12).value();                              // a plain number is an id
+/// @endcode
 struct ItemId {
   std::uint64_t value = 0;
 
+  /// The largest id that a world accepts: 2^63 - 1.
   static constexpr std::uint64_t kLargest = (std::uint64_t{1} << 63) - 1;
 
   /// The null id.
   constexpr ItemId() = default;
-  /// Any integer is an id, so that `world.remove(7)` works. A negative number becomes an id above `kLargest`, which
-  /// every operation refuses; in a constant expression it does not compile.
+  /// Makes an id from any integer, so that `world.remove(7)` works. A negative number becomes an id above `kLargest`,
+  /// which every operation refuses. In a constant expression a negative number does not compile.
   template <detail::IdNumber Number>
   constexpr ItemId(Number number) : value(static_cast<std::uint64_t>(number)) {
     if (std::is_constant_evaluated() && value > kLargest && std::signed_integral<Number>) detail::negative_id();
@@ -41,8 +51,11 @@ struct ItemId {
   friend constexpr auto operator<=>(const ItemId&, const ItemId&) = default;
 };
 
+/// @}
+
 }  // namespace waywright
 
+/// The hash of an id, for std::unordered_map.
 template <>
 struct std::hash<waywright::ItemId> {
   std::size_t operator()(waywright::ItemId id) const noexcept { return std::hash<std::uint64_t>{}(id.value); }

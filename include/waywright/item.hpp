@@ -12,76 +12,117 @@
 
 namespace waywright {
 
-/// What a world is made of.
+/// @addtogroup items
+/// @{
+
+/// The kind of an item.
 enum class ItemKind : std::uint8_t {
   point,     ///< a vertex, no wall
-  segment,   ///< a wall; of length zero it acts as a point
+  segment,   ///< a wall; a segment of length zero acts as a point
   polyline,  ///< an open chain of walls
-  polygon,   ///< a solid obstacle of one closed ring or more; its FillRule says what lies inside
+  polygon,   ///< a solid obstacle of one or more closed rings; its FillRule says what lies inside
 };
 
-/// The kind as the world script names it: `point`, `segment`, `polyline`, `polygon`.
+/// Returns the name of a kind in world scripts: `point`, `segment`, `polyline`, `polygon`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(ItemKind kind);
 
-/// Which places lie inside a polygon. It counts how often all rings together turn around a place, each turn
-/// counter-clockwise as 1 and each turn clockwise as -1. This sum is the winding number. SVG's `fill-rule` has the same
-/// two rules.
+/// The rule that says which positions lie inside a polygon. It uses the winding number: how often all rings together
+/// turn around a position, where each counter-clockwise turn counts as 1 and each clockwise turn as -1. The `fill-rule`
+/// of SVG has the same two rules.
 enum class FillRule : std::uint8_t {
-  even_odd,  ///< where the winding number is odd: a ring in a ring is a hole, whichever way it turns
-  nonzero,   ///< where the winding number is not 0: a ring in a ring is a hole only if it turns the other way
+  even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, whichever way round it turns
+  nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if it turns the other way round
 };
 
-/// The fill rule's name: `even-odd`, `nonzero`.
+/// Returns the name of a fill rule: `even-odd`, `nonzero`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(FillRule rule);
 
-/// The geometry of an item, free of any world: one ring of one point for a point, of two for a segment, of N for a
-/// polyline; a polygon has one ring or more, their closing sides implied.
+/// The geometry of an item, independent of any world. A point has one ring of one point, a segment one ring of two
+/// points, a polyline one ring of one or more points. A polygon has one or more rings; in each of them the side from
+/// the last point to the first is implied.
+///
+/// @code{.cpp}
+/// const Shape house = Shape::rectangle({{2, 2}, {6, 5}});
+/// const Shape tower = Shape::regular_polygon({8, 8}, 1.5, 12);
+/// const Shape court = Shape::polygon({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {6, 3}, {6, 6}, {3, 6}}});  // a hole
+/// world.insert(translated(house, 10, 10)).value();
+/// @endcode
 struct Shape {
   ItemKind kind = ItemKind::point;
   Rings rings;
-  FillRule fill = FillRule::even_odd;  ///< of a polygon; a world ignores it for other kinds
+  FillRule fill = FillRule::even_odd;  ///< for a polygon; a world ignores it for other kinds
 
   friend bool operator==(const Shape&, const Shape&) = default;
 
+  /// Returns a point.
   [[nodiscard]] static Shape point(const Point& point) { return {ItemKind::point, {{point}}}; }
+  /// Returns the segment from `a` to `b`.
   [[nodiscard]] static Shape segment(const Point& a, const Point& b) { return {ItemKind::segment, {{a, b}}}; }
+  /// Returns the polyline through `points`.
   [[nodiscard]] static Shape polyline(PointSpan points) { return {ItemKind::polyline, points}; }
-  /// Of one ring or several: `Shape::polygon({{0, 0}, {4, 0}, {4, 4}})`, `Shape::polygon({outside, hole})`.
+  /// Returns a polygon of one or more rings: `Shape::polygon({{0, 0}, {4, 0}, {4, 4}})`, `Shape::polygon({outside,
+  /// hole})`.
   [[nodiscard]] static Shape polygon(Rings rings, FillRule fill = FillRule::even_odd) {
     return {ItemKind::polygon, std::move(rings), fill};
   }
-  /// The polygon of a box, counter-clockwise from its lower left corner.
+  /// Returns the polygon of a box, counter-clockwise from the lower left corner.
   [[nodiscard]] static Shape rectangle(const Box& box) {
     return {ItemKind::polygon, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
   }
-  /// The polygon of `corner_count` corners on a circle, counter-clockwise from the one to the right of the centre, each
-  /// rounded to doubles and the same on every machine. Requires: `corner_count` is 3 or more.
+  /// Returns the polygon of `corner_count` corners on a circle, counter-clockwise from the corner to the right of the
+  /// centre. Each corner is rounded to doubles, and is the same on every machine.
+  /// Requires: `corner_count` is 3 or more.
   [[nodiscard]] WAYWRIGHT_API static Shape regular_polygon(const Point& centre, double radius,
                                                            std::size_t corner_count);
 };
 
-/// A copy of the shape, moved. Coordinates are sums of doubles, rounded to nearest.
+/// @name Functions of shapes
+///
+/// @code{.cpp}
+/// const Shape house = Shape::rectangle({{2, 2}, {6, 4}});
+/// const Point centre = centroid(translated(house, 10, 0));  // == Point{14, 3}
+/// @endcode
+/// @{
+
+/// Returns a copy of the shape, moved by (`dx`, `dy`). The coordinates are sums of doubles, rounded to nearest.
 [[nodiscard]] WAYWRIGHT_API Shape translated(const Shape& shape, double dx, double dy);
 
-/// The middle of a shape, in plain doubles: of a polygon the centre of its area by its fill rule; of one without
-/// area, and of anything else, the mean of its points. Of rings that cross, or of a ring that crosses itself, it is an
-/// approximation. Requires: there is a point. Source: Bourke, *Calculating the area and centroid of a polygon*, 1988.
+/// Returns the middle of a shape, computed in plain doubles. For a polygon, this is the centre of its area by its fill
+/// rule. For a polygon without area and for the other kinds, it is the mean of the points. If rings cross each other or
+/// themselves, the result is an approximation.
+/// Requires: the shape has a point.
+/// Source: Bourke, *Calculating the area and centroid of a polygon*, 1988.
 [[nodiscard]] WAYWRIGHT_API Point centroid(const Shape& shape);
 
-/// Where a segment meets an item's side: an answer of World::items_crossed.
+/// @}
+
+/// An item that a segment crosses, in the answer of World::items_crossed.
+///
+/// @code{.cpp}
+/// for (const CrossedItem& crossed : world.items_crossed(start, goal).value()) {
+///   std::printf("item %ju at (%g, %g)\n", std::uintmax_t{crossed.id.value}, crossed.at.x, crossed.at.y);
+/// }
+/// @endcode
 struct CrossedItem {
   ItemId id;
-  Point at;  ///< nearest doubles
+  Point at;  ///< where the segment meets a side of the item, as nearest doubles
 
   friend bool operator==(const CrossedItem&, const CrossedItem&) = default;
 };
 
-/// A shape under its id.
+/// A shape and its id.
+///
+/// @code{.cpp}
+/// const std::vector<Item> items = {{11, Shape::segment({5, 5}, {9, 5})}, {12, Shape::rectangle({{2, 2}, {4, 4}})}};
+/// world.insert_all(items).value();
+/// @endcode
 struct Item {
   ItemId id;
   Shape shape;
 
   friend bool operator==(const Item&, const Item&) = default;
 };
+
+/// @}
 
 }  // namespace waywright

@@ -7,19 +7,28 @@
 
 namespace waywright {
 
-/// Threads of the program's own, on which the library does what it shares among threads: a game's job system, a thread
-/// pool. BulkOptions::jobs and World::find_paths take one. Without it the library starts threads itself, by std::async.
+/// @addtogroup world
+/// @{
+
+/// An interface to the threads of your program, for example the job system of a game or a thread pool. Derive a class
+/// from it if the library shall run its parallel work on your threads. BulkOptions::jobs and World::find_paths take a
+/// job system. Without one, the library starts threads itself, by std::async.
 ///
-///     class PoolJobs : public waywright::JobSystem {
-///      public:
-///       explicit PoolJobs(Pool& pool) : pool_(pool) {}
-///       void run(std::size_t count, const std::function<void(std::size_t)>& job) override {
-///         pool_.parallel_for(count, job);  // returns when all is done
-///       }
+/// @code{.cpp}
+/// class PoolJobs : public JobSystem {
+///  public:
+///   explicit PoolJobs(Pool& pool) : pool_(pool) {}
+///   void run(std::size_t count, const std::function<void(std::size_t)>& job) override {
+///     pool_.parallel_for(count, job);  // returns when all calls have returned
+///   }
 ///
-///      private:
-///       Pool& pool_;
-///     };
+///  private:
+///   Pool& pool_;
+/// };
+///
+/// PoolJobs jobs(pool);
+/// const std::vector<Path> paths = world.find_paths(queries, 4, &jobs).value();
+/// @endcode
 ///
 /// Results do not depend on the job system.
 class WAYWRIGHT_API JobSystem {
@@ -29,19 +38,22 @@ class WAYWRIGHT_API JobSystem {
   JobSystem& operator=(const JobSystem&) = default;
   virtual ~JobSystem();
 
-  /// Calls job(i) once for each i below `count` and returns when all these calls have returned.
+  /// Calls job(i) once for each i below `count`, and returns when all these calls have returned.
   ///
-  /// The calls may be made on any thread, the calling one included, in any order, at the same time or one after the
-  /// other: no job waits for another. run() may also leave some calls out, for instance because no thread is idle. The
-  /// library then makes these calls itself after run() has returned. When run() has returned, or thrown, no call may
-  /// be made any more.
+  /// Your run() may make the calls on any thread, also on the calling one, in any order, at the same time or one after
+  /// the other: no job waits for another. It may also omit calls, for example because no thread is idle. The library
+  /// then makes these calls itself after run() has returned. After run() has returned or thrown, it must not make any
+  /// further call.
   ///
   /// The library calls run() on the thread that called the library, several times in one operation, and with a `count`
-  /// of 2 or more. If several threads give the library the same job system at once, run() is called by them at once.
+  /// of 2 or more. If several threads use the library with the same job system at once, they call run() at once.
   ///
-  /// Exceptions: `job` throws nothing; where memory runs out in a job, the library's own function throws std::bad_alloc
-  /// when run() has returned. What run() throws comes out of the library's function, which has then changed no world.
+  /// Exceptions: `job` throws nothing. If memory runs out in a job, the function of the library throws std::bad_alloc
+  /// after run() has returned. If run() throws, the function of the library passes the exception on, and has changed no
+  /// world.
   virtual void run(std::size_t count, const std::function<void(std::size_t)>& job) = 0;
 };
+
+/// @}
 
 }  // namespace waywright

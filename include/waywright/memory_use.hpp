@@ -4,21 +4,32 @@
 
 namespace waywright {
 
-/// Where a world's memory is, in bytes.
-struct MemoryUse {
-  std::size_t vertices = 0;     ///< where each is, a half-edge from it, the items with a corner there
-  std::size_t crossings = 0;    ///< the walls whose crossing a constructed vertex is
-  std::size_t faces = 0;        ///< their corners and neighbours
-  std::size_t walls = 0;        ///< which sides lie on a constrained edge
-  std::size_t items = 0;        ///< their ids, kinds and sides
-  std::size_t sectors = 0;      ///< where walks start
-  std::size_t abstraction = 0;  ///< what searches for paths live on: see WorldOptions
-  std::size_t spare = 0;        ///< room to grow, and what operations keep from one to the next: logs and scratch
+/// @addtogroup world
+/// @{
 
+/// The memory of a world in bytes, by purpose. World::memory returns it.
+///
+/// @code{.cpp}
+/// const MemoryUse use = world.memory();
+/// std::printf("%zu bytes, of which %zu are spare\n", use.total(), use.spare);
+/// @endcode
+struct MemoryUse {
+  std::size_t vertices = 0;     ///< for each vertex: its point, a half-edge from it, the items with a corner there
+  std::size_t crossings = 0;    ///< for each constructed vertex: the two sides that cross there
+  std::size_t faces = 0;        ///< for each face: its corners and neighbours
+  std::size_t walls = 0;        ///< for each constrained edge: the sides that lie on it
+  std::size_t items = 0;        ///< ids, kinds and sides of the items
+  std::size_t sectors = 0;      ///< the start points of walks, for point location
+  std::size_t abstraction = 0;  ///< the path abstraction: see WorldOptions::keep_abstraction
+  std::size_t spare = 0;        ///< unused capacity of arrays, and the undo logs and scratch that operations keep
+
+  /// Returns the sum of all members.
   [[nodiscard]] std::size_t total() const {
     return vertices + crossings + faces + walls + items + sectors + abstraction + spare;
   }
   friend bool operator==(const MemoryUse&, const MemoryUse&) = default;
 };
+
+/// @}
 
 }  // namespace waywright

@@ -9,20 +9,37 @@
 
 namespace waywright {
 
-/// A copy of a world's mesh, in the canonical order of the dump: vertices by (x, y), triangles counter-clockwise from
-/// their smallest index and sorted, edges smaller index first and sorted, ids ascending.
+/// @addtogroup world
+/// @{
+
+/// A copy of the mesh of a world, in the canonical order of World::dump. World::snapshot fills it.
+///
+/// - Vertices are sorted by (x, y).
+/// - Each triangle is counter-clockwise and starts with its smallest index. The triangles are sorted.
+/// - Each edge has its smaller index first. The edges are sorted.
+/// - Ids ascend.
+///
+/// @code{.cpp}
+/// const MeshSnapshot mesh = world.snapshot();
+/// for (const auto& [a, b, c] : mesh.triangles) draw_triangle(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+/// for (const MeshSnapshot::ConstrainedEdge& edge : mesh.constraints) {
+///   draw_line(mesh.vertices[edge.vertices[0]], mesh.vertices[edge.vertices[1]]);
+/// }
+/// @endcode
 struct MeshSnapshot {
-  /// An edge that items have a side on.
+  /// A constrained edge: an edge on which a side of an item, or the border of the domain, lies.
   struct ConstrainedEdge {
-    std::array<std::uint32_t, 2> vertices{};  ///< by position in `vertices`, the smaller first
-    std::uint32_t first_id = 0;               ///< where its ids start in `ids`
-    std::uint32_t id_count = 0;
+    std::array<std::uint32_t, 2> vertices{};  ///< positions in MeshSnapshot::vertices, the smaller first
+    std::uint32_t first_id = 0;               ///< the position of its first id in MeshSnapshot::ids
+    std::uint32_t id_count = 0;               ///< the number of its ids
   };
 
-  std::vector<Point> vertices;                          ///< nearest doubles
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< by position in `vertices`
+  std::vector<Point> vertices;                          ///< as nearest doubles
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< positions in `vertices`
   std::vector<ConstrainedEdge> constraints;
-  std::vector<ItemId> ids;  ///< the ids of all constrained edges, one edge after the other; 0 is the domain
+  std::vector<ItemId> ids;  ///< the items of all constrained edges, edge after edge; 0 stands for the domain's border
 };
+
+/// @}
 
 }  // namespace waywright

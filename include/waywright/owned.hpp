@@ -7,7 +7,7 @@
 
 namespace waywright::detail {
 
-/// A std::unique_ptr that checks each access: it is empty in an object that has been moved from.
+/// A std::unique_ptr that checks each access. It is empty in an object that has been moved from.
 template <class T, const char* kIfEmpty>
 class Owned {
  public:

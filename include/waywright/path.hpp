@@ -15,58 +15,80 @@
 
 namespace waywright {
 
-/// How a path is searched for.
+/// @addtogroup paths
+/// @{
+
+/// A search algorithm for paths. docs/paths.md says when to choose which.
 enum class PathAlgorithm : std::uint8_t {
-  ta,       ///< a quick first path that can be bettered (PathBudget): triangulation A* (Demyen and Buro 2006)
-  tra,      ///< a good path for very little time, for crowds: triangulation reduction A* (Demyen and Buro 2006)
-  optimal,  ///< the shortest path there is: after Polyanya (Cui, Harabor and Grastien 2017)
+  ta,       ///< a quick first path, which a PathBudget improves: triangulation A* (Demyen and Buro 2006)
+  tra,      ///< a good path in very little time, for crowds: triangulation reduction A* (Demyen and Buro 2006)
+  optimal,  ///< the shortest path: after Polyanya (Cui, Harabor and Grastien 2017)
 };
 
-/// The algorithm as the world script names it: `ta`, `tra`, `optimal`.
+/// Returns the name of an algorithm in world scripts: `ta`, `tra`, `optimal`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathAlgorithm algorithm);
-/// The algorithm of that name; nothing where none has it.
+/// Returns the algorithm with this name, or nothing if there is none.
 [[nodiscard]] WAYWRIGHT_API std::optional<PathAlgorithm> path_algorithm(std::string_view name);
 
-/// How far `ta` goes on after its first path: until no path can be shorter or the first of these is spent. The other
-/// algorithms do not ask.
+/// A limit for the search of PathAlgorithm::ta after its first path. The search ends when no path can be shorter, or
+/// when it has used up one of the two limits. The other algorithms ignore the budget.
+///
+/// @code{.cpp}
+/// const PathBudget budget{.expansions = PathBudget::kNoLimit, .time = std::chrono::milliseconds(2)};
+/// const Path best =
+///     world.find_path({.start = start, .goal = goal, .algorithm = PathAlgorithm::ta, .budget = budget}).value();
+/// std::printf("%g, and no path is shorter than %g\n", best.length, best.lower_bound);
+/// @endcode
 struct PathBudget {
-  /// Triangles entered in all. With 0 the first path is the answer.
+  /// The number of triangles that the whole search may enter. With 0 the first path is the answer.
   std::size_t expansions = 0;
-  /// Since the search began. An answer that this cut short depends on the clock, others never do.
+  /// The time since the start of the search. If this limit ends the search, the answer depends on the clock. No other
+  /// answer does.
   std::chrono::nanoseconds time = std::chrono::nanoseconds::max();
 
-  /// Until no path can be shorter.
+  /// The value of `expansions` for a search that ends only when no path can be shorter.
   static constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 };
 
-/// Asks for a path of a disc from start to goal.
+/// A query for a path from start to goal, for World::find_path and PathSearch.
+///
+/// @code{.cpp}
+/// const PathQuery query{.start = start, .goal = goal, .algorithm = PathAlgorithm::tra, .end_tolerance = 5.0};
+/// const Path answer = world.find_path(query).value();
+/// @endcode
 struct PathQuery {
   Point start;
   Point goal;
-  double radius = 0.0;  ///< of the agent, >= 0; only 0 is supported yet
+  double radius = 0.0;  ///< the radius of the agent, 0 or more; this version supports only 0
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
-  bool wants_channel = false;  ///< whether the answer names the edges that the path crosses
-  bool wants_time = false;     ///< whether the answer says how long the search took
-  /// How far the search may move a blocked start or goal: it takes the nearest free place instead, if that is no
-  /// farther. A place that a program computes on a path can lie inside a polygon by a rounding error; the default
-  /// allows for that, also for places kept as `float`. It is World::default_end_tolerance(). With 0 a blocked end stays
-  /// blocked. At least 0, infinity included.
+  bool wants_channel = false;  ///< whether the answer contains Path::channel
+  bool wants_time = false;     ///< whether the answer contains Path::time
+  /// The distance by which the search may move a blocked start or goal. The search takes the nearest free position
+  /// instead, if that is not farther away. A position that a program computes on a path can lie inside a polygon by a
+  /// rounding error. The default, World::default_end_tolerance(), allows for these errors, also for coordinates kept as
+  /// `float`. With 0 a blocked end stays blocked. The value must be 0 or more; infinity is allowed.
   std::optional<double> end_tolerance{};
 };
 
-/// How a search ended. No path is an answer, not an error.
+/// The outcome of a search. "No path" is an answer, not an error.
 enum class PathStatus : std::uint8_t {
-  found,
-  start_blocked,  ///< the start lies strictly inside a polygon, and no free place is near enough to take instead
-  goal_blocked,   ///< the same of the goal
-  no_path,        ///< both ends are free, and walls part them
+  found,          ///< there is a path
+  start_blocked,  ///< the start lies strictly inside a polygon, and no free position is within the end tolerance
+  goal_blocked,   ///< the goal lies strictly inside a polygon, and no free position is within the end tolerance
+  no_path,        ///< neither end lies strictly inside a polygon, but walls separate them
 };
 
-/// The status as the world script prints it: `found`, `start-blocked`, `goal-blocked`, `no-path`.
+/// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathStatus status);
 
-/// An edge of the mesh that a path crosses, as seen on the way; nearest doubles.
+/// An edge of the mesh that a path crosses: an element of Path::channel. `left` and `right` are its ends as an agent on
+/// the path sees them, as nearest doubles.
+///
+/// @code{.cpp}
+/// path = world.find_path({.start = start, .goal = goal, .wants_channel = true}).value();
+/// for (const Portal& portal : path.channel) draw_line(portal.left, portal.right);
+/// @endcode
 struct Portal {
   Point left;
   Point right;
@@ -74,7 +96,12 @@ struct Portal {
   friend bool operator==(const Portal&, const Portal&) = default;
 };
 
-/// A start or goal that was blocked, and the free place that the search took instead.
+/// A start or goal that the search moved: from the position in the query to the position that it took instead.
+///
+/// @code{.cpp}
+/// const Path moved = world.find_path({.start = {41, 50}, .goal = goal, .end_tolerance = 2.0}).value();
+/// const Point start_of_path = moved.moved_start->to;  // == Point{40, 50}
+/// @endcode
 struct MovedEnd {
   Point from;
   Point to;
@@ -82,61 +109,95 @@ struct MovedEnd {
   friend bool operator==(const MovedEnd&, const MovedEnd&) = default;
 };
 
-/// A position on a path.
+/// A position on a path. Path::at, Path::advance and Path::nearest return it.
+///
+/// @code{.cpp}
+/// path = world.find_path({.start = start, .goal = goal}).value();
+/// PathPosition position = path.at(0);
+/// while (position.distance < path.length) position = path.advance(position, 1.5);  // one step in each tick
+/// const Point end = position.at;  // == goal
+/// @endcode
 struct PathPosition {
-  Point at;                 ///< the place
+  Point at;                 ///< the point at this position
   Point heading;            ///< the direction of the path there, of length 1; (0, 0) on a path of one point
-  std::size_t segment = 0;  ///< the place lies between points[segment] and points[segment + 1]
+  std::size_t segment = 0;  ///< the position lies between points[segment] and points[segment + 1] of the path
   double before = 0.0;      ///< the length of the path up to points[segment]
-  double distance = 0.0;    ///< the length of the path up to the place
+  double distance = 0.0;    ///< the length of the path up to this position
 };
 
-/// How a program keeps the coordinates of its units.
+/// The type in which a program keeps coordinates.
 enum class Precision : std::uint8_t {
   float64,  ///< as `double`
   float32,  ///< as `float`
 };
 
-/// A path and what finding it took. Reuse one object for many queries: its memory is kept.
+/// The answer to a path query: the path, and facts about the search. If you reuse one object for many queries, it keeps
+/// its memory.
+///
+/// @code{.cpp}
+/// world.find_path({.start = start, .goal = goal}, context, path).value();
+/// if (path.status != PathStatus::found) {
+///   std::printf("%s\n", to_string(path.status).data());
+///   return;
+/// }
+/// const std::size_t corners = path.points.size() - 2;  // == 2
+/// std::printf("%g long, now at %s\n", path.length, to_string(path.at(25).at).c_str());
+/// @endcode
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
-  double length = 0.0;                  ///< Euclidean; 0 unless found
-  double lower_bound = 0.0;             ///< no path is shorter: the length itself where it is proven; 0 unless found
-  std::vector<Point> points;            ///< from start to goal, the corners between them; empty unless found
-  std::vector<Portal> channel;          ///< the edges crossed, from start to goal; empty unless found and asked for
-  std::size_t expansions = 0;           ///< triangles entered by the search
-  std::chrono::nanoseconds time{0};     ///< that the search took; 0 unless asked for
+  double length = 0.0;                  ///< the Euclidean length; 0 unless found
+  double lower_bound = 0.0;             ///< no path is shorter than this; equals `length` if proven; 0 unless found
+  std::vector<Point> points;            ///< the start, the corners of the path, the goal; empty unless found
+  std::vector<Portal> channel;          ///< the edges that the path crosses, in order; empty unless found and wanted
+  std::size_t expansions = 0;           ///< the number of triangles that the search entered
+  std::chrono::nanoseconds time{0};     ///< the time that the search took; 0 unless wanted
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start: `points` begin at its `to`
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal: `points` end at its `to`
-  /// The polygons that have the blocked end strictly inside, ascending. Empty unless the status is start_blocked or
+  /// The polygons that contain the blocked end strictly inside, ascending. Empty unless the status is start_blocked or
   /// goal_blocked.
   std::vector<ItemId> blockers;
 
-  /// The position at `distance` from the start, along the path. A smaller distance than 0 gives the start, a larger one
-  /// than the length gives the goal. A query may start there: the place lies on the path or, where it must be rounded,
-  /// next to it on the side that the nearer turn of the path keeps free of walls. (Only if walls without thickness lie
-  /// along one straight piece on both of its sides can the place fall on the far side of one of them.) The coordinates
-  /// fit into the precision without further rounding; so, if a side of the domain is no float, a place on it can come
-  /// to lie beyond it with Precision::float32. NaN counts as 0. Requires: `points` is not empty. Cost: linear in the
-  /// corners before the position.
+  /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
+  /// distance above the length gives the goal. NaN counts as 0.
+  ///
+  /// A path query may start at the result. The point lies on the path if doubles can express it. Otherwise the function
+  /// rounds it to the left or right of the path, where the nearer turn of the path leaves no walls. There is one
+  /// exception: if segments or polylines touch one straight piece of the path from the left and from the right, the
+  /// point can fall beyond one of them. On a path without turns, the function rounds to nearest.
+  ///
+  /// The coordinates fit into `precision` without further rounding. If the border of the domain has a coordinate that
+  /// is not a `float`, then with Precision::float32 a point on the border can come to lie outside the domain.
+  /// Requires: `points` is not empty.
+  /// Cost: linear in the corners before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
-  /// The position `step` farther on than `from`, which this path gave. What moves a unit each tick. Requires: `points`
-  /// is not empty, and has not changed since. Cost: linear in the corners that the step passes; of a negative step,
-  /// linear in the corners before the position.
+  /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
+  /// point is rounded as for at().
+  /// Requires: this path returned `from`. `points` is not empty, and has not changed since then.
+  /// Cost: linear in the corners that the step passes; for a negative step, linear in the corners before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
-  /// The position on the path that is nearest to `place`; of several, the first. For a unit that was pushed off its
-  /// path, which should lie in the domain. Requires: `points` is not empty. Cost: linear in the corners.
+  /// Returns the position on the path that is nearest to `place`; if several are, the first of them. Use it for a unit
+  /// that was pushed off its path. `place` should lie in the domain. The point is rounded as for at().
+  /// Requires: `points` is not empty.
+  /// Cost: linear in the corners.
   [[nodiscard]] PathPosition nearest(const Point& place, Precision precision = Precision::float64) const;
 };
 
-/// Asks for the shortest paths from one start to many goals.
+/// A query for the shortest paths from one start to many goals, for World::find_paths_from.
+///
+/// @code{.cpp}
+/// const std::vector<Point> depots = {{90, 50}, {90, 90}, {10, 90}};
+/// const std::vector<Path> paths = world.find_paths_from({.start = start, .goals = depots}).value();
+/// for (const Path& to_depot : paths) std::printf("%g\n", to_depot.length);
+/// @endcode
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;
-  double radius = 0.0;                    ///< of the agent, >= 0; only 0 is supported yet
+  double radius = 0.0;                    ///< the radius of the agent, 0 or more; this version supports only 0
   bool wants_points = false;              ///< whether the answers have points, or only status and length
   std::optional<double> end_tolerance{};  ///< as PathQuery::end_tolerance, for the start and for each goal
 };
+
+/// @}
 
 }  // namespace waywright

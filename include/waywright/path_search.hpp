@@ -9,22 +9,27 @@
 
 namespace waywright {
 
+/// @addtogroup paths
+/// @{
+
 class World;
 
-/// A search for a path that is made in slices, so that none takes longer than a frame can spare. Its answer is the one
-/// that World::find_path gives in the world as it is at the last slice. It has its own memory, which one search leaves
-/// to the next.
+/// A path search in slices. Use it if a search in one piece takes more time than one frame of your program has. The
+/// answer is the answer of World::find_path in the world as it is at the last slice. The object has its own memory and
+/// keeps it from one search to the next.
 ///
-/// Between the slices a program may ask the world anything, run other searches, move the world, and change it. If a
-/// change touches faces that the search has looked at, or the ends, the next slice begins the search again; otherwise
-/// the search goes on. While searches run, each operation on the world also notes which faces it touched, at a cost
-/// proportional to them. A search that has been moved from may only be assigned to or destroyed.
+/// @code{.cpp}
+/// PathSearch search;
+/// search.begin(world, {.start = {1, 1}, .goal = {90, 90}}).value();
+/// while (!search.step(500).value()) run_one_frame(world);  // may insert and remove items
+/// std::printf("%g, after %zu restarts\n", search.path().length, search.restarts());
+/// @endcode
 ///
+/// Between the slices a program may query the world, run other searches, move the world and change it. If a change
+/// touches the ends, or a face that the search has visited, the next slice starts the search again. Otherwise the
+/// search continues. While searches run, each operation on the world also records the faces that it touches, at a cost
+/// proportional to their number. A search that has been moved from may only be assigned to or destroyed.
 /// Threads: a search belongs to one thread at a time; step() reads the world.
-///
-///     search.begin(world, {.start = {1, 1}, .goal = {90, 90}}).value();
-///     while (!search.step(500).value()) run_one_frame(world);  // may insert and remove items
-///     use(search.path(), search.restarts());
 class WAYWRIGHT_API PathSearch {
  public:
   PathSearch();
@@ -32,33 +37,37 @@ class WAYWRIGHT_API PathSearch {
   PathSearch(PathSearch&&) noexcept;
   PathSearch& operator=(PathSearch&&) noexcept;
 
-  /// Starts a search, and gives up the one before. Errors: those of World::find_path; there is no search then. Cost:
-  /// the location of both ends, and what the straight way between them crosses up to the first wall; where it meets
-  /// none, the first step is the last.
+  /// Starts a search, and cancels the previous one. After an error no search is running.
+  /// Errors: the errors of World::find_path.
+  /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
+  /// wall. If it meets no wall, the first step is the last.
   Result<void> begin(const World& world, const PathQuery& query);
 
-  /// Searches on, by at most `expansions` triangles or a few more. Returns whether the search is done. The first step
-  /// of `tra` is its last. If no search is running, nothing is left to do, and the answer is true. Errors: world_gone,
-  /// if the world has been destroyed or another one has been assigned to it. The search is given up then, and also if
-  /// memory runs out (std::bad_alloc).
+  /// Continues the search for `expansions` triangles at most, or a few more. Returns whether the search is done. For
+  /// PathAlgorithm::tra the first step is the last. If no search is running, the function returns true.
+  /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
+  /// search.
+  /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
-  /// The answer, once the search is done. Before that the best path so far, with what is proven of it; its status is
-  /// `no_path` as long as there is none.
+  /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound;
+  /// the status is PathStatus::no_path as long as there is no path.
   [[nodiscard]] const Path& path() const;
 
-  /// How often the search has begun again because the world had changed where it had looked. Path::expansions counts
-  /// from the last beginning.
+  /// Returns how often the search has started again because the world had changed where the search had looked.
+  /// Path::expansions counts from the last start.
   [[nodiscard]] std::size_t restarts() const;
 
-  /// Gives the search up.
+  /// Cancels the search.
   void cancel();
-  /// Whether a search has begun and is neither done nor given up.
+  /// Returns whether a search has begun and is neither done nor cancelled.
   [[nodiscard]] bool is_running() const;
 
  private:
   struct Impl;
   detail::Owned<Impl, detail::kMovedSearch> impl_;
 };
+
+/// @}
 
 }  // namespace waywright

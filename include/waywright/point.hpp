@@ -15,12 +15,17 @@
 
 namespace waywright {
 
-/// A place in the plane, or the way from one place to another. Every finite double is taken exactly as it is; -0.0
-/// means 0.0.
+/// @addtogroup items
+/// @{
+
+/// A point in the plane, or a vector from one point to another. The library takes every finite double exactly as it is;
+/// -0.0 means 0.0.
 ///
-/// The functions below are plain arithmetic in doubles, rounded as usual, for the callers' own use: no decision of the
-/// library depends on them. They are compiled with the caller's options; a compiler that fuses a multiplication and an
-/// addition (`-ffp-contract=fast`) may change the last bit of a result.
+/// @code{.cpp}
+/// const Point a{1, 2};
+/// const Point middle = (a + Point{5, 4}) / 2;  // == Point{3, 3}
+/// world.insert_segment(a, middle).value();
+/// @endcode
 struct Point {
   double x = 0.0;
   double y = 0.0;
@@ -42,44 +47,86 @@ struct Point {
   }
 };
 
-/// The magnitudes between which the coordinates of a world must lie, unless they are 0. Every double in this range is a
-/// multiple of 2^-152, so differences and products of up to four of them neither overflow nor underflow.
+/// @name The range of coordinates
+/// A world accepts a coordinate that is 0, or that has a magnitude from kSmallestCoordinate to kLargestCoordinate.
+/// Every double in this range is a multiple of 2^-152, so differences and products of up to four of them neither
+/// overflow nor underflow. Check data from outside with is_in_range.
+///
+/// @code{.cpp}
+/// const bool is_good = is_in_range(Point{1e-3, 1e6});  // == true
+/// const bool is_bad = is_in_range(1e300);              // == false
+/// @endcode
+/// @{
+
+/// The largest magnitude of a coordinate: 2^100.
 inline constexpr double kLargestCoordinate = 0x1p100;
+/// The smallest magnitude of a coordinate that is not 0: 2^-100.
 inline constexpr double kSmallestCoordinate = 0x1p-100;
 
-/// Whether a world accepts a coordinate: it is 0, or its magnitude is from kSmallestCoordinate to kLargestCoordinate.
+/// Returns whether a world accepts a coordinate.
 [[nodiscard]] inline bool is_in_range(double coordinate) {
   const double magnitude = std::abs(coordinate);
   return coordinate == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargestCoordinate);
 }
+/// Returns whether a world accepts both coordinates of a point.
 [[nodiscard]] inline bool is_in_range(const Point& point) { return is_in_range(point.x) && is_in_range(point.y); }
 
-/// The dot product.
+/// @}
+
+/// @name Arithmetic of points
+/// Plain arithmetic in doubles, rounded as usual, for your own use: no decision of the library depends on it. Your
+/// compiler compiles it with your options: if it fuses a multiplication and an addition (`-ffp-contract=fast`), the
+/// last bit of a result may change.
+///
+/// @code{.cpp}
+/// const Point a{0, 0};
+/// const Point b{3, 4};
+/// const double length_of_side = distance(a, b);   // == 5
+/// const Point quarter = lerp(a, b, 0.25);         // == Point{0.75, 1}
+/// const bool turns_left = cross(b, {-4, 3}) > 0;  // == true
+/// const std::string text = to_string(b);          // == "(3, 4)"
+/// @endcode
+/// @{
+
+/// Returns the dot product.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-/// The third coordinate of the cross product: positive where `b` points to the left of `a`.
+/// Returns the third coordinate of the cross product: positive if `b` points to the left of `a`.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-/// The square of the length; it takes no root.
+/// Returns the square of the length, without computing a square root.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double squared_length(const Point& a) { return dot(a, a); }
-/// The distance from (0, 0).
+/// Returns the distance from (0, 0).
 [[nodiscard]] WAYWRIGHT_INLINE double length(const Point& a) { return std::sqrt(squared_length(a)); }
-/// The distance between two places.
+/// Returns the distance between two points.
 [[nodiscard]] WAYWRIGHT_INLINE double distance(const Point& a, const Point& b) { return length(b - a); }
-/// The place that divides the way from `a` to `b`: `a` at t = 0, `b` at t = 1, exactly.
+/// Returns the point at the fraction `t` of the segment from `a` to `b`: exactly `a` if t = 0, exactly `b` if t = 1.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr Point lerp(const Point& a, const Point& b, double t) {
   return t == 1.0 ? b : Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
-/// Whether `a` comes before `b` in (x, y) order: by x and, where these are equal, by y. The order for std::sort and
+/// Returns whether `a` comes before `b` in (x, y) order: by x and, if the x are equal, by y. Use it with std::sort and
 /// std::map.
 [[nodiscard]] constexpr bool comes_before(const Point& a, const Point& b) {
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-/// `(X, Y)`, each as the shortest decimal number that reads back as the same double; -0.0 as `0`.
+/// Returns `(X, Y)`, each coordinate as the shortest decimal number that reads back as the same double; -0.0 as `0`.
 [[nodiscard]] WAYWRIGHT_API std::string to_string(const Point& point);
 
-/// Points that lie somewhere else, one after the other: a std::span that is also made from braces, compares with other
-/// lists of points and becomes a vector where one is wanted. `PointSpan` is a good parameter for a list of points. Made
-/// from braces or from a temporary, it is valid up to the end of the full expression, as a std::span is.
+/// @}
+
+/// A view of points in an array that something else owns: a std::span with three additions. You can make it from
+/// braces, compare it with other lists of points, and convert it to a std::vector. `PointSpan` is a good parameter type
+/// for a list of points. If you make it from braces or from a temporary, it is valid up to the end of the full
+/// expression.
+///
+/// @code{.cpp}
+/// const auto length_of = [](PointSpan points) {
+///   double sum = 0;
+///   for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+///   return sum;
+/// };
+/// const double from_braces = length_of({{0, 0}, {3, 4}, {3, 5}});  // == 6
+/// const double of_path = length_of(path.points);                   // == 0
+/// @endcode
 template <class P>
 class BasicPointSpan : public std::span<P> {
  public:
@@ -97,6 +144,7 @@ class BasicPointSpan : public std::span<P> {
            std::convertible_to<const Points&, std::span<P>>) constexpr BasicPointSpan(const Points& points)
       : std::span<P>(points) {}
 
+  /// Returns a copy.
   operator std::vector<Point>() const { return {this->begin(), this->end()}; }
 
   template <class Points>
@@ -107,49 +155,62 @@ class BasicPointSpan : public std::span<P> {
   }
 };
 
+/// A view of points that you can read.
 using PointSpan = BasicPointSpan<const Point>;
+/// A view of points that you can change.
 using MutablePointSpan = BasicPointSpan<Point>;
 
 /// A closed axis-aligned box.
+///
+/// @code{.cpp}
+/// const Box box = Box::of({{4, 1}, {2, 5}, {3, 3}});  // == Box{{2, 1}, {4, 5}}
+/// const bool is_inside = box.contains({2, 1});        // == true
+/// const std::vector<ItemId> near = world.items_in(box.expanded(20)).value();
+/// @endcode
 struct Box {
   Point min;
   Point max;
 
   friend constexpr bool operator==(const Box&, const Box&) = default;
 
-  /// The smallest box that contains all of the points. Requires: there is a point.
+  /// Returns the smallest box that contains all of the points.
+  /// Requires: there is a point.
   [[nodiscard]] WAYWRIGHT_API static Box of(PointSpan points);
 
+  /// Returns the extent in x.
   [[nodiscard]] constexpr double width() const { return max.x - min.x; }
+  /// Returns the extent in y.
   [[nodiscard]] constexpr double height() const { return max.y - min.y; }
-  /// The middle, rounded.
+  /// Returns the middle of the box, rounded to doubles.
   [[nodiscard]] WAYWRIGHT_INLINE constexpr Point centre() const { return {min.x + width() / 2, min.y + height() / 2}; }
 
-  /// Whether the point lies in the box or on its border.
+  /// Returns whether the point lies in the box or on its border.
   [[nodiscard]] constexpr bool contains(const Point& point) const {
     return point.x >= min.x && point.x <= max.x && point.y >= min.y && point.y <= max.y;
   }
-  /// Whether the two boxes have a point in common.
+  /// Returns whether the two boxes have a point in common.
   [[nodiscard]] constexpr bool overlaps(const Box& other) const {
     return min.x <= other.max.x && max.x >= other.min.x && min.y <= other.max.y && max.y >= other.min.y;
   }
 
-  /// Makes the box just large enough to contain the point.
+  /// Enlarges the box by no more than it needs to contain the point.
   constexpr void expand(const Point& point) {
     if (point.x < min.x) min.x = point.x;
     if (point.y < min.y) min.y = point.y;
     if (point.x > max.x) max.x = point.x;
     if (point.y > max.y) max.y = point.y;
   }
-  /// The box, larger by `margin` on each side.
+  /// Returns a copy of the box that is larger by `margin` in each of the four directions.
   [[nodiscard]] constexpr Box expanded(double margin) const {
     return {{min.x - margin, min.y - margin}, {max.x + margin, max.y + margin}};
   }
 };
 
+/// @}
+
 }  // namespace waywright
 
-/// Equal points have equal hashes, 0.0 and -0.0 among them.
+/// The hash of a point, for std::unordered_map. Equal points have equal hashes, also 0.0 and -0.0.
 template <>
 struct std::hash<waywright::Point> {
   std::size_t operator()(const waywright::Point& point) const noexcept {

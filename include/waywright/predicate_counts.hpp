@@ -6,27 +6,37 @@
 
 namespace waywright {
 
-/// How many calls of one question about points each stage of the arithmetic decided.
+/// @addtogroup build
+/// @{
+
+/// The number of calls of one predicate, by the stage of the exact arithmetic that decided them.
 struct StageCounts {
-  std::uint64_t doubles = 0;   ///< doubles with a proven error bound, or exact but for one division (crossings)
+  std::uint64_t doubles = 0;   ///< doubles with a proven error bound; for crossings: exact except for one division
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size
 
   friend bool operator==(const StageCounts&, const StageCounts&) = default;
 };
 
-/// The same for each question.
+/// The number of calls of each predicate.
+///
+/// @code{.cpp}
+/// const PredicateCounts counts = predicate_counts();
+/// std::printf("%ju in-circle tests needed integers of any size\n", std::uintmax_t{counts.in_circle.integers});
+/// @endcode
 struct PredicateCounts {
-  StageCounts orientation;  ///< on which side of a line
-  StageCounts in_circle;    ///< inside which circle
-  StageCounts order;        ///< which comes first
+  StageCounts orientation;  ///< whether a point lies left of, on or right of a line
+  StageCounts in_circle;    ///< whether a point lies inside a circle
+  StageCounts order;        ///< which of two points comes first
   StageCounts crossing;     ///< where two lines cross
 
   friend bool operator==(const PredicateCounts&, const PredicateCounts&) = default;
 };
 
-/// What the calling thread has asked since it began, of all worlds together. Threads: each counts for itself, so asking
-/// shares nothing.
+/// Returns the counts of the calling thread since its start, for all worlds together.
+/// Threads: each thread has its own counts, so this function shares no data.
 [[nodiscard]] WAYWRIGHT_API PredicateCounts predicate_counts();
+
+/// @}
 
 }  // namespace waywright

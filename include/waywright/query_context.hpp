@@ -5,13 +5,27 @@
 
 namespace waywright {
 
+/// @addtogroup world
+/// @{
+
 namespace detail {
 struct QueryScratch;
 }
 
-/// The scratch memory of queries. Many threads may query one world at once, each with a context of its own. A context
-/// serves any number of worlds, one query at a time; kept between queries, it spares them every allocation. No answer
-/// depends on what a context served before. One that has been moved from may only be assigned to or destroyed.
+/// The scratch of queries. Keep one context per thread and pass it to each query: the query then allocates no memory
+/// once the context has served a query as large.
+///
+/// @code{.cpp}
+/// // `context` and `path` live as long as the thread's work.
+/// for (const PathQuery& query : queries) {
+///   world.find_path(query, context, path).value();
+///   std::printf("length %g\n", path.length);
+/// }
+/// @endcode
+///
+/// A context serves any number of worlds. No answer depends on earlier queries of the context. A context that has been
+/// moved from may only be assigned to or destroyed.
+/// Threads: a context serves one query at a time. Many threads may query one world at once, each with its own context.
 class WAYWRIGHT_API QueryContext {
  public:
   QueryContext();
@@ -23,5 +37,7 @@ class WAYWRIGHT_API QueryContext {
   friend class World;
   detail::Owned<detail::QueryScratch, detail::kMovedContext> scratch_;
 };
+
+/// @}
 
 }  // namespace waywright

@@ -7,13 +7,25 @@
 
 namespace waywright {
 
-/// The first wall on a segment's way: the answer to World::ray. Reuse one object for many queries: its memory is kept.
+/// @addtogroup world
+/// @{
+
+/// The answer of World::ray: the first wall that a segment touches. If you reuse one object for many queries, it keeps
+/// its memory.
+///
+/// @code{.cpp}
+/// const RayHit hit = world.ray({10, 50}, {90, 50}).value();
+/// if (hit.hit) std::printf("a wall at (%g, %g)\n", hit.at.x, hit.at.y);
+/// const ItemId wall = hit.items.front();  // == 1
+/// @endcode
 struct RayHit {
-  bool hit = false;
-  Point at;                   ///< the first place where the segment touches a wall, as nearest doubles
-  std::vector<ItemId> items;  ///< those with a side there, ascending; the null id is the domain's; empty without a hit
+  bool hit = false;           ///< whether the segment touches a wall
+  Point at;                   ///< the first position where the segment touches a wall, as nearest doubles
+  std::vector<ItemId> items;  ///< the items with a side there, ascending; the null id is the domain's border
 
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };
+
+/// @}
 
 }  // namespace waywright

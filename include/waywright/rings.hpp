@@ -16,26 +16,40 @@
 
 namespace waywright {
 
-/// The rings of a shape: lists of points, one after the other in one piece of memory, so that one ring costs one
-/// allocation. It is made from and compared with what else holds rings: `{{{0, 0}, {1, 0}, {1, 1}}}`, one ring in
-/// braces, `{{0, 0}, {1, 0}, {1, 1}}`, a list of points, or a list of such lists.
+/// @addtogroup items
+/// @{
+
+/// The rings of a shape: lists of points, all in one array, so that one ring costs one allocation.
 ///
-/// It reads as a range of PointSpan, which are views: they are valid until rings or points are added.
+/// @code{.cpp}
+/// const Rings one = {{0, 0}, {4, 0}, {4, 4}};  // one ring, from braces
+/// const std::vector<Point> outside = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+/// const std::vector<Point> hole = {{2, 2}, {4, 2}, {4, 4}};
+/// Rings both = {outside, hole};  // two rings, from lists of points
+/// both.push_back({{5, 5}, {6, 5}, {6, 6}});
+/// std::size_t count = 0;
+/// for (const PointSpan ring : both) count += ring.size();
+/// const std::size_t corners = count;  // == 10
+/// @endcode
+///
+/// You can make it from, and compare it with, other types that hold rings: several rings in braces
+/// `{{{0, 0}, {1, 0}, {1, 1}}}`, one ring in braces `{{0, 0}, {1, 0}, {1, 1}}`, a list of points, or a list of lists of
+/// points. A loop over it gives a PointSpan for each ring. These views are valid until you add rings or points.
 class Rings {
  public:
-  /// Goes from ring to ring. The ring that it hands out is its own, so a reference to it is valid until the iterator
-  /// moves or goes.
+  /// An iterator over rings. The view that it returns is a member of the iterator, so a reference to the view is valid
+  /// until the iterator moves or is destroyed.
   template <class P>
   class Iterator;
   using iterator = Iterator<Point>;
   using const_iterator = Iterator<const Point>;
   using value_type = PointSpan;
 
-  /// No ring.
+  /// Makes an object without rings.
   Rings() = default;
   Rings(const Rings&) = default;
   Rings& operator=(const Rings&) = default;
-  /// What has been moved from has no rings.
+  /// Moves the rings. `other` has no rings afterwards.
   Rings(Rings&& other) noexcept
       : ring_count_(std::exchange(other.ring_count_, 0)),
         points_(std::move(other.points_)),
@@ -51,13 +65,13 @@ class Rings {
     return *this;
   }
   ~Rings() = default;
-  /// Several rings.
+  /// Makes several rings.
   Rings(std::initializer_list<PointSpan> rings) { append_all(rings); }
   template <class List>
   requires std::convertible_to<const List&, std::span<const std::vector<Point>>> Rings(const List& rings) {
     append_all(std::span<const std::vector<Point>>(rings));
   }
-  /// One ring. A template, so that `{{}}` has one meaning: one ring without points.
+  /// Makes one ring. This constructor is a template so that `{{}}` has one meaning: one ring without points.
   template <std::same_as<Point> P = Point>
   Rings(std::initializer_list<P> ring) : ring_count_(1), points_(ring) {}
   Rings(std::vector<Point> ring) : ring_count_(1), points_(std::move(ring)) {}
@@ -65,18 +79,22 @@ class Rings {
   requires std::convertible_to<const List&, std::span<const Point>> Rings(const List& ring)
       : Rings(std::vector<Point>(PointSpan(ring))) {}
 
-  /// A copy as a list of lists.
+  /// Returns a copy as a list of lists.
   operator std::vector<std::vector<Point>>() const;
 
   [[nodiscard]] std::size_t size() const { return ring_count_; }
   [[nodiscard]] bool empty() const { return ring_count_ == 0; }
 
-  /// The i-th ring, from 0. Requires: i < size().
+  /// Returns the i-th ring, from 0.
+  /// Requires: i < size().
   [[nodiscard]] PointSpan operator[](std::size_t i) const { return ring_of(i, points()); }
   [[nodiscard]] MutablePointSpan operator[](std::size_t i) { return ring_of(i, points()); }
-  /// The first and the last ring. Requires: there is a ring.
+  /// Returns the first ring.
+  /// Requires: there is a ring.
   [[nodiscard]] PointSpan front() const { return (*this)[0]; }
   [[nodiscard]] MutablePointSpan front() { return (*this)[0]; }
+  /// Returns the last ring.
+  /// Requires: there is a ring.
   [[nodiscard]] PointSpan back() const { return (*this)[ring_count_ - 1]; }
   [[nodiscard]] MutablePointSpan back() { return (*this)[ring_count_ - 1]; }
 
@@ -85,11 +103,11 @@ class Rings {
   [[nodiscard]] iterator begin();
   [[nodiscard]] iterator end();
 
-  /// The points of all rings, ring after ring.
+  /// Returns the points of all rings, ring after ring.
   [[nodiscard]] std::span<const Point> points() const { return points_; }
   [[nodiscard]] std::span<Point> points() { return points_; }
 
-  /// Adds a ring of these points. They may be some of this object's own.
+  /// Adds a ring of these points. They may be points of this object.
   void push_back(PointSpan ring) {
     const std::less<const Point*> before;
     const Point* const own = points_.data();
@@ -98,17 +116,18 @@ class Rings {
     start_ring();
     for (std::size_t i = 0; i < ring.size(); ++i) points_.push_back(is_own ? points_[offset + i] : ring[i]);
   }
-  /// Adds a ring without points, which add_point() adds to.
+  /// Adds a ring without points. Add points to it with add_point().
   void start_ring() {
     if (ring_count_ > 0) later_begins_.push_back(points_.size());
     ++ring_count_;
   }
-  /// Adds a point to the last ring. Requires: there is a ring.
+  /// Adds a point to the last ring.
+  /// Requires: there is a ring.
   void add_point(const Point& point) {
     WAYWRIGHT_ASSERT(ring_count_ > 0, "Rings::add_point: there is no ring yet");
     points_.push_back(point);
   }
-  /// Makes room for so many points in all.
+  /// Reserves memory for `points` points, counted over all rings.
   void reserve(std::size_t points) { points_.reserve(points); }
   /// Removes all rings, and keeps the memory.
   void clear() {
@@ -127,7 +146,7 @@ class Rings {
     points_.reserve(count);
     for (const PointSpan ring : rings) push_back(ring);
   }
-  /// The points of a ring, given those of all rings.
+  /// Returns the points of the i-th ring. `points` are the points of all rings.
   template <class P>
   [[nodiscard]] std::span<P> ring_of(std::size_t i, std::span<P> points) const {
     WAYWRIGHT_ASSERT(i < ring_count_, "Rings: there is no ring of this index");
@@ -138,8 +157,10 @@ class Rings {
 
   std::size_t ring_count_ = 0;
   std::vector<Point> points_;
-  std::vector<std::size_t> later_begins_;  ///< where each ring but the first begins in `points_`
+  std::vector<std::size_t> later_begins_;  ///< the position in `points_` where each ring but the first begins
 };
+
+/// @}
 
 template <class P>
 class Rings::Iterator {

@@ -11,52 +11,87 @@
 
 namespace waywright {
 
-/// A domain and its items, as read from a file, before any triangulation.
+/// @addtogroup scenes
+/// @{
+
+/// A domain and its items, as a file gives them, before any triangulation.
+///
+/// @code{.cpp}
+/// const Result<Scene> scene = read_scene("level.map");
+/// if (!scene) {
+///   std::puts(scene.error().message().c_str());
+///   return;
+/// }
+/// World level = World::create(scene->domain).value();
+/// level.insert_all(scene->items).value();
+/// @endcode
 struct Scene {
   Box domain;
   std::vector<Item> items;
-  bool y_down = false;  ///< the file's y axis points down (pictures show it that way)
+  bool y_down = false;  ///< whether the y axis of the file points down; see SvgOptions::y_down
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The formats a scene is read from.
+/// A file format of scenes.
 enum class SceneFormat : unsigned char {
-  script,         ///< `.wws`, the world script: what its changes leave; queries are passed over
-  movingai,       ///< `.map`: blocked cells become polygons, cell (x, y) the square [x, x+1] x [y, y+1], y downwards
-  triangle_poly,  ///< `.poly` of Triangle: segments, and the vertices on none of them as points
+  script,         ///< `.wws`, the world script: the items that are left after all its changes; queries are ignored
+  movingai,       ///< `.map` of Moving AI: blocked cells become polygons
+  triangle_poly,  ///< `.poly` of Triangle: segments, and as points the vertices that lie on no segment
   triangle_node,  ///< `.node` of Triangle: points
 };
 
-/// The format that a file name's ending stands for. Errors: not_supported.
+/// @name Reading and writing scenes
+/// Use read_scene for a file, and the other functions if you have the text already. In all of them `name` is the name
+/// of the text in error messages, which start with `NAME:LINE: `.
+///
+/// @code{.cpp}
+/// const std::string text = "type octile\nheight 2\nwidth 3\nmap\n..@\n..@\n";
+/// const Scene scene = parse_movingai_map(text, "small.map").value();
+/// const std::size_t count = scene.items.size();  // == 1
+/// std::puts(to_script(scene).c_str());
+/// @endcode
+/// @{
+
+/// Returns the format for the ending of a file name.
+/// Errors: not_supported.
 [[nodiscard]] WAYWRIGHT_API Result<SceneFormat> scene_format(std::string_view file_name);
 
-/// Reads a map from text; `name` is what messages call the text, they start `NAME:LINE: `. The cells `.`, `G` and `S`
-/// are free, `@`, `O`, `T` and `W` blocked. Each group of blocked cells, connected through their sides, becomes one
-/// polygon: its outer ring and its holes, of true corners alone; where cells of one group touch diagonally the rings
-/// turn so that each of them is simple. Ids count from 1 in the order of the groups' first cells, row by row. The
-/// domain is [0, width] x [0, height]. Errors: malformed. Cost: linear.
+/// Reads a map of Moving AI from text. Cell (x, y) is the square [x, x+1] x [y, y+1], and y points down. The cells `.`,
+/// `G` and `S` are free, the cells `@`, `O`, `T` and `W` are blocked. Each group of blocked cells that are connected
+/// through their sides becomes one polygon with an outer ring and its holes. The rings have points only where they
+/// turn. If cells of one group touch diagonally, the rings turn there so that each ring is simple. Ids count from 1 in
+/// the order of the first cell of each group, row by row. The domain is [0, width] x [0, height].
+/// Errors: malformed.
+/// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);
 
-/// Reads a `.poly` of Triangle from text: its vertices on no segment become points, then its segments segments, ids
-/// from 1 in this order. A file whose vertex list is empty takes its vertices from `node_text`, the `.node` file of the
-/// same name. Ids in the file count from 0 or 1, each one more than the last. Attributes, boundary markers, holes and
-/// regions are read and checked, and passed over. The domain is the vertices' bounding box, grown on each side by an
-/// eighth of its larger extent, 1 at least, and on to the next simple number. Errors: malformed, coordinate_range.
-/// Cost: linear.
+/// Reads a `.poly` file of Triangle from text. The vertices that lie on no segment become points, then the segments of
+/// the file become segments. Ids count from 1 in this order. If the vertex list of the file is empty, the vertices come
+/// from `node_text`, the text of the `.node` file of the same name. Ids in the file count up by 1 from 0 or 1. The
+/// function reads and checks attributes, boundary markers, holes and regions, and then ignores them. The domain is the
+/// bounding box of the vertices, larger on each side by an eighth of its larger extent or by 1, whichever is more, and
+/// rounded outwards to the next simple number.
+/// Errors: malformed, coordinate_range.
+/// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,
                                                               std::string_view node_text = {},
                                                               std::string_view node_name = {});
 
-/// Reads a `.node` of Triangle from text: points, else as parse_triangle_poly.
+/// Reads a `.node` file of Triangle from text. Its vertices become points. Ids, domain, errors and cost are as for
+/// parse_triangle_poly.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_node(std::string_view text, std::string_view name);
 
-/// Reads a scene from a file, its format told by its ending. Errors: unreadable, not_supported, malformed,
-/// coordinate_range; messages start with the file's name.
+/// Reads a scene from a file. The ending of the file name says the format. Error messages start with the file name.
+/// Errors: unreadable, not_supported, malformed, coordinate_range.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> read_scene(const std::string& file_name);
 
-/// The scene as a world script: a header, the domain and an insertion for each item, in their order. `y_down` has no
-/// place in a script.
+/// Returns the scene as a world script: a header, the domain and an insertion for each item, in their order. A script
+/// has no line for Scene::y_down.
 [[nodiscard]] WAYWRIGHT_API std::string to_script(const Scene& scene);
+
+/// @}
+
+/// @}
 
 }  // namespace waywright

@@ -13,7 +13,10 @@
 
 namespace waywright {
 
-/// What a line of a world script asks for.
+/// @addtogroup scenes
+/// @{
+
+/// The kind of one line of a world script. docs/formats.md describes each kind.
 enum class ScriptLineKind : std::uint8_t {
   insert,
   remove,
@@ -28,36 +31,47 @@ enum class ScriptLineKind : std::uint8_t {
   clear
 };
 
-/// One line of a world script. Numbers are as read: whether they lie in range, or in the domain, is for the world to
-/// say.
+/// One line of a world script. The parser does not check whether numbers lie in range or in the domain: a world does.
 struct ScriptLine {
   ScriptLineKind kind = ScriptLineKind::check;
-  std::uint32_t line = 0;                  ///< from 1
-  Item item;                               ///< of an insertion or replacement; of a removal its id, of clear its points
-  Point from;                              ///< of locate, ray, disc, nearest and path
-  Point to;                                ///< of ray and path
-  double radius = 0.0;                     ///< of disc, nearest and path
-  std::optional<PathAlgorithm> algorithm;  ///< of path, where the line names one
-  std::optional<double> end_tolerance;     ///< of path, where the line gives one
+  std::uint32_t line = 0;                  ///< the line in the text, from 1
+  Item item;                               ///< insert and replace: the item; remove: its id; clear: its points
+  Point from;                              ///< for locate, ray, disc, nearest and path
+  Point to;                                ///< for ray and path
+  double radius = 0.0;                     ///< for disc, nearest and path
+  std::optional<PathAlgorithm> algorithm;  ///< for path, if the line names one
+  std::optional<double> end_tolerance;     ///< for path, if the line gives one
 };
 
-/// The word that the script's line begins with: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...
-[[nodiscard]] WAYWRIGHT_API std::string_view to_string(const ScriptLine& operation);
+/// Returns the first word of the line: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(const ScriptLine& line);
 
-/// A whole world script, read before any of it runs.
+/// A whole world script. The parser reads all of it before anything runs.
+///
+/// @code{.cpp}
+/// const std::string text = "waywright 1\ndomain 0 0 10 10\nsegment 1 4 0 4 7\npath 1 1 7 1 0\n";
+/// const Script script = parse_script(text, "example.wws").value();
+/// for (const ScriptLine& line : script.lines) {
+///   if (line.kind == ScriptLineKind::path) std::printf("line %u asks for a path\n", line.line);
+/// }
+/// const std::size_t count = scene_of(script).items.size();  // == 1
+/// @endcode
 struct Script {
-  Box domain;  ///< min < max holds, and a world can hold its corners
-  std::uint32_t domain_line = 0;
+  Box domain;                     ///< min is below max, and the coordinates are in the range of a world
+  std::uint32_t domain_line = 0;  ///< the line of the domain in the text, from 1
   std::vector<ScriptLine> lines;
 };
 
-/// Reads a world script, as docs/formats.md describes it. `name` is what messages call the text; they start `NAME:LINE:
-/// `. The text is UTF-8; a byte order mark at its start is skipped. Errors: malformed.
+/// Reads a world script. docs/formats.md describes the format. Error messages start with `NAME:LINE: `, where NAME is
+/// `name`. The text is UTF-8; the function skips a byte order mark at its start.
+/// Errors: malformed.
 [[nodiscard]] WAYWRIGHT_API Result<Script> parse_script(std::string_view text, std::string_view name);
 
-/// The scene that a script's insertions, replacements and removals leave, in the order of the insertions. What a world
-/// would refuse is passed over: an insertion whose id is in use, a replacement whose id is not, and a coordinate that
-/// is out of range or outside the domain.
+/// Returns the items that are left after all insertions, replacements and removals of a script, in the order of the
+/// insertions. The function ignores each operation that a world would refuse: an insertion whose id is in use, a
+/// replacement whose id is not in use, and an operation with a coordinate that is out of range or outside the domain.
 [[nodiscard]] WAYWRIGHT_API Scene scene_of(const Script& script);
+
+/// @}
 
 }  // namespace waywright

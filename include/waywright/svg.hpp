@@ -14,56 +14,64 @@
 
 namespace waywright {
 
-/// The colours of a picture.
+/// @addtogroup pictures
+/// @{
+
+/// The colour theme of a picture.
 enum class SvgTheme : std::uint8_t {
-  automatic,  ///< as the viewer prefers (CSS prefers-color-scheme); light in programs that ignore this rule
+  automatic,  ///< the theme that the viewer prefers (CSS prefers-color-scheme); light if a program ignores this rule
   light,
   dark,
 };
 
-/// How a picture shows the world.
+/// The options of a picture of a world.
+///
+/// @code{.cpp}
+/// const SvgOptions options{.width = 800, .mesh = false, .crop = Box{{0, 0}, {50, 50}}, .title = "South-west"};
+/// const std::string svg = to_svg(world, {}, options).value();
+/// @endcode
 struct SvgOptions {
-  double width = 1200.0;  ///< of the picture, in pixels, 240 to 100,000; its height follows from what it shows
+  double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the content determines the height
   bool mesh = true;       ///< draw the free edges
   bool axes = true;       ///< draw ticks with coordinates, a scale bar, and a sign that says where y points
   bool ids = true;        ///< give each item its id as text on hover
-  bool y_down = false;    ///< the world's y axis points down
+  bool y_down = false;    ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;
-  /// The part of the world to show; without it, the domain. It may reach beyond the domain. The text holds nothing of
-  /// what lies outside.
+  /// The box that the picture shows; without it, the domain. It may reach beyond the domain. The text contains nothing
+  /// that lies outside the box.
   std::optional<Box> crop = std::nullopt;
-  std::string title = {};  ///< printed above the map; empty for no title
+  std::string title = {};  ///< the text above the map; empty for no title
 };
 
-/// A query for a path that found none: a dashed line between two marks, and its status.
+/// A path query without a path. The picture shows a dashed line between two marks, and the status.
 struct SvgFailedPath {
   Point start;
   Point goal;
   PathStatus status = PathStatus::no_path;
 };
 
-/// A segment that World::ray was asked about, and the answer: start, end, and where it hit.
+/// A query of World::ray and its answer. The picture shows the start, the end and the position of the hit.
 struct SvgRay {
   Point from;
   Point to;
   RayHit answer = {};
 };
 
-/// A place that World::locate was asked about, and the answer: its colour and shape say which.
+/// A query of World::locate and its answer. The colour and shape of the mark show the answer.
 struct SvgPlace {
   Point at;
   Location answer = {};
 };
 
-/// A disc of the caller's, such as a unit.
+/// A disc that you add to a picture, for example a unit.
 struct SvgDisc {
   Point centre;
-  double radius = 0.0;      ///< in units of the world; drawn with at least 3 pixels
-  std::string colour = {};  ///< any CSS colour, such as `#d55e00` or `red`; empty for the theme's
-  std::string hint = {};    ///< text on hover; empty for none
+  double radius = 0.0;      ///< in units of the world; the picture shows at least 3 pixels
+  std::string colour = {};  ///< any CSS colour, for example `#d55e00` or `red`; empty for the colour of the theme
+  std::string hint = {};    ///< the text on hover; empty for none
 };
 
-/// A line of the caller's through several points.
+/// A line through several points that you add to a picture.
 struct SvgPolyline {
   std::vector<Point> points = {};
   double width = 2.0;  ///< in pixels, 0.1 to 60
@@ -72,52 +80,80 @@ struct SvgPolyline {
   std::string hint = {};    ///< as in SvgDisc
 };
 
-/// A text of the caller's. It stands to the right of its place, or to the left where the map has no room on the right.
+/// A text that you add to a picture. It stands to the right of `at`, or to the left if the map has no room on the
+/// right.
 struct SvgLabel {
   Point at;
   std::string text = {};
-  double radius = 0.0;      ///< in units of the world: of the disc around the place that the text leaves free
-  double size = 14.0;       ///< of the letters, in pixels, 4 to 200
-  std::string colour = {};  ///< any CSS colour; empty for that of all text
+  double radius = 0.0;      ///< in units of the world: the radius of a disc around `at` that the text does not cover
+  double size = 14.0;       ///< the font size in pixels, 4 to 200
+  std::string colour = {};  ///< any CSS colour; empty for the colour of all text
 };
 
-/// An entry of the legend, for what the caller adds.
+/// An entry that you add to the legend.
 struct SvgKey {
   std::string text = {};
   std::string colour = {};  ///< as in SvgDisc
 };
 
-/// What a picture shows on top of the world: queries with their answers, and whatever else the caller wants there.
-/// Texts and colours may hold any bytes. What has no finite place is left out. Later members are drawn over earlier
-/// ones.
+/// The content of a picture on top of the world: queries with their answers, and other marks that you add. Texts and
+/// colours may contain any bytes. The picture omits marks whose coordinates are not finite. It draws later members of
+/// this struct over earlier ones.
+///
+/// @code{.cpp}
+/// SvgOverlay overlay;
+/// overlay.paths.push_back(world.find_path({.start = start, .goal = goal}).value());
+/// overlay.discs.push_back({.centre = start, .radius = 1.5, .colour = "#d55e00", .hint = "Archers"});
+/// overlay.labels.push_back({.at = start, .text = "Archers", .radius = 1.5});
+/// overlay.keys.push_back({.text = "our units", .colour = "#d55e00"});
+/// overlay.polylines.push_back({.points = {{5, 5}, {9, 8}, {5, 11}}, .width = 4, .dashed = true});
+/// overlay.rays.push_back({start, goal, world.ray(start, goal).value()});
+/// overlay.places.push_back({goal, world.locate(goal).value()});
+/// overlay.failed_paths.push_back({start, {50, 50}, PathStatus::goal_blocked});
+/// const std::string svg = to_svg(world, overlay, {}).value();
+/// @endcode
 struct SvgOverlay {
-  std::vector<Path> paths = {};  ///< those without points are left out
+  std::vector<Path> paths = {};  ///< the picture omits paths without points
   std::vector<SvgRay> rays = {};
   std::vector<SvgFailedPath> failed_paths = {};
   std::vector<SvgPlace> places = {};
   std::vector<SvgPolyline> polylines = {};
   std::vector<SvgDisc> discs = {};
-  /// SVG elements in the picture's coordinates (SvgFrame), written as they are and clipped to the map. Requires:
-  /// well-formed XML.
+  /// SVG elements in the coordinates of the picture (SvgFrame). to_svg writes them as they are and clips them to the
+  /// map.
+  /// Requires: well-formed XML.
   std::string elements = {};
   std::vector<SvgLabel> labels = {};
-  std::vector<SvgKey> keys = {};  ///< at the end of the legend
+  std::vector<SvgKey> keys = {};  ///< the last entries of the legend
 };
 
-/// The transform of a picture: which place of the world stands where. A picture's coordinates are pixels, from its
-/// upper left corner to the right and downwards.
+/// The transform between the coordinates of a world and those of its picture. The coordinates of a picture are pixels,
+/// from its upper left corner to the right and downwards. Use it to draw SvgOverlay::elements.
+///
+/// @code{.cpp}
+/// const SvgOptions options;
+/// const SvgFrame frame = svg_frame(world.domain(), options).value();
+/// const Point pixel = frame.to_picture({50, 50});
+/// SvgOverlay overlay;
+/// overlay.elements = "<circle cx=\"" + std::to_string(std::lround(pixel.x)) + "\" cy=\"" +
+///                    std::to_string(std::lround(pixel.y)) + "\" r=\"20\"/>";
+/// const std::string svg = to_svg(world, overlay, options).value();
+/// @endcode
 class WAYWRIGHT_API SvgFrame {
  public:
-  /// Shows the box `shown` so that its upper left corner stands at `corner`, a unit of length being `scale` pixels.
+  /// Makes the transform of a picture that shows the box `shown`. Its upper left corner is at the pixel `corner`, and a
+  /// unit of length is `scale` pixels long.
   SvgFrame(const Box& shown, Point corner, double scale, bool y_down);
 
+  /// Returns the pixel of a point of the world.
   [[nodiscard]] Point to_picture(Point place) const;
+  /// Returns the point of the world at a pixel.
   [[nodiscard]] Point to_world(Point pixels) const;
-  /// The pixels of one unit of length.
+  /// Returns the number of pixels of one unit of length.
   [[nodiscard]] double scale() const { return scale_; }
-  /// What is shown, in the world's coordinates.
+  /// Returns the box that the picture shows, in the coordinates of the world.
   [[nodiscard]] const Box& shown() const { return shown_; }
-  /// Where the map is in the picture; `min` is its upper left corner.
+  /// Returns the box of the map in the picture; `min` is its upper left corner.
   [[nodiscard]] const Box& map() const { return map_; }
 
  private:
@@ -127,18 +163,34 @@ class WAYWRIGHT_API SvgFrame {
   bool y_down_ = false;
 };
 
-/// The transform of the picture that to_svg draws of a world over `domain`. Errors: those of to_svg. Cost: O(1).
+/// Returns the transform of the picture that to_svg draws of a world over `domain`.
+/// Errors: the errors of to_svg.
+/// Cost: O(1).
 [[nodiscard]] WAYWRIGHT_API Result<SvgFrame> svg_frame(const Box& domain, const SvgOptions& options);
 
-/// A picture of the world as SVG text: solids, walls, free points, mesh, the overlay, coordinates and a legend.
-/// Equal worlds, overlays and options give equal text on every machine. Positions are computed in doubles: what reaches
-/// out of a crop box by more than 2^40 times its size may be drawn displaced. Large worlds give a smaller text: a mesh
-/// of more than 300,000 edges in the picture is left out, and the legend says so; of more than 50,000 items in the
-/// picture none has its id on hover.
-/// Errors: coordinate_range, bad_domain (where the crop box's min is not below its max), out_of_domain (where the crop
-/// box has no area in common with the domain). Cost: that of World::snapshot if there is a mesh to draw; that of
-/// World::items or, with a crop box, World::items_in; and that of the text.
+/// Returns a picture of the world as SVG text: solids, walls, free points, the mesh, the overlay, coordinates and a
+/// legend. Equal worlds, overlays and options give equal text on every machine. docs/pictures.md shows examples.
+///
+/// @code{.cpp}
+/// const std::string svg = to_svg(world, {.paths = {path}}, {.title = "My world"}).value();
+/// if (std::FILE* const file = std::fopen("world.svg", "wb")) {
+///   std::fwrite(svg.data(), 1, svg.size(), file);
+///   std::fclose(file);
+/// }
+/// @endcode
+///
+/// The function computes positions in doubles: it may displace an item that reaches out of a crop box by more than 2^40
+/// times the size of the box. It omits details of large worlds to keep the text small:
+/// - It omits a mesh of more than 300,000 edges in the picture, and the legend says so.
+/// - If the picture shows more than 50,000 items, no item has its id on hover.
+///
+/// Errors: coordinate_range; bad_domain, if min of the crop box is not below its max; out_of_domain, if the crop box
+/// has no area in common with the domain.
+/// Cost: the cost of World::snapshot if the picture shows the mesh; the cost of World::items or, with a crop box,
+/// World::items_in; and the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<std::string> to_svg(const World& world, const SvgOverlay& overlay,
                                                        const SvgOptions& options);
+
+/// @}
 
 }  // namespace waywright

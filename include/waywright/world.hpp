@@ -28,295 +28,525 @@
 
 namespace waywright {
 
+/// @addtogroup world
+/// @{
+
 /// One of several changes that World::apply makes together.
+///
+/// @code{.cpp}
+/// const Shape gate = Shape::segment({30, 40}, {40, 40});
+/// const std::vector<Change> changes = {Change::insert(gate, 12), Change::remove(2)};
+/// world.apply(changes).value();
+/// @endcode
 struct Change {
+  /// The kind of a change.
   enum class Kind : std::uint8_t { insert, remove, replace };
 
   Kind kind = Kind::insert;
-  ItemId id;    ///< of an insertion: null for one that the world hands out
-  Shape shape;  ///< of an insertion or replacement
+  ItemId id;    ///< the id of the item; for an insertion, null lets the world choose it
+  Shape shape;  ///< for an insertion or a replacement
 
+  /// Returns the insertion of a shape under `id`, or under an id that the world chooses.
   [[nodiscard]] static Change insert(Shape shape, ItemId id = {}) { return {Kind::insert, id, std::move(shape)}; }
+  /// Returns the removal of an item.
   [[nodiscard]] static Change remove(ItemId id) { return {Kind::remove, id, {}}; }
+  /// Returns the replacement of the shape of an item.
   [[nodiscard]] static Change replace(ItemId id, Shape shape) { return {Kind::replace, id, std::move(shape)}; }
 };
 
-/// How to insert many items at once.
+/// The options of World::insert_all and World::insert_points.
+///
+/// @code{.cpp}
+/// BulkOptions options;
+/// options.threads = 2;
+/// options.progress = [](std::size_t done, std::size_t total) { std::printf("%zu of %zu\n", done, total); };
+/// world.insert_points({{1, 1}, {2, 1}, {3, 1}}, 100, options).value();
+/// @endcode
 struct BulkOptions {
-  /// So many threads work on it, 1 or more; the calling one is among them. The world is the same with any number. More
-  /// than one speeds up a world's first items. Of a job system, so many jobs at a time.
+  /// The number of threads, 1 or more, including the calling thread. The world is the same for any number. More than
+  /// one thread speeds up the first items of a world. With a job system, it is the number of jobs at a time.
   std::size_t threads = 1;
-  /// Called on the calling thread now and then, and at the end, where `done` is `total`; the unit means nothing. It
-  /// must not touch the world.
+  /// A function that the library calls on the calling thread from time to time, and at the end with `done` equal to
+  /// `total`. The unit of both numbers has no meaning. The function must not use the world.
   std::function<void(std::size_t done, std::size_t total)> progress;
-  /// Where the other threads come from. Null: the library starts them.
+  /// The job system that provides the other threads. If it is null, the library starts threads.
   JobSystem* jobs = nullptr;
 };
 
-/// Two hashes of the same items, whatever made them and wherever: equal when the items are, and in practice only then.
-/// docs/hashes.md defines both, for others to compute.
+/// The hash of the domain and the live items of a world. World::items_hash returns it. Two hashes of equal items are
+/// equal, whatever operations made the items, and on whatever machine. In practice hashes are equal only if the items
+/// are. docs/hashes.md defines the hash, so that other programs can compute it.
+///
+/// @code{.cpp}
+/// const ItemsHash before = world.items_hash();
+/// const ItemId id = world.insert_point({3, 3}).value();
+/// world.remove(id).value();
+/// const bool is_same = world.items_hash() == before;  // == true
+/// std::printf("items %s, mesh %s\n", to_string(before).c_str(), to_string(world.mesh_hash()).c_str());
+/// @endcode
 struct ItemsHash {
   std::array<std::uint64_t, 2> words{};
 
   friend bool operator==(const ItemsHash&, const ItemsHash&) = default;
 };
+/// The hash of the mesh of a world: the SHA-256 of its dump. World::mesh_hash returns it. Two hashes are equal under
+/// the same conditions as for ItemsHash. docs/hashes.md defines the hash.
 struct MeshHash {
   std::array<std::uint8_t, 32> bytes{};
 
   friend bool operator==(const MeshHash&, const MeshHash&) = default;
 };
 
-/// 32 and 64 hexadecimal digits.
+/// Returns the hash as 32 hexadecimal digits.
 [[nodiscard]] WAYWRIGHT_API std::string to_string(const ItemsHash& hash);
+/// Returns the hash as 64 hexadecimal digits.
 [[nodiscard]] WAYWRIGHT_API std::string to_string(const MeshHash& hash);
 
-/// Where a point lies in the mesh.
+/// The kind of a location in the mesh.
 enum class Place : std::uint8_t { vertex, edge, face };
 
-/// The word the world script prints: `vertex`, `edge`, `face`.
+/// Returns the name of the kind in the output of world scripts: `vertex`, `edge`, `face`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(Place place);
 
-/// The answer to World::locate.
+/// The answer of World::locate: what the mesh has at a point.
+///
+/// @code{.cpp}
+/// const Location location = world.locate({50, 50}).value();
+/// const bool is_in_house = !location.inside.empty() && location.inside.front() == 1;  // == true
+/// for (std::size_t i = 0; i < location.corner_count; ++i) std::puts(to_string(location.corners[i]).c_str());
+/// @endcode
 struct Location {
   Place at = Place::face;
-  /// The corners of the vertex, edge or face (1, 2 or 3 of them), as nearest doubles; a face counter-clockwise. Edge
-  /// and face start from the corner that comes first in (x, y) order.
+  /// The vertices of the location, as nearest doubles: 1 for a vertex, 2 for an edge, 3 for a face. The vertices of a
+  /// face are counter-clockwise. An edge and a face start with the vertex that comes first in (x, y) order.
   std::array<Point, 3> corners{};
-  std::size_t corner_count = 0;
-  /// The polygons that cover the point, their boundary included; ascending.
+  std::size_t corner_count = 0;  ///< the number of vertices in `corners`
+  /// The polygons that contain the point in their interior or on their boundary, ascending.
   std::vector<ItemId> inside;
 };
 
-/// What World::validate found.
+/// The answer of World::validate.
+///
+/// @code{.cpp}
+/// const Validation validation = world.validate();
+/// if (!validation.ok) std::puts(validation.fault.c_str());
+/// @endcode
 struct Validation {
   bool ok = true;
-  std::string fault;  ///< the first fault; empty when ok
+  std::string fault;  ///< the first fault; empty if `ok`
 };
 
-/// What a world keeps besides its mesh.
+/// The options of World::create.
+///
+/// @code{.cpp}
+/// World mesh_only = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
+/// @endcode
 struct WorldOptions {
-  /// What searches for paths live on: which faces are joined, by which polygons they are covered, which lie in dead
-  /// ends. Without it an operation is cheaper and a world takes 10 bytes less for each vertex, up to 18 where walls
-  /// change everywhere, but many a query looks at far more of the mesh, and PathAlgorithm::tra is not supported.
+  /// Whether the world maintains the path abstraction: which faces are connected, which polygons cover them, and which
+  /// faces lie in dead ends. Without the abstraction an operation costs less, and a world takes 10 bytes less for each
+  /// vertex, or up to 18 bytes less if walls change everywhere. But many queries then look at far more of the mesh, and
+  /// PathAlgorithm::tra is not supported.
   bool keep_abstraction = true;
 };
 
-/// A world of obstacles that changes while agents find their way through it: a dynamic constrained Delaunay
-/// triangulation of a closed box, exact in every decision. The live items alone fix the mesh, in whatever order they
-/// came. Geometry is never an error: crossing, overlapping, duplicate, collinear, zero-length and self-crossing items
-/// are all accepted and handled exactly.
+/// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
+/// box. Every decision about the mesh is exact. The live items alone determine the mesh, in whatever order you inserted
+/// them. Geometry is never an error: a world accepts items that cross, overlap, repeat or cross themselves, and items
+/// that are collinear or have length zero, and handles them exactly.
 ///
-/// Each query has two forms. One returns its answer in a new object. The other fills an object that you keep, works in
-/// a QueryContext that you keep, and allocates nothing once both have served for an answer as large.
+/// @code{.cpp}
+/// World arena = World::create({{0, 0}, {10, 10}}).value();
+/// arena.insert_segment({4, 0}, {4, 7}).value();
+/// const Path detour = arena.find_path({.start = {1, 1}, .goal = {7, 1}}).value();
+/// const std::size_t count = detour.points.size();  // == 3
+/// @endcode
 ///
-/// Threads: const members may run at once, each call with its own QueryContext; no other member meanwhile. A world that
-/// has been moved from may only be assigned to or destroyed.
+/// Most queries have two forms. One form returns its answer in a new object. The other form fills an object that you
+/// keep, and takes a QueryContext that you keep. The second form allocates no memory once both objects have served for
+/// an answer of the same size.
+///
+/// A world that has been moved from may only be assigned to or destroyed.
+/// Threads: several threads may call const members at once, each with its own QueryContext. While a thread calls a
+/// member that is not const, no other thread may call any member.
 /// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
 class WAYWRIGHT_API World {
  public:
-  /// An empty world over the closed box `domain`: four vertices, two triangles, four constrained edges of id 0.
-  /// Errors: coordinate_range, bad_domain. Cost: O(1).
+  /// @name Making a world
+  /// You need this group once, at the start of your program or level. A world can be moved, but not copied: to copy
+  /// one, give its items() to a new world.
+  ///
+  /// @code{.cpp}
+  /// World arena = World::create({{0, 0}, {10, 10}}).value();
+  /// World copy = World::create(arena.domain()).value();
+  /// copy.insert_all(arena.items()).value();
+  /// @endcode
+  /// @{
+
+  /// Returns an empty world over the closed box `domain`: four vertices, two triangles, and four constrained edges with
+  /// the id 0.
+  /// Errors: coordinate_range, bad_domain.
+  /// Cost: O(1).
   [[nodiscard]] static Result<World> create(const Box& domain, const WorldOptions& options = {});
 
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
   ~World();
 
+  /// Returns the box that the world covers.
   [[nodiscard]] const Box& domain() const;
 
-  /// Inserts a shape under `id`, or, when `id` is null, under one more than the largest id this world has seen. Returns
-  /// the id. Either the whole shape is inserted or, on an error, nothing has changed.
-  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large. The error's index counts the
-  /// shape's points from 0, over all rings.
-  /// Cost: per point, its location; per side, what it crosses.
+  /// @}
+
+  /// @name Changing items
+  /// You need this group when an obstacle appears, disappears or moves. Each call is one operation: the world carries
+  /// it out completely or, on an error, changes nothing.
+  ///
+  /// @code{.cpp}
+  /// const ItemId house = world.insert_polygon({{2, 2}, {6, 2}, {6, 5}, {2, 5}}).value();
+  /// world.insert_segment({10, 2}, {10, 9}, 12).value();  // 12 is its id
+  /// world.replace(house, Shape::rectangle({{3, 2}, {7, 5}})).value();
+  /// world.remove(12).value();
+  /// @endcode
+  /// @{
+
+  /// Inserts a shape under `id`. If `id` is null, the world chooses the largest id that it has seen, plus 1. Returns
+  /// the id. The index of an error counts the points of the shape from 0, over all rings.
+  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large.
+  /// Cost: for each point, its location; for each side, the part of the mesh that it crosses.
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
-  // The same for each kind of shape. What comes back, errors and cost are those of insert.
-
-  /// A vertex that stays as long as the item lives; no wall.
+  /// Inserts a vertex that stays as long as the item is live. It is not a wall. Returns the id. Errors and cost are as
+  /// for insert().
   Result<ItemId> insert_point(Point point, ItemId id = {});
-  /// A wall from `a` to `b`; of length zero it acts as a point.
+  /// Inserts a wall from `a` to `b`. A wall of length zero acts as a point. Returns the id. Errors and cost are as for
+  /// insert().
   Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
-  /// An open chain of walls through one point or more.
+  /// Inserts an open chain of walls through one or more points. Returns the id. Errors and cost are as for insert().
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
-  /// A solid obstacle of one closed ring or several: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from a
-  /// ring's last point to its first is implied. The fill rule is even_odd: a ring in a ring is a hole.
+  /// Inserts a solid obstacle of one or more closed rings: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side
+  /// from the last point of a ring to its first is implied. The fill rule is FillRule::even_odd: a ring in a ring is a
+  /// hole. Returns the id. Errors and cost are as for insert().
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
-  /// Takes an item out. What remains is, bit for bit, the mesh that a fresh build of the remaining items gives.
-  /// Errors: unknown_id, bad_id. Cost: what the item touches, however large the world.
+  /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
+  /// Errors: unknown_id, bad_id.
+  /// Cost: the part of the mesh that the item touches; it does not depend on the size of the world.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
-  /// Puts another shape in an item's place, under its id: what moves an obstacle. Either done or, on an error, nothing
-  /// has changed. Errors: unknown_id, and those of insert. Cost: that of remove, and that of insert.
+  /// Replaces the shape of an item. The item keeps its id. Use it to move an obstacle.
+  /// Errors: unknown_id, bad_id, and the errors of insert() for shapes.
+  /// Cost: the cost of remove() and the cost of insert().
   Result<void> replace(ItemId id, const Shape& shape);
 
-  /// Inserts many items as one operation: all of them or, on an error, none. Returns the id of each. Much faster than
-  /// one by one, above all into a world without items. Errors: those of insert; the error's index is the item's
-  /// position. Cost: O(n log n), and what the items' sides cross. Source: Guibas and Stolfi 1985, Dwyer 1987 (the
-  /// corners of a world's first items).
+  /// @}
+
+  /// @name Changing many items at once
+  /// You need this group to load a level, or to make several changes as one operation: all of them or, on an error,
+  /// none.
+  ///
+  /// @code{.cpp}
+  /// const std::vector<Item> level = {{11, Shape::segment({5, 5}, {9, 5})}, {12, Shape::rectangle({{2, 2}, {4, 4}})}};
+  /// world.insert_all(level).value();
+  /// world.apply({Change::remove(11), Change::insert(Shape::segment({5, 6}, {9, 6}), 13)}).value();
+  /// @endcode
+  /// @{
+
+  /// Inserts many items as one operation. Returns the id of each. This is much faster than one call for each item, most
+  /// of all in a world without items. The index of an error is the position of the item.
+  /// Errors: the errors of insert().
+  /// Cost: O(n log n), and the part of the mesh that the sides of the items cross.
+  /// Source: Guibas and Stolfi 1985, Dwyer 1987 (for the corners of the first items of a world).
   Result<std::vector<ItemId>> insert_all(std::span<const Item> items, const BulkOptions& options = {});
 
-  /// The same for points alone, under `first` and one more each, or, when `first` is null, under ids handed out.
-  /// Returns the first's id. Errors: those of insert; the error's index is the point's position.
+  /// Inserts many points as one operation. The first point has the id `first`, and the id of each further point is one
+  /// more. If `first` is null, the world chooses it as insert() does. Returns the id of the first point. The index of
+  /// an error is the position of the point.
+  /// Errors: the errors of insert().
+  /// Cost: as for insert_all().
   Result<ItemId> insert_points(PointSpan points, ItemId first = {}, const BulkOptions& options = {});
 
-  /// Makes several changes, one after the other, as one operation: all of them or, on an error, none. Returns the id of
-  /// each change's item. Errors: those of the single changes; the error's index is the change's position. Cost: a run
-  /// of insertions is as fast as insert_all.
+  /// Makes several changes, one after the other, as one operation. Returns the id of the item of each change. The index
+  /// of an error is the position of the change.
+  /// Errors: the errors of insert(), remove() and replace().
+  /// Cost: the cost of the single changes; successive insertions are as fast as insert_all().
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
-  /// The same for changes in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
+  /// Makes several changes that you write in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
   Result<std::vector<ItemId>> apply(std::initializer_list<Change> changes) {
     return apply(std::span<const Change>(std::data(changes), changes.size()));
   }
 
-  /// Whether an item of that id is alive. Cost: O(1).
+  /// @}
+
+  /// @name Reading items
+  /// You need this group to save a world, to send it to another machine, or to look up a shape.
+  ///
+  /// @code{.cpp}
+  /// for (const ItemId id : world.item_ids()) {
+  ///   const Shape shape = world.shape(id).value();
+  ///   std::printf("item %ju is a %s\n", std::uintmax_t{id.value}, to_string(shape.kind).data());
+  /// }
+  /// const bool has_item = world.contains(99);  // == false
+  /// @endcode
+  /// @{
+
+  /// Returns whether a live item has this id.
+  /// Cost: O(1).
   [[nodiscard]] bool contains(ItemId id) const;
-  /// The number of live items. Cost: O(1).
+  /// Returns the number of live items.
+  /// Cost: O(1).
   [[nodiscard]] std::size_t item_count() const;
-  /// The ids of all live items, ascending. Cost: O(n log n).
+  /// Returns the ids of all live items, ascending.
+  /// Cost: O(n log n).
   [[nodiscard]] std::vector<ItemId> item_ids() const;
+  /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
-  /// The item's shape as it was inserted, points that repeat their predecessor merged; a copy. Errors: unknown_id.
-  /// Cost: linear in its points.
+  /// Returns a copy of the shape of an item as you inserted it, except that points that repeat their predecessor are
+  /// merged.
+  /// Errors: unknown_id, bad_id.
+  /// Cost: linear in the points of the item.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
+  /// @copydoc shape(ItemId) const
   [[nodiscard]] Result<void> shape(ItemId id, Shape& shape) const;
 
-  /// All live items, ascending by id, as shape() gives them. Another world over the same domain that is given them (by
-  /// insert_all) is the same in all but the ids that it hands out, which count on from the largest each has seen.
-  /// Cost: O(n log n), and their points.
+  /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
+  /// into a new world over the same domain, the two worlds differ in one respect only: the ids that they choose, which
+  /// count up from the largest id that each world has seen.
+  /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
+  /// @copydoc items() const
   void items(QueryContext& context, std::vector<Item>& items) const;
 
-  /// The vertices of the mesh: the domain's corners, the items', and the crossings. Cost: O(1).
-  [[nodiscard]] std::size_t vertex_count() const;
-  /// The triangles of the mesh. Cost: linear in the vertices on the domain's border.
-  [[nodiscard]] std::size_t triangle_count() const;
+  /// @}
 
-  /// Where `point` lies, and in which polygons. Errors: coordinate_range, out_of_domain. Cost: a walk over a few
-  /// triangles, however large the world, and the answer; no memory, once `context` and `location` have been used.
+  /// @name Locating and asking
+  /// You need this group to find out what lies at a point, along a segment or in a box: for a mouse click, a line of
+  /// sight or a selection rectangle.
+  ///
+  /// @code{.cpp}
+  /// const std::vector<ItemId> clicked = world.items_at({50, 50}).value();
+  /// const ItemId house = clicked.front();                                    // == 1
+  /// const bool sees_goal = !world.ray(start, goal).value().hit;              // == false
+  /// const std::size_t count = world.items_in({start, goal}).value().size();  // == 1
+  /// @endcode
+  /// @{
+
+  /// Finds the vertex, edge or face at a point, and the polygons there.
+  /// Errors: coordinate_range, out_of_domain.
+  /// Cost: a walk over a few triangles, which does not depend on the size of the world, and the size of the answer. No
+  /// memory, once `context` and `location` have been used.
   /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
   [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
+  /// @copydoc locate(Point, QueryContext&, Location&) const
   [[nodiscard]] Result<Location> locate(Point point) const;
 
-  /// The items that cover the point, or have a side or corner there; ascending. Errors: coordinate_range,
-  /// out_of_domain. Cost: that of locate.
+  /// Finds the items that cover a point or have a side or corner there, ascending.
+  /// Errors: coordinate_range, out_of_domain.
+  /// Cost: the cost of locate().
   [[nodiscard]] Result<void> items_at(Point point, QueryContext& context, std::vector<ItemId>& items) const;
+  /// @copydoc items_at(Point, QueryContext&, std::vector<ItemId>&) const
   [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
-  /// The items whose sides the segment meets, in order, and where. One that it runs along is told of where that begins;
-  /// items met in one place come by ascending id. Errors: coordinate_range, out_of_domain. Cost: the location of
-  /// `from`, and the triangles that the segment crosses.
+  /// Finds the items whose sides the segment meets, in the order of the segment, and where it meets them. If the
+  /// segment runs along a side, CrossedItem::at is the point where the overlap starts. Items at the same position
+  /// ascend by id.
+  /// Errors: coordinate_range, out_of_domain.
+  /// Cost: the location of `from`, and the triangles that the segment crosses.
   [[nodiscard]] Result<void> items_crossed(Point from, Point to, QueryContext& context,
                                            std::vector<CrossedItem>& items) const;
+  /// @copydoc items_crossed(Point, Point, QueryContext&, std::vector<CrossedItem>&) const
   [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
-  /// The first wall that the segment touches on its way from `from`, the domain's border included; a start on a wall
-  /// touches it. Decided exactly, also where walls meet or the segment runs through a wall's end.
-  /// Errors: coordinate_range, out_of_domain. Cost: the location of `from`, and the faces that the segment crosses
-  /// before it hits; no memory, once `hit` has been used.
+  /// Finds the first wall that the segment touches, seen from `from`. The border of the domain is a wall, too. A
+  /// segment that starts on a wall touches this wall. The decision is exact, also if walls meet at the position, or if
+  /// the segment runs through the end of a wall.
+  /// Errors: coordinate_range, out_of_domain.
+  /// Cost: the location of `from`, and the faces that the segment crosses before the hit. No memory, once `hit` has
+  /// been used.
   [[nodiscard]] Result<void> ray(Point from, Point to, RayHit& hit) const;
+  /// @copydoc ray(Point, Point, RayHit&) const
   [[nodiscard]] Result<RayHit> ray(Point from, Point to) const;
-  /// The items that have a point in common with the closed box, which may reach beyond the domain; ascending.
-  /// Errors: coordinate_range, bad_domain (where min is beyond max). Cost: the location of a corner, and the triangles
-  /// that meet the box.
+  /// Finds the items that have a point in common with a closed box, ascending. The box may reach beyond the domain.
+  /// Errors: coordinate_range; bad_domain, if min is beyond max.
+  /// Cost: the location of a corner, and the triangles that meet the box.
   [[nodiscard]] Result<void> items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const;
+  /// @copydoc items_in(const Box&, QueryContext&, std::vector<ItemId>&) const
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
 
-  /// A path from start to goal that never passes a wall nor a point where walls meet; it may touch both. An end
-  /// that polygons cover on all sides, so that no way leads from there, is moved if a free place is no farther than
-  /// PathQuery::end_tolerance:
-  /// to the nearest free place, among those that are joined with the other end if the world keeps its abstraction and
-  /// there are any. If walls part the ends, an end that lies beside a wall by no more than rounding
-  /// (default_end_tolerance() at most) is moved to its other side, if this joins the ends; this, too, takes a world
-  /// that keeps its abstraction. The answer says so (Path::moved_start, Path::moved_goal). Errors: coordinate_range,
-  /// out_of_domain, bad_radius, bad_distance, not_supported. Cost: the location of the ends, and the triangles searched
-  /// (Path::expansions); no memory, once `context` and `path` have been used for a search as large. Where walls part
-  /// the ends no triangle is, if the world keeps its abstraction. Source: Cui, Harabor and Grastien, *Compromise-free
-  /// pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`); Demyen and Buro, *Efficient triangulation-based
-  /// pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md says where we depart from them.
+  /// @}
+
+  /// @name Paths
+  /// You need this group to move an agent to a goal. Use find_path for one agent, find_paths for many, and
+  /// find_paths_from to compare many goals. PathSearch finds a path in slices.
+  ///
+  /// @code{.cpp}
+  /// world.find_path({.start = start, .goal = goal}, context, path).value();
+  /// if (path.status == PathStatus::found) std::printf("%zu points\n", path.points.size());
+  /// @endcode
+  /// @{
+
+  /// Finds a path from start to goal. The path never passes through a wall, nor through a point where walls meet. It
+  /// may touch both.
+  ///
+  /// The search can move the start and the goal. Path::moved_start and Path::moved_goal say if it did. There are two
+  /// reasons:
+  /// - Polygons cover the position all around, so no path can leave it. The search then takes the nearest free
+  ///   position, if that is within PathQuery::end_tolerance. If the world keeps its abstraction, the search prefers
+  ///   free positions that are connected with the other end.
+  /// - Walls separate start and goal, but one of the two lies so near to a wall that a rounding error can explain it:
+  ///   by default_end_tolerance() at most, and within PathQuery::end_tolerance. The search then moves it across the
+  ///   wall, if that connects start and goal. This requires a world that keeps its abstraction.
+  ///
+  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported.
+  /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). No memory, once
+  /// `context` and `path` have been used for a search of the same size. If walls separate the ends and the world keeps
+  /// its abstraction, the search enters no triangle.
+  /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
+  /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md describes the
+  /// differences.
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
+  /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
-  /// A path for each query, in their order and each as find_path gives it, found by as many threads as there are
-  /// contexts: threads of the job system, or, where that is null, threads that the library starts. Requires: at least
-  /// one context. Errors: those of find_path; the error's index is the query's position.
+  /// Finds a path for each query, in the order of the queries. Each path is the one that find_path() gives. The
+  /// function uses as many threads as there are contexts: threads of the job system or, if `jobs` is null, threads that
+  /// the library starts. The index of an error is the position of the query.
+  /// Requires: at least one context.
+  /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                         std::vector<Path>& paths, JobSystem* jobs = nullptr) const;
+  /// Finds a path for each query on `threads` threads, with new contexts.
   /// Requires: `threads` is 1 or more.
+  /// Errors: the errors of find_path(); the index of an error is the position of the query.
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                                      JobSystem* jobs = nullptr) const;
 
-  /// The shortest path to each goal, in their order. The expansions of all searches stand in every answer. Errors:
-  /// those of find_path; the error's index is 0 for the start and else the goal's position + 1. Cost: of a few goals
-  /// that of as many paths; from some hundreds on, one search from the start outwards finds them all, which costs what
-  /// lies nearer than the farthest goal, and a little for each.
+  /// Finds the shortest path to each goal, in the order of the goals. Path::expansions of each answer is the sum over
+  /// all searches. The index of an error is 0 for the start, and the position of the goal plus 1 for a goal.
+  /// Errors: the errors of find_path().
+  /// Cost: for few goals, the cost of as many paths. From some hundreds of goals on, one search from the start finds
+  /// all of them. It costs the part of the world that is nearer than the farthest goal, and little for each goal.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
+  /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
-  /// How far a path query may move a blocked end if it does not say: 2^-20, about a millionth, of the largest
-  /// coordinate of the domain. It allows for places computed in steps of `float` arithmetic. In a domain that is much
-  /// larger than what it holds, give queries a tolerance of their own. Cost: none.
+  /// Returns the default of PathQuery::end_tolerance: 2^-20, about a millionth, of the largest coordinate of the
+  /// domain. It allows for positions that a program computes in steps of `float` arithmetic. If the domain is much
+  /// larger than the area that the items fill, give queries a tolerance of their own.
+  /// Cost: O(1).
   [[nodiscard]] double default_end_tolerance() const;
 
-  /// Whether a point agent can walk along a polyline: the question that find_path answers with such a polyline. It may
-  /// touch walls and vertices and may run along walls; it must not pass through a wall, the inside of a polygon, or a
-  /// point where walls meet. Decided exactly. A corner whose coordinates are those of a crossing of walls, rounded,
-  /// stands for that crossing, too, because paths name crossings so. False if there are no points. Errors:
-  /// coordinate_range, out_of_domain; the error's index is the point's position. Cost: the location of the first point,
-  /// and the triangles that the polyline crosses; no memory, once `context` has been used for a polyline as long.
+  /// @}
+
+  /// @name Following changes
+  /// You need this group after a change of the world: it tells which paths are still good. Ask is_affected() first,
+  /// which is cheap, and is_clear() for the paths that are affected.
   ///
-  ///     if (!world.is_clear(unit.path.points).value()) unit.path = world.find_path(unit.query).value();
+  /// @code{.cpp}
+  /// const std::uint64_t before = world.version();
+  /// world.insert(house).value();
+  /// for (Unit& unit : units) {
+  ///   if (!world.is_affected(unit.path.points, before)) continue;
+  ///   if (!world.is_clear(unit.path.points, context).value()) unit.path = world.find_path(unit.query).value();
+  /// }
+  /// @endcode
+  /// @{
+
+  /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The agent may touch
+  /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
+  /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
+  ///
+  /// Paths give the crossing of two walls as rounded coordinates. If a corner of the polyline has these coordinates, it
+  /// also stands for the exact crossing.
+  ///
+  /// The index of an error is the position of the point.
+  /// Errors: coordinate_range, out_of_domain.
+  /// Cost: the location of the first point, and the triangles that the polyline crosses. No memory, once `context` has
+  /// been used for a polyline of the same length.
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, QueryContext& context) const;
+  /// @copydoc is_clear(std::span<const Point>, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points) const;
-  /// The same of the straight way between two places: whether the agent can go it. In contrast to ray(), a touch is no
-  /// hit.
+  /// Returns whether a point agent can walk along the straight segment between two points. The rules are the rules for
+  /// polylines. In contrast to ray(), a segment that only touches a wall is clear.
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, QueryContext& context) const;
+  /// @copydoc is_clear(const Point&, const Point&, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
 
-  /// Whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after version
-  /// `since` has inserted, removed or replaced. If not, the polyline is as clear as it was then. Also true if the world
-  /// does not know: it keeps the boxes of at least the last 2,048 such items, and one box for the items of an operation
-  /// beyond 256. Cost: the boxes times the points, a few comparisons each; no memory.
-  ///
-  ///     const std::uint64_t before = world.version();
-  ///     world.insert(building).value();
-  ///     for (Unit& unit : units) {
-  ///       if (world.is_affected(unit.path.points, before) && !world.is_clear(unit.path.points).value()) replan(unit);
-  ///     }
+  /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
+  /// version `since` has inserted, removed or replaced. If not, the polyline is as clear as it was at that version. The
+  /// result is also true if the world does not know: it keeps the boxes of at least the last 2,048 such items. If an
+  /// operation changes more than 256 items, the items beyond share one box.
+  /// Cost: the number of boxes times the number of points, a few comparisons each. No memory.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
-  /// Which of many paths is_affected() is true of: their positions, ascending.
+  /// Finds the paths for which is_affected() is true. Writes their positions to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
-  /// Goes up by one with every operation that is carried out, and with no other. Cost: none.
+  /// Returns the number of operations that the world has carried out. It grows by one with each operation that
+  /// succeeds.
+  /// Cost: O(1).
   [[nodiscard]] std::uint64_t version() const;
 
-  /// The memory that the world holds, by what it is for. It does not count what the allocator adds to each piece, nor
-  /// the context that the world keeps once a query without a context has been made: about 16 bytes for each face, as
-  /// much as a QueryContext of yours. Cost: O(1).
-  [[nodiscard]] MemoryUse memory() const;
-  /// Gives back most of the memory that memory() calls spare, and the world's own context for queries. Call it if
-  /// memory is short, after a level has been loaded or many items have been removed. The next operations allocate their
-  /// scratch again. No answer and no hash depends on it. Cost: linear in the mesh; for a moment, the memory of one more
-  /// array.
-  void shrink_to_fit();
+  /// @}
 
-  /// Checks everything there is to check, exactly: links, orientation, cover, constrained edges against the items, the
-  /// empty circle and its ties on every free edge, what is kept for paths against a rebuild. Cost: linear in the mesh,
-  /// with exact arithmetic throughout.
+  /// @name Mesh and hashes
+  /// You need this group to draw or inspect the mesh, to compare worlds on different machines, and in tests.
+  ///
+  /// @code{.cpp}
+  /// std::printf("%zu vertices, %zu triangles\n", world.vertex_count(), world.triangle_count());
+  /// std::puts(to_string(world.items_hash()).c_str());
+  /// const bool is_sound = world.validate().ok;  // == true
+  /// @endcode
+  /// @{
+
+  /// Returns the number of vertices of the mesh: the corners of the domain, the corners of items, and the crossings.
+  /// Cost: O(1).
+  [[nodiscard]] std::size_t vertex_count() const;
+  /// Returns the number of triangles of the mesh.
+  /// Cost: linear in the vertices on the border of the domain.
+  [[nodiscard]] std::size_t triangle_count() const;
+  /// Returns a copy of the mesh in canonical order.
+  /// Cost: O(n log n).
+  [[nodiscard]] MeshSnapshot snapshot() const;
+  /// @copydoc snapshot() const
+  void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
+  /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
+  /// have equal dumps.
+  [[nodiscard]] std::string dump() const;
+  /// Returns the hash of the domain and the live items. Every operation updates it, so reading it costs nothing.
+  /// Cost: O(1).
+  [[nodiscard]] ItemsHash items_hash() const;
+  /// Returns the SHA-256 of the bytes of dump().
+  /// Cost: the cost of dump().
+  [[nodiscard]] MeshHash mesh_hash() const;
+  /// Checks the whole world, exactly: links, orientation, covers, constrained edges against the items, the empty circle
+  /// and its ties on every edge that is not constrained, and the path abstraction against a rebuild.
+  /// Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
-  /// The mesh in canonical order. Cost: O(n log n).
-  [[nodiscard]] MeshSnapshot snapshot() const;
-  void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
-  /// The hash of the domain and the live items, kept up by every operation. Cost: none.
-  [[nodiscard]] ItemsHash items_hash() const;
-  /// The SHA-256 of the dump's bytes. Cost: the dump's.
-  [[nodiscard]] MeshHash mesh_hash() const;
+  /// @}
 
-  /// The mesh as canonical text with exact rational coordinates: equal for equal sets of live items.
-  [[nodiscard]] std::string dump() const;
+  /// @name Memory
+  /// You need this group if memory is short.
+  ///
+  /// @code{.cpp}
+  /// const std::size_t before = world.memory().total();
+  /// world.shrink_to_fit();
+  /// const bool is_smaller = world.memory().total() <= before;  // == true
+  /// @endcode
+  /// @{
+
+  /// Returns the memory that the world holds, by purpose. It does not include the overhead of the allocator. It also
+  /// does not include the context that the world keeps after the first query without a context: about 16 bytes for each
+  /// face, as much as a QueryContext of yours.
+  /// Cost: O(1).
+  [[nodiscard]] MemoryUse memory() const;
+  /// Frees most of the memory that memory() calls spare, and the world's own context for queries. Call it if memory is
+  /// short, after you have loaded a level or removed many items. The next operations allocate their scratch again. No
+  /// answer and no hash depends on it.
+  /// Cost: linear in the mesh. While it runs, it needs the memory of one more array.
+  void shrink_to_fit();
+
+  /// @}
 
  private:
   friend class PathSearch;
@@ -325,5 +555,7 @@ class WAYWRIGHT_API World {
   explicit World(std::unique_ptr<Impl> impl);
   detail::Owned<Impl, detail::kMovedWorld> impl_;
 };
+
+/// @}
 
 }  // namespace waywright
