@@ -126,7 +126,7 @@ struct ShortestPaths::Impl {
     return static_cast<std::uint32_t>(found - spokes.begin());
   }
 
-  /// Whether one of the two sides of a wall's piece leads from a node's wedge into another's.
+  /// Returns whether one of the two sides of a piece of a wall leads from a node's wedge into another node's wedge.
   [[nodiscard]] bool joined_along_wall(const Node& u, std::uint32_t spoke_u, const Node& v,
                                        std::uint32_t spoke_v) const {
     const auto before = [&](const Node& node, std::uint32_t spoke) {
@@ -142,8 +142,9 @@ struct ShortestPaths::Impl {
     return vertices[spokes[(node.wedge + which) % spokes.size()].far];
   }
 
-  /// Whether a straight way towards a vertex that no wall leads to lies in a node's wedge, and may be part of a
-  /// shortest path that goes on there: it would be pulled tight round walls that stand on both sides of its line.
+  /// Returns whether a straight line towards a vertex lies in the node's wedge and may belong to a shortest path that
+  /// continues there. At a corner, a shortest path is taut around walls on both sides of its line. Requires: no wall
+  /// leads to the vertex.
   [[nodiscard]] bool may_leave(const Node& node, std::uint32_t towards) const {
     const auto& [spokes, is_end] = hubs[node.vertex];
     if (spokes.size() < 2) return true;
@@ -154,7 +155,7 @@ struct ShortestPaths::Impl {
     return is_end || orientation(at, vertices[towards], first) * orientation(at, vertices[towards], last) >= 0;
   }
 
-  /// Whether no wall crosses or touches the open segment between two vertices.
+  /// Returns whether no wall crosses or touches the open segment between two vertices.
   [[nodiscard]] bool is_clear(std::uint32_t u, std::uint32_t v) const {
     const ExactPoint& p = vertices[u];
     const ExactPoint& q = vertices[v];
@@ -215,7 +216,7 @@ struct ShortestPaths::Impl {
   const std::vector<ExactPoint>& vertices;
   std::vector<Hub> hubs;  ///< by vertex
   std::vector<Node> nodes;
-  std::vector<std::optional<bool>> known;  ///< for two nodes, the lesser first, whether one sees the other
+  std::vector<std::optional<bool>> known;  ///< for two nodes, the smaller first: whether one sees the other
 };
 
 ShortestPaths::ShortestPaths(OracleScene scene, const std::vector<OraclePoint>& ends)

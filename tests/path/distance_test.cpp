@@ -20,7 +20,7 @@ TEST(Distance, FootsAreSquareToTheLine) {
   EXPECT_EQ(path::foot({0, 2}, {0, 0}, {4, 4}), (Point{1, 1}));
 }
 
-// Two vertices may round to one place, and next to 0 to two whose distance has no square.
+// Two vertices may round to the same point. Near 0 they may round to two points whose squared distance is 0 in doubles.
 TEST(Distance, AnEdgeWithoutLengthIsAPlace) {
   for (const Point& edge : {Point{0, 0}, Point{1e-200, 0}, Point{0, -1e-160}, Point{1e-140, 1e-140}}) {
     EXPECT_EQ(path::foot({3, 4}, {1, 2}, edge), (Point{1, 2}));

@@ -46,7 +46,7 @@ GOOD = {
     "tests/oracle/oracle.cpp": '#include "oracle/oracle.hpp"\n',
 }
 
-# A file, an include that must be refused there.
+# Each entry: a file, and an include that the script must refuse there.
 BAD = [
     ("src/base/compiler.hpp", '"mesh/mesh.hpp"'),
     ("src/base/compiler.hpp", '"waywright/id.hpp"'),
