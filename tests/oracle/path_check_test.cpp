@@ -123,7 +123,8 @@ TEST(OraclePath, OtherCornersAndEndsAreExact) {
   // The point is one unit in the last place away, so it does not stand for the crossing.
   const OraclePoint beside{1, 0x1.5555555555557p-1};
   EXPECT_THAT(fault_of(kCross, {{0, 1}, beside, {3, 0}}), HasSubstr("wall of item"));
-  // As a goal it is where it is: 2/3 rounded lies below the walls' crossing, that is on the other side.
+  // As a goal the point stands for itself: the double nearest to 2/3 lies below the crossing of the walls, that is
+  // beyond the wall.
   EXPECT_THAT(fault_of(kCross, {{1, 2}, kCrossCorner}), HasSubstr("wall of item 1"));
 }
 

@@ -149,7 +149,7 @@ TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndTheWayBack) {
     const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
     expect_alike(path_case);
     expect_as_long_the_other_way(path_case);
-    if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its smallest coordinates are the smallest that are allowed
+    if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its smallest coordinates cannot shrink
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
 }
