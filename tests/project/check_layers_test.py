@@ -1,4 +1,4 @@
-"""Made-up source trees, good and bad, before scripts/check_layers.py."""
+"""Tests scripts/check_layers.py with small source trees, valid and invalid."""
 
 import subprocess
 import sys

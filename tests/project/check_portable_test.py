@@ -1,4 +1,4 @@
-"""Made-up sources, portable and not, before scripts/check_portable.py."""
+"""Tests scripts/check_portable.py with small source trees, portable and not."""
 
 import subprocess
 import sys
