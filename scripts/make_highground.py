@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Draws the demo map: prints the world script of examples/maps/highground.wws.
 
-Usage: make_highground.py [OUT]      standard output where OUT is missing
+Usage: make_highground.py [OUT]      standard output if OUT is missing
 
 Two main bases on cliff-ringed plateaus, two expansions, a river with bridges and fords around a lake, ridges, rocks,
-forests, buildings and walls. One half is drawn; the other is its half turn about the middle, as on a fair game map.
-The same bytes come out everywhere: all coordinates are rounded to quarters.
+forests, buildings and walls. The script draws one half and rotates it by half a turn about the middle, as on a
+fair game map. Its output is the same on every machine, as all coordinates are rounded to quarters.
 """
 
 import math

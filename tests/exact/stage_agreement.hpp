@@ -19,13 +19,13 @@ namespace waywright::test {
 
 /// Kinds of points whose determinants are often zero or nearly zero.
 enum class NearMiss : unsigned char {
-  small_lattice,  ///< integers up to 8: many collinear and cocircular points
-  decimals,  ///< multiples of 0.1
-  on_a_line,  ///< doubles next to a line
-  on_a_circle,  ///< doubles next to a circle
-  crossings,  ///< crossings of walls between points of a small lattice, and such points
+  small_lattice,   ///< integers up to 8: many collinear and cocircular points
+  decimals,        ///< multiples of 0.1
+  on_a_line,       ///< doubles next to a line
+  on_a_circle,     ///< doubles next to a circle
+  crossings,       ///< crossings of walls between points of a small lattice, and such points
   fine_crossings,  ///< crossings of nearly parallel walls between doubles
-  far_crossings  ///< the same, a thousand times nearer to one another than to the origin
+  far_crossings    ///< the same, a thousand times nearer to one another than to the origin
 };
 inline constexpr std::array kNearMisses = {NearMiss::small_lattice, NearMiss::decimals,  NearMiss::on_a_line,
                                            NearMiss::on_a_circle,   NearMiss::crossings, NearMiss::fine_crossings,
@@ -104,11 +104,11 @@ class NearMisses {
 };
 
 struct Agreement {
-  std::uint64_t calls = 0;  ///< rounds: one call each of orientation, in-circle and order
-  std::uint64_t doubles = 0;  ///< rounds in which the first stage decided both signs
-  std::uint64_t on_lattice = 0;  ///< rounds in which the second stage could decide all three
+  std::uint64_t calls = 0;             ///< rounds: one call each of orientation, in-circle and order
+  std::uint64_t doubles = 0;           ///< rounds in which the first stage decided both signs
+  std::uint64_t on_lattice = 0;        ///< rounds in which the second stage could decide all three
   std::uint64_t against_integers = 0;  ///< rounds that the last stage checked too
-  std::string fault;  ///< the first disagreement, or empty
+  std::string fault;                   ///< the first disagreement, or empty
 
   Agreement& operator+=(const Agreement& other) {
     calls += other.calls;

@@ -20,8 +20,8 @@ struct Solid {
 
 /// The relation of a position to the rings of a polygon.
 struct Cover {
-  bool on_boundary = false;   ///< on a side or corner
-  bool inside_after = false;  ///< inside just after the position: towards larger y, or towards larger x if `across_x`
+  bool on_boundary = false;    ///< on a side or corner
+  bool inside_after = false;   ///< inside just after the position: towards larger y, or towards larger x if `across_x`
   bool inside_before = false;  ///< inside just before the position
 };
 

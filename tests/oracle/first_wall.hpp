@@ -14,7 +14,7 @@ struct OracleRay {
 
 struct OracleHit {
   bool hit = false;
-  OraclePoint at;  ///< correctly rounded
+  OraclePoint at;                  ///< correctly rounded
   std::vector<std::uint64_t> ids;  ///< of the items with a side there, ascending; 0 is the domain
 };
 

@@ -67,10 +67,10 @@ TEST_P(PointPaths, StraightFromWallToWall) {
     EXPECT_EQ(path_of(world, start, goal).points, (std::vector<Point>{start, goal}));
     EXPECT_EQ(path_of(world, goal, start).points, (std::vector<Point>{goal, start}));
   };
-  expect_straight({3, 5}, {7, 5});  // from side to side
-  expect_straight({3, 6}, {7, 4});  // from end to end
+  expect_straight({3, 5}, {7, 5});   // from side to side
+  expect_straight({3, 6}, {7, 4});   // from end to end
   expect_straight({3, 6}, {7, 10});  // from an end to the boundary
-  expect_straight({3, 2}, {3, 6});  // along a wall
+  expect_straight({3, 2}, {3, 6});   // along a wall
   expect_straight({8, 1.5}, {3, 6});
   expect_straight({8, 2}, {9, 2});
   // A point behind a wall or behind the inside of a solid is not near.

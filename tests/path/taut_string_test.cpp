@@ -60,9 +60,9 @@ double shortest_by_trying_all(const Triangulation& triangulation, const Channel&
   const auto has_end = [&](std::size_t portal, const Point& p) { return p == left[portal] || p == right[portal]; };
   const auto is_free = [&](const Point& from, std::size_t first, const Stop& to) {
     std::size_t last = to.portal;
-    while (first < last && has_end(first, from)) ++first;  // the line crosses these where it starts
+    while (first < last && has_end(first, from)) ++first;     // the line crosses these where it starts
     while (first < last && has_end(last - 1, to.at)) --last;  // or ends
-    if (first < last && from == to.at) return false;  // the channel goes around the point
+    if (first < last && from == to.at) return false;          // the channel goes around the point
     for (std::size_t i = first; i < last; ++i) {
       if (turn(from, to.at, left[i]) < 0 || turn(from, to.at, right[i]) > 0) return false;
     }

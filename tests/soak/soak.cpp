@@ -26,13 +26,13 @@ namespace {
 
 struct Settings {
   std::uint64_t scripts = 1000;  ///< in total, divided evenly among the flavours
-  std::size_t operations = 60;  ///< items of a scene
+  std::size_t operations = 60;   ///< items of a scene
   std::uint64_t seed = 1;
-  std::string flavour;  ///< the only flavour or kind of obstacles; all of them when empty
-  std::uint64_t paths = 0;  ///< scenes to find paths in, in total; when above 0, instead of scenes
-  std::uint64_t places = 0;  ///< positions on paths to search from again, in total; when above 0, instead of scenes
+  std::string flavour;           ///< the only flavour or kind of obstacles; all of them when empty
+  std::uint64_t paths = 0;       ///< scenes to find paths in, in total; when above 0, instead of scenes
+  std::uint64_t places = 0;      ///< positions on paths to search from again, in total; when above 0, instead of scenes
   std::uint64_t predicates = 0;  ///< calls of each predicate, in total; when above 0, instead of scenes
-  std::uint64_t changes = 0;  ///< steps of worlds that change, in total; when above 0, instead of scenes
+  std::uint64_t changes = 0;     ///< steps of worlds that change, in total; when above 0, instead of scenes
 };
 
 struct Totals {

@@ -21,8 +21,8 @@ struct ChangeCounts {
   std::size_t steps = 0;
   std::size_t refusals = 0;
   std::size_t batches = 0;
-  std::size_t insertions = 0;  ///< changes, in batches or not
-  std::size_t removals = 0;  ///< changes
+  std::size_t insertions = 0;    ///< changes, in batches or not
+  std::size_t removals = 0;      ///< changes
   std::size_t replacements = 0;  ///< changes
   std::size_t validations = 0;
   std::size_t rebuilds = 0;

@@ -15,12 +15,12 @@ namespace waywright::test {
 /// points; edges become segments.
 [[nodiscard]] Scene read_cdt(std::string_view text);
 
-/// JSON, told apart by its shape:
+/// Reads JSON. The structure of the text selects the format:
 /// - `[[x,y],...]`, of delaunator: points;
 /// - `[ring,...]`, of earcut: one polygon of all rings that have two points or more, and the other rings' points;
 /// - `{"points":...,"edges":...}`, of constrainautor: points on no edge, then the edges as segments;
 /// - a GeoJSON FeatureCollection of (Multi)Polygons: polygons.
-/// Null where it is none of these.
+/// Returns null if the text has none of these formats.
 [[nodiscard]] std::optional<Scene> read_json(std::string_view text);
 
 /// Reads files of poly2tri: pairs of numbers, whatever other characters are between them. A blank line ends a ring of

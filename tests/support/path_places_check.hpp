@@ -13,10 +13,10 @@ namespace waywright::test {
 /// The result of checking positions on paths.
 struct PlacesReport {
   std::optional<std::string> fault;  ///< the first fault
-  std::size_t paths = 0;  ///< from which positions were taken
+  std::size_t paths = 0;             ///< from which positions were taken
   std::size_t places = 0;
   std::size_t moved = 0;  ///< positions from which the library moved the start
-  double worst = 0.0;  ///< the largest excess of a path's length, divided by the domain's size
+  double worst = 0.0;     ///< the largest excess of a path's length, divided by the domain's size
 };
 
 /// Finds a path for each query of the case by each algorithm, takes `places_per_path` positions from each path, and

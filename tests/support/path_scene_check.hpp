@@ -23,7 +23,7 @@ inline constexpr std::array kPathAlgorithms{PathAlgorithm::ta, PathAlgorithm::tr
 /// The ratios of an algorithm's path lengths to the shortest lengths.
 struct PathRatios {
   std::size_t count = 0;  ///< paths with length above 0
-  double sum = 0.0;  ///< of the ratios of the paths' lengths to the shortest
+  double sum = 0.0;       ///< of the ratios of the paths' lengths to the shortest
   double worst = 1.0;
 
   [[nodiscard]] double mean() const { return count == 0 ? 1.0 : sum / static_cast<double>(count); }
@@ -33,7 +33,7 @@ struct PathRatios {
 /// The result of checking a case.
 struct PathReport {
   std::optional<std::string> fault;  ///< the first fault
-  std::string line;  ///< the line of a script that shows the fault
+  std::string line;                  ///< the line of a script that shows the fault
   std::size_t failed_query = 0;
   std::size_t queries = 0;  ///< queries checked, of all algorithms
   std::size_t vertices = 0;

@@ -16,11 +16,11 @@ namespace waywright::test {
 
 /// The obstacles in a scene made for paths.
 enum class Obstacles : std::uint8_t {
-  boxes,  ///< axis-parallel and rotated rectangles, and triangles, which touch and overlap
-  walls,  ///< single walls, many of which touch or cross
+  boxes,      ///< axis-parallel and rotated rectangles, and triangles, which touch and overlap
+  walls,      ///< single walls, many of which touch or cross
   polylines,  ///< chains of walls, open and closed
-  cells,  ///< blocked cells of a grid: shared sides, corners that touch, rings that visit a corner twice
-  mixture,  ///< all of these
+  cells,      ///< blocked cells of a grid: shared sides, corners that touch, rings that visit a corner twice
+  mixture,    ///< all of these
 };
 
 inline constexpr std::array kObstacles{Obstacles::boxes, Obstacles::walls, Obstacles::polylines, Obstacles::cells,

@@ -15,11 +15,11 @@ namespace waywright::test {
 
 /// The kind of coordinates in a random scene.
 enum class Flavour : std::uint8_t {
-  lattice,  ///< a lattice of 9 x 9: almost everything is degenerate
-  small,  ///< integers within ±8000
-  large,  ///< integers within ±2^40
+  lattice,    ///< a lattice of 9 x 9: almost everything is degenerate
+  small,      ///< integers within ±8000
+  large,      ///< integers within ±2^40
   mantissas,  ///< full mantissas within ±1
-  mixed,  ///< doubles of very different sizes within ±2^100, and near-misses of 2^-50 of that size
+  mixed,      ///< doubles of very different sizes within ±2^100, and near-misses of 2^-50 of that size
 };
 
 inline constexpr std::array kFlavours{Flavour::lattice, Flavour::small, Flavour::large, Flavour::mantissas,

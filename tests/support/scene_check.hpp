@@ -15,8 +15,8 @@ namespace waywright::test {
 /// The result of checking a world. The property tests and the soak use the same check.
 struct SceneReport {
   std::optional<std::string> fault;  ///< the first fault
-  std::size_t operations = 0;  ///< insertions, also refused ones, and queries
-  std::size_t vertices = 0;  ///< of the finished mesh
+  std::size_t operations = 0;        ///< insertions, also refused ones, and queries
+  std::size_t vertices = 0;          ///< of the finished mesh
 };
 
 /// Builds the scene's world item by item and compares it with the oracle: validate() after every insertion; the dump

@@ -221,7 +221,7 @@ TEST(ToSvg, StaysSmallOfALargeWorld) {
 
 TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
   World world = make_world({{0, 0}, {1000, 1000}});
-  world.insert_segment({0, 0}, {1000, 500}, {1}).value();  // through the box
+  world.insert_segment({0, 0}, {1000, 500}, {1}).value();    // through the box
   world.insert_segment({0, 900}, {900, 1000}, {2}).value();  // beside it
   world.insert_polygon({{500, 200}, {900, 200}, {900, 900}, {500, 900}}, {3}).value();
   world.insert_polygon({{10, 10}, {20, 10}, {10, 20}}, {4}).value();
