@@ -69,7 +69,7 @@ class CubeRootSampling {
     for (std::size_t tries = 0; tries * tries * tries < vertex_count; ++tries) {
       const mesh::Vertex v{random.below(ground.mesh.vertex_slots())};
       if (!ground.mesh.is_alive(v) || v == ground.ghost) continue;
-      const Point at = ground.geometry.nearest(number(v));
+      const Point at = ground.geometry.rounded(number(v));
       const double squared = (at.x - point.x) * (at.x - point.x) + (at.y - point.y) * (at.y - point.y);
       if (squared >= least) continue;
       least = squared;

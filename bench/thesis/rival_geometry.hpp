@@ -54,7 +54,7 @@ class RivalGeometry {
   [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(places_[vertex]); }
   void prefetch(std::uint32_t vertex) const { base::prefetch(&places_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return Arithmetic::view(point); }
-  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex].rounded; }
+  [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return places_[vertex].rounded; }
 
   [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {
     return Arithmetic::orientation(a, b, c);

@@ -26,7 +26,7 @@ class Triangulated {
   explicit Triangulated(const Box& domain) : triangulation_(domain) {}
 
   void insert(const Item& item) {
-    typename Triangulation::Operation operation(triangulation_);
+    typename Triangulation::UndoGuard operation(triangulation_);
     triangulation_.insert(item.shape, item.id);
     operation.commit();
   }
@@ -59,7 +59,7 @@ class Triangulated {
   using Triangulation = constraint::ConstrainedTriangulation<Geometry>;
 
   void remove(ItemId id) {
-    typename Triangulation::Operation operation(triangulation_);
+    typename Triangulation::UndoGuard operation(triangulation_);
     triangulation_.remove(id);
     operation.commit();
   }
@@ -67,7 +67,7 @@ class Triangulated {
   [[nodiscard]] bool turns_left(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c) const {
     if constexpr (std::is_same_v<typename Geometry::View, Point>) {
       const auto at = [&](mesh::Vertex v) {
-        return exact::explicit_point(triangulation_.triangulation().geometry().nearest(number(v)));
+        return exact::explicit_point(triangulation_.triangulation().geometry().rounded(number(v)));
       };
       return exact::orientation(at(a), at(b), at(c)) == exact::Sign::positive;
     } else {

@@ -14,7 +14,7 @@
 namespace waywright {
 
 /// What a line of a world script asks for.
-enum class OperationKind : std::uint8_t {
+enum class ScriptLineKind : std::uint8_t {
   insert,
   remove,
   replace,
@@ -30,8 +30,8 @@ enum class OperationKind : std::uint8_t {
 
 /// One line of a world script. Numbers are as read: whether they lie in range, or in the domain, is for the world to
 /// say.
-struct Operation {
-  OperationKind kind = OperationKind::check;
+struct ScriptLine {
+  ScriptLineKind kind = ScriptLineKind::check;
   std::uint32_t line = 0;                  ///< from 1
   Item item;                               ///< of an insertion or replacement; of a removal its id, of clear its points
   Point from;                              ///< of locate, ray, disc, nearest and path
@@ -42,13 +42,13 @@ struct Operation {
 };
 
 /// The word that the script's line begins with: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...
-[[nodiscard]] WAYWRIGHT_API std::string_view to_string(const Operation& operation);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(const ScriptLine& operation);
 
 /// A whole world script, read before any of it runs.
 struct Script {
   Box domain;  ///< min < max holds, and a world can hold its corners
   std::uint32_t domain_line = 0;
-  std::vector<Operation> operations;
+  std::vector<ScriptLine> lines;
 };
 
 /// Reads a world script, as docs/formats.md describes it. `name` is what messages call the text; they start `NAME:LINE:

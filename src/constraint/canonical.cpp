@@ -45,7 +45,7 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
   rank.assign(mesh.vertex_slots(), 0);
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
     rank[number(vertices[i])] = i;
-    snapshot.vertices.push_back(delaunay.geometry().nearest(number(vertices[i])));
+    snapshot.vertices.push_back(delaunay.geometry().rounded(number(vertices[i])));
   }
 
   fixed.clear();

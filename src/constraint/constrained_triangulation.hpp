@@ -41,23 +41,23 @@ class ConstrainedTriangulation {
   [[nodiscard]] const mesh::TriangleMesh& topology() const { return triangulation_.topology(); }
   [[nodiscard]] const ItemTable& items() const { return items_; }
   /// Marks an id as used: it is never given to a new item.
-  void see(ItemId id) { items_.see(id); }
+  void mark_used(ItemId id) { items_.mark_used(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
 
   /// One operation, all or nothing. If the object is destroyed before commit(), for example because memory ran out, the
   /// destructor undoes all changes since the object was made. Requires: no other operation is under way.
-  class Operation {
+  class UndoGuard {
    public:
-    explicit Operation(ConstrainedTriangulation& triangulation) : triangulation_(triangulation) {
+    explicit UndoGuard(ConstrainedTriangulation& triangulation) : triangulation_(triangulation) {
       triangulation_.begin();
     }
-    ~Operation() {
+    ~UndoGuard() {
       if (!is_committed_) triangulation_.roll_back();
     }
-    Operation(const Operation&) = delete;
-    Operation& operator=(const Operation&) = delete;
+    UndoGuard(const UndoGuard&) = delete;
+    UndoGuard& operator=(const UndoGuard&) = delete;
 
     void commit() { is_committed_ = true; }
 

@@ -22,7 +22,7 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
   std::uint32_t i = 0;
   for (const std::uint32_t end : outline.ring_ends) {
     hash.begin_ring(end - i);
-    for (; i < end; ++i) hash.add(triangulation_.geometry().nearest(number(outline.corners[i])));
+    for (; i < end; ++i) hash.add(triangulation_.geometry().rounded(number(outline.corners[i])));
   }
   return hash.words();
 }

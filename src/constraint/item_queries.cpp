@@ -38,8 +38,8 @@ void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v
 Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
   const auto& geometry = triangulation.triangulation().geometry();
   const Side& side = triangulation.items().side(triangulation.uses().any(triangulation.topology().label(h)));
-  const Point& c = geometry.nearest(number(side.from));
-  const Point& d = geometry.nearest(number(side.to));
+  const Point& c = geometry.rounded(number(side.from));
+  const Point& d = geometry.rounded(number(side.to));
   for (const Point& end : {from, to}) {
     const auto on = exact::orientation(exact::explicit_point(c), exact::explicit_point(d), exact::explicit_point(end));
     if (on == exact::Sign::zero) return end;
@@ -65,7 +65,7 @@ class CrossedItems : public SegmentVisitor {
     met.clear();
     append_items_around(triangulation_, v, met);
     std::erase_if(met, [&](std::uint32_t slot) { return std::binary_search(along.begin(), along.end(), slot); });
-    report_items(triangulation_.triangulation().geometry().nearest(number(v)));
+    report_items(triangulation_.triangulation().geometry().rounded(number(v)));
     last_vertex_ = v;
     last_edge_ = mesh::kNoHalfEdge;
     return true;
@@ -114,7 +114,7 @@ class FirstWall : public SegmentVisitor {
   bool at_vertex(mesh::Vertex v) {
     triangulation_.topology().for_each_outgoing(v, [&](mesh::HalfEdge h) { append_items(h); });
     if (hit_.items.empty()) return true;
-    hit_.at = triangulation_.triangulation().geometry().nearest(number(v));
+    hit_.at = triangulation_.triangulation().geometry().rounded(number(v));
     return false;
   }
 
@@ -168,7 +168,7 @@ class BoxFlood {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     const exact::Geometry& geometry = triangulation_.triangulation().geometry();
     const mesh::Vertex v = mesh.origin(h);
-    if (geometry.is_explicit(number(v)) && test_.holds(geometry.nearest(number(v)))) {
+    if (geometry.is_explicit(number(v)) && test_.holds(geometry.rounded(number(v)))) {
       triangulation_.uses().for_each(triangulation_.corner_uses(v),
                                      [&](std::uint32_t item) { scratch_.slots.push_back(item); });
     }

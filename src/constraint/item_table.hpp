@@ -121,7 +121,7 @@ class ItemTable {
     return result;
   }
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
-  void see(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
+  void mark_used(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
 
   void count_memory(MemoryUse& use) const {
     memory::count(use, &MemoryUse::items, items_);

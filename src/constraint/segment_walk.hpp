@@ -42,7 +42,7 @@ class SegmentWalk {
   using Sign = exact::Sign;
 
   /// A stop of the walk: at a vertex, or at an edge through which the segment is about to leave a face.
-  struct Stand {
+  struct Stop {
     mesh::Vertex vertex = mesh::kNoVertex;
     mesh::HalfEdge exit = mesh::kNoHalfEdge;
     bool has_ended = false;  ///< the segment ends before this vertex or edge
@@ -63,15 +63,15 @@ class SegmentWalk {
   }
   [[nodiscard]] bool is_ahead(mesh::Vertex u, mesh::Vertex v) const { return delaunay_.comes_before(u, v) == ascends_; }
 
-  [[nodiscard]] Stand leave_vertex(mesh::Vertex u) const;
-  [[nodiscard]] Stand stand_on_start_edge() const;
-  [[nodiscard]] Stand leave_face(mesh::HalfEdge any) const;
+  [[nodiscard]] Stop leave_vertex(mesh::Vertex u) const;
+  [[nodiscard]] Stop stand_on_start_edge() const;
+  [[nodiscard]] Stop leave_face(mesh::HalfEdge any) const;
   template <class Visitor>
   [[nodiscard]] mesh::HalfEdge cross_faces(mesh::HalfEdge exit, Visitor&& visitor) const;
-  [[nodiscard]] Stand stand_at(mesh::Vertex v, mesh::HalfEdge through = mesh::kNoHalfEdge) const {
+  [[nodiscard]] Stop stop_at_vertex(mesh::Vertex v, mesh::HalfEdge through = mesh::kNoHalfEdge) const {
     return {v, mesh::kNoHalfEdge, ends_before(v), false, through};
   }
-  [[nodiscard]] Stand stand_before(mesh::HalfEdge exit) const;
+  [[nodiscard]] Stop stop_at_edge(mesh::HalfEdge exit) const;
 
   const Delaunay& delaunay_;
   const mesh::TriangleMesh& mesh_;
@@ -81,7 +81,7 @@ class SegmentWalk {
 };
 
 /// The stop at an exit edge. The segment ends beyond the edge, on it, or before it, inside the face.
-inline SegmentWalk::Stand SegmentWalk::stand_before(mesh::HalfEdge exit) const {
+inline SegmentWalk::Stop SegmentWalk::stop_at_edge(mesh::HalfEdge exit) const {
   const Sign end_side =
       geometry().orientation(delaunay_.view(mesh_.origin(exit)), delaunay_.view(mesh_.target(exit)), to());
   return {mesh::kNoVertex, exit, end_side == Sign::positive, end_side == Sign::zero, exit};
@@ -112,9 +112,9 @@ mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) 
 
 template <class Visitor>
 void SegmentWalk::run(Visitor&& visitor) {
-  Stand stand;
+  Stop stand;
   if (start_.spot == locate::Spot::vertex) {
-    stand = stand_at(mesh_.origin(start_.h));
+    stand = stop_at_vertex(mesh_.origin(start_.h));
   } else if (start_.spot == locate::Spot::edge) {
     stand = stand_on_start_edge();
     if (stand.vertex != mesh::kNoVertex && !visitor.at_edge(start_.h, false)) return;
@@ -134,7 +134,7 @@ void SegmentWalk::run(Visitor&& visitor) {
       if (stand.ends_on_exit) return;
       const mesh::HalfEdge entry = cross_faces(stand.exit, visitor);
       if (entry == mesh::kNoHalfEdge) return;
-      stand = stand_at(mesh_.apex(entry), entry);
+      stand = stop_at_vertex(mesh_.apex(entry), entry);
     }
   }
 }

@@ -162,7 +162,7 @@ typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_ove
 template <class Geometry>
 void Triangulation<Geometry>::forget(mesh::Vertex v, mesh::HalfEdge near) {
   mesh_.free_vertex(v);
-  sectors_.forget(geometry_.nearest(number(v)), v, mesh_.origin(near));
+  sectors_.forget(geometry_.rounded(number(v)), v, mesh_.origin(near));
   geometry_.clear(number(v));
   remember(near);
 }

@@ -127,7 +127,7 @@ class Triangulation {
   /// Prefetches what a removal of `v` reads first: the face where star(v) begins, and the sector.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_star(mesh::Vertex v) const {
     mesh_.prefetch(mesh_.outgoing(v));
-    sectors_.prefetch(geometry_.nearest(number(v)));
+    sectors_.prefetch(geometry_.rounded(number(v)));
   }
 
   /// Makes u - w an edge, fixes it under `label`, and triangulates the faces that it crosses anew. Returns the

@@ -108,7 +108,7 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {
-    const Point& place = geometry_.nearest(number(from));
+    const Point& place = geometry_.rounded(number(from));
     return (place.x - point.x) * (place.x - point.x) + (place.y - point.y) * (place.y - point.y);
   };
   mesh::Vertex nearest = mesh_.origin(recent_);
@@ -135,7 +135,7 @@ template <class Geometry>
 void Triangulation<Geometry>::divide_sector(const Point& point) {
   const mesh::Vertex v = sectors_.near(sectors_.at(point));
   if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return;
-  if (sectors_.are_in_one(point, geometry_.nearest(number(v)))) sectors_.divide(point, mesh_.vertex_count());
+  if (sectors_.are_in_one(point, geometry_.rounded(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }
 
 /// For a half-edge in a ghost face: a half-edge of the adjacent face in the box.
@@ -183,7 +183,7 @@ mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Ve
                                                       mesh::Vertex d) {
   const mesh::Vertex v = mesh_.add_vertex();
   geometry_.place_crossing(number(v), number(a), number(b), number(c), number(d));
-  sectors_.remember(geometry_.nearest(number(v)), v, mesh_.vertex_count());
+  sectors_.remember(geometry_.rounded(number(v)), v, mesh_.vertex_count());
   in_doubt_.clear();
   for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) in_doubt_.push_back(opposite);
   legalise_around_apex();

@@ -31,7 +31,7 @@ concept AnyGeometry = std::constructible_from<G, const Box&> && std::semiregular
   { asked.view(vertex) } -> std::convertible_to<typename G::View>;
   { asked.view(point) } -> std::convertible_to<typename G::View>;
   // The position, rounded to doubles: for output and for hints where to start a search.
-  { asked.nearest(vertex) } -> std::convertible_to<Point>;
+  { asked.rounded(vertex) } -> std::convertible_to<Point>;
 
   // The three predicates: left or right of a line, inside or outside a circle, first or second in (x, y) order.
   { asked.orientation(view, view, view) } -> std::same_as<Sign>;

@@ -13,7 +13,7 @@ void Geometry::place(std::uint32_t vertex, const Point& point) {
 
 void Geometry::place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                               std::uint32_t d) {
-  const Crossing crossing{nearest(a), nearest(b), nearest(c), nearest(d)};
+  const Crossing crossing{rounded(a), rounded(b), rounded(c), rounded(d)};
   const RoundedCrossing rounded = round_to_nearest(crossing);
   place(vertex, rounded.nearest);
   if (rounded.is_exact) return;

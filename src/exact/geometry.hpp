@@ -78,7 +78,7 @@ class Geometry {
   [[nodiscard]] static View view(const Point& point) { return {point.x, point.y, kNoVertex}; }
 
   /// The coordinates of the vertex, each rounded to the nearest double.
-  [[nodiscard]] const Point& nearest(std::uint32_t vertex) const { return places_[vertex]; }
+  [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return places_[vertex]; }
   [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return crossing_of(vertex) == kExplicit; }
   /// Whether there may be a constructed vertex. If the result is false, there is none.
   [[nodiscard]] bool has_constructed() const { return !crossing_of_.empty(); }

@@ -17,26 +17,26 @@ namespace {
 struct Grammar {
   std::string_view word;
   std::string_view usage;
-  OperationKind kind;
+  ScriptLineKind kind;
   ItemKind item = ItemKind::point;  ///< of an insertion: what it inserts
 };
 
 constexpr std::array kGrammars{
-    Grammar{"point", "point ID X Y", OperationKind::insert, ItemKind::point},
-    Grammar{"segment", "segment ID X1 Y1 X2 Y2", OperationKind::insert, ItemKind::segment},
-    Grammar{"polyline", "polyline ID N X1 Y1 ... XN YN", OperationKind::insert, ItemKind::polyline},
-    Grammar{"polygon", "polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...", OperationKind::insert,
+    Grammar{"point", "point ID X Y", ScriptLineKind::insert, ItemKind::point},
+    Grammar{"segment", "segment ID X1 Y1 X2 Y2", ScriptLineKind::insert, ItemKind::segment},
+    Grammar{"polyline", "polyline ID N X1 Y1 ... XN YN", ScriptLineKind::insert, ItemKind::polyline},
+    Grammar{"polygon", "polygon ID [nonzero] N X1 Y1 ... XN YN [/ N X1 Y1 ...]...", ScriptLineKind::insert,
             ItemKind::polygon},
-    Grammar{"remove", "remove ID", OperationKind::remove},
-    Grammar{"replace", "replace KIND ID ...", OperationKind::replace},
-    Grammar{"locate", "locate X Y", OperationKind::locate},
-    Grammar{"ray", "ray X1 Y1 X2 Y2", OperationKind::ray},
-    Grammar{"disc", "disc X Y RADIUS", OperationKind::disc},
-    Grammar{"nearest", "nearest X Y RADIUS", OperationKind::nearest},
-    Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM] [tolerance DISTANCE]", OperationKind::path},
-    Grammar{"clear", "clear N X1 Y1 ... XN YN", OperationKind::clear},
-    Grammar{"check", "check", OperationKind::check},
-    Grammar{"hash", "hash", OperationKind::hash},
+    Grammar{"remove", "remove ID", ScriptLineKind::remove},
+    Grammar{"replace", "replace KIND ID ...", ScriptLineKind::replace},
+    Grammar{"locate", "locate X Y", ScriptLineKind::locate},
+    Grammar{"ray", "ray X1 Y1 X2 Y2", ScriptLineKind::ray},
+    Grammar{"disc", "disc X Y RADIUS", ScriptLineKind::disc},
+    Grammar{"nearest", "nearest X Y RADIUS", ScriptLineKind::nearest},
+    Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM] [tolerance DISTANCE]", ScriptLineKind::path},
+    Grammar{"clear", "clear N X1 Y1 ... XN YN", ScriptLineKind::clear},
+    Grammar{"check", "check", ScriptLineKind::check},
+    Grammar{"hash", "hash", ScriptLineKind::hash},
 };
 
 constexpr std::string_view kHeaderUsage = "waywright 1";
@@ -59,14 +59,14 @@ class ScriptParser {
   bool read_lines();
   bool read_line(std::string_view word);
   bool read_domain();
-  bool read_operation(Operation& operation, const Grammar& grammar);
+  bool read_operation(ScriptLine& operation, const Grammar& grammar);
   bool read_insertion(Item& item, ItemKind kind);
   bool read_replacement(Item& item);
   bool read_rings(Shape& shape);
   bool read_ring(Rings& rings);
   bool read_ring(std::string_view count_word, Rings& rings);
   bool read_points(std::uint64_t count, Rings& rings);
-  bool read_path_options(Operation& operation);
+  bool read_path_options(ScriptLine& operation);
 
   /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line(std::string_view& word);
@@ -177,11 +177,11 @@ bool ScriptParser::read_line(std::string_view word) {
   if (grammar == kGrammars.end()) return fail("an operation", word);
   if (script_.domain_line == 0) return fail("'domain X0 Y0 X1 Y1' before anything else", word);
   usage_ = grammar->usage;
-  Operation operation;
+  ScriptLine operation;
   operation.kind = grammar->kind;
   operation.line = static_cast<std::uint32_t>(lines_.number());
   if (!read_operation(operation, *grammar) || !end_of_line()) return false;
-  script_.operations.push_back(std::move(operation));
+  script_.lines.push_back(std::move(operation));
   return true;
 }
 
@@ -204,27 +204,27 @@ bool ScriptParser::read_domain() {
   return true;
 }
 
-bool ScriptParser::read_operation(Operation& operation, const Grammar& grammar) {
+bool ScriptParser::read_operation(ScriptLine& operation, const Grammar& grammar) {
   switch (operation.kind) {
-    case OperationKind::insert:
+    case ScriptLineKind::insert:
       return read_insertion(operation.item, grammar.item);
-    case OperationKind::remove:
+    case ScriptLineKind::remove:
       return id(operation.item.id);
-    case OperationKind::replace:
+    case ScriptLineKind::replace:
       return read_replacement(operation.item);
-    case OperationKind::locate:
+    case ScriptLineKind::locate:
       return point(operation.from);
-    case OperationKind::ray:
+    case ScriptLineKind::ray:
       return point(operation.from) && point(operation.to);
-    case OperationKind::disc:
-    case OperationKind::nearest:
+    case ScriptLineKind::disc:
+    case ScriptLineKind::nearest:
       return point(operation.from) && number(operation.radius);
-    case OperationKind::path:
+    case ScriptLineKind::path:
       return point(operation.from) && point(operation.to) && number(operation.radius) && read_path_options(operation);
-    case OperationKind::clear:
+    case ScriptLineKind::clear:
       return read_ring(operation.item.shape.rings);
-    case OperationKind::check:
-    case OperationKind::hash:
+    case ScriptLineKind::check:
+    case ScriptLineKind::hash:
       break;
   }
   return true;
@@ -244,7 +244,7 @@ bool ScriptParser::read_replacement(Item& item) {
   std::string_view word;
   if (!words_.next(word)) return fail(kExpected, {});
   const auto grammar = std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) {
-    return g.kind == OperationKind::insert && g.word == word;
+    return g.kind == ScriptLineKind::insert && g.word == word;
   });
   if (grammar == kGrammars.end()) return fail(kExpected, word);
   usage_ = grammar->usage;
@@ -291,7 +291,7 @@ bool ScriptParser::read_points(std::uint64_t count, Rings& rings) {
   return true;
 }
 
-bool ScriptParser::read_path_options(Operation& operation) {
+bool ScriptParser::read_path_options(ScriptLine& operation) {
   std::string_view word;
   if (!words_.next(word)) return true;
   operation.algorithm = path_algorithm(word);
@@ -312,8 +312,8 @@ bool fits(const Shape& shape, const Box& domain) {
 
 }  // namespace
 
-std::string_view to_string(const Operation& operation) {
-  if (operation.kind == OperationKind::insert) return to_string(operation.item.shape.kind);
+std::string_view to_string(const ScriptLine& operation) {
+  if (operation.kind == ScriptLineKind::insert) return to_string(operation.item.shape.kind);
   const auto grammar =
       std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.kind == operation.kind; });
   return grammar == kGrammars.end() ? std::string_view{} : grammar->word;
@@ -328,24 +328,24 @@ Result<Script> parse_script(std::string_view text, std::string_view name) {
 Scene scene_of(const Script& script) {
   const base::FloatEnvironment environment;
   struct Live {
-    const Operation* inserted = nullptr;
-    const Operation* shaped = nullptr;  ///< the insertion, or the last replacement since
+    const ScriptLine* inserted = nullptr;
+    const ScriptLine* shaped = nullptr;  ///< the insertion, or the last replacement since
   };
   std::unordered_map<ItemId, Live> alive;
-  for (const Operation& operation : script.operations) {
-    if (operation.kind == OperationKind::remove) {
+  for (const ScriptLine& operation : script.lines) {
+    if (operation.kind == ScriptLineKind::remove) {
       alive.erase(operation.item.id);
-    } else if (operation.kind == OperationKind::insert && fits(operation.item.shape, script.domain)) {
+    } else if (operation.kind == ScriptLineKind::insert && fits(operation.item.shape, script.domain)) {
       alive.try_emplace(operation.item.id, Live{&operation, &operation});
-    } else if (operation.kind == OperationKind::replace && fits(operation.item.shape, script.domain)) {
+    } else if (operation.kind == ScriptLineKind::replace && fits(operation.item.shape, script.domain)) {
       const auto found = alive.find(operation.item.id);
       if (found != alive.end()) found->second.shaped = &operation;
     }
   }
   Scene scene{.domain = script.domain, .items = {}, .y_down = false};
   scene.items.reserve(alive.size());
-  for (const Operation& operation : script.operations) {
-    if (operation.kind != OperationKind::insert) continue;
+  for (const ScriptLine& operation : script.lines) {
+    if (operation.kind != ScriptLineKind::insert) continue;
     const auto found = alive.find(operation.item.id);
     if (found != alive.end() && found->second.inserted == &operation) {
       scene.items.push_back(found->second.shaped->item);

@@ -60,8 +60,8 @@ void Abstraction::update(const Triangulation& triangulation) {
   collect_made(triangulation);
   drop_replaced();
   if (is_in_the_open(mesh)) {
-    components_.refill(mesh, gone_, made_);
-    core_.refill(mesh, gone_, made_);
+    components_.update_in_open_space(mesh, gone_, made_);
+    core_.update_in_open_space(mesh, gone_, made_);
   } else {
     components_.update(triangulation, {gone_, made_, removed_, inserted_});
     core_.update(mesh, gone_, made_);
@@ -114,11 +114,11 @@ void Abstraction::drop_replaced() {
 /// the same component, and each has three passages in the core.
 bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
-  Components::Label component = Components::kNone;
+  Components::Id component = Components::kNone;
   for (const Face f : gone_) {
     if (core_.is_absent(f)) continue;
-    if (component == Components::kNone) component = components_.of(f);
-    if (core_.degree(f) != 3 || components_.of(f) != component) return false;
+    if (component == Components::kNone) component = components_.component_of(f);
+    if (core_.degree(f) != 3 || components_.component_of(f) != component) return false;
   }
   return component != Components::kNone && std::all_of(made_.begin(), made_.end(), [&](Face f) {
            const mesh::HalfEdge h = mesh::first(f);

@@ -43,7 +43,7 @@ class Abstraction {
   template <class Visit>
   [[nodiscard]] bool for_each_changed_face(Visit&& visit) const {
     if (was_rebuilt_) return false;
-    components_.for_each_relabelled_face(visit);
+    components_.for_each_changed_face(visit);
     core_.for_each_written_face(visit);
     return true;
   }

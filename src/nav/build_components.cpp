@@ -41,18 +41,18 @@ Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Tu
 }  // namespace
 
 Components::Components(const Triangulation& triangulation) {
-  std::vector<Label> labels = join_faces(triangulation);
-  number_components(labels);
-  labels_ = memory::JournaledArray<Label>(std::move(labels));
+  std::vector<Id> ids = join_faces(triangulation);
+  number_components(ids);
+  ids_ = memory::JournaledArray<Id>(std::move(ids));
   if (triangulation.items().has_polygons()) cover_components(triangulation);
   begin();
 }
 
 /// Returns the components as trees: for each face of the box, another face of its component, or itself for a root.
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
-std::vector<Components::Label> Components::join_faces(const Triangulation& triangulation) {
+std::vector<Components::Id> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  std::vector<Label> trees(mesh.face_slots(), kNone);
+  std::vector<Id> trees(mesh.face_slots(), kNone);
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!triangulation.triangulation().is_in_box(Face{f})) continue;
     trees[f] = f;
@@ -65,13 +65,13 @@ std::vector<Components::Label> Components::join_faces(const Triangulation& trian
   return trees;
 }
 
-/// Makes a component of each tree in `labels`, and replaces each entry by the label of its face's component.
-void Components::number_components(std::vector<Label>& labels) {
-  for (std::uint32_t f = 0; f < labels.size(); ++f) {
-    if (labels[f] == kNone) continue;
-    const bool is_first = labels[f] == f;
-    labels[f] = is_first ? add_record({}) : labels[labels[f]];
-    ++records_.unrecorded(labels[f]).size;
+/// Makes a component of each tree in `ids`, and replaces each entry by the id of its face's component.
+void Components::number_components(std::vector<Id>& ids) {
+  for (std::uint32_t f = 0; f < ids.size(); ++f) {
+    if (ids[f] == kNone) continue;
+    const bool is_first = ids[f] == f;
+    ids[f] = is_first ? add_record({}) : ids[ids[f]];
+    ++records_.unrecorded(ids[f]).size;
   }
 }
 
@@ -82,13 +82,13 @@ void Components::cover_components(const Triangulation& triangulation) {
   const bool has_nonzero = triangulation.items().has_nonzero_polygons();
   const std::vector<Door> doors = find_doors(mesh);
   std::vector<bool> is_known(records_.size());
-  std::vector<std::pair<Label, Turns>> known(1, {kNone, {}});
-  const auto comes_before = [](const Door& door, Label component) { return door.component < component; };
+  std::vector<std::pair<Id, Turns>> known(1, {kNone, {}});
+  const auto comes_before = [](const Door& door, Id component) { return door.component < component; };
   for (std::size_t i = 0; i < known.size(); ++i) {
     const auto [component, here] = std::move(known[i]);
     auto door = std::lower_bound(doors.begin(), doors.end(), component, comes_before);
     for (; door != doors.end() && door->component == component; ++door) {
-      const Label beyond = of(mesh::face(mesh.twin(door->h)));
+      const Id beyond = component_of(mesh::face(mesh.twin(door->h)));
       if (is_known[beyond]) continue;
       is_known[beyond] = true;
       known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, door->h) : Turns());
@@ -106,8 +106,8 @@ std::vector<Components::Door> Components::find_doors(const mesh::TriangleMesh& m
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
     if (!mesh.is_alive(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
-    const Label beyond = of(mesh::face(mesh.twin(h)));
-    if (beyond != kNone && beyond != of(mesh::face(h))) doors.push_back({of(mesh::face(h)), h});
+    const Id beyond = component_of(mesh::face(mesh.twin(h)));
+    if (beyond != kNone && beyond != component_of(mesh::face(h))) doors.push_back({component_of(mesh::face(h)), h});
   }
   std::sort(doors.begin(), doors.end(), [](const Door& a, const Door& b) { return a.component < b.component; });
   return doors;

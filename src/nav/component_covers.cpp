@@ -71,7 +71,7 @@ void visit_inner_faces(const constraint::ExactTriangulation& triangulation, cons
 void Components::drop_removed(const Triangulation& triangulation, const Changes& changes) {
   for (const std::uint32_t polygon : changes.removed) {
     find_covered(triangulation.topology(), changes.made, polygon);
-    for (const Label label : flooded_) set_cover(label, covers_.remove(records_[label].cover, polygon));
+    for (const Id id : flooded_) set_cover(id, covers_.remove(records_[id].cover, polygon));
   }
 }
 
@@ -84,12 +84,12 @@ void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Fa
   const auto visit_neighbours = [&](Face f) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const Face other = mesh::face(mesh.twin(HalfEdge{3 * number(f) + side}));
-      const Label label = labels_[number(other)];
-      if (label == kNone || mark(other) == flood) continue;
-      if (!covers_.contains(records_[label].cover, polygon)) continue;
+      const Id id = ids_[number(other)];
+      if (id == kNone || mark(other) == flood) continue;
+      if (!covers_.contains(records_[id].cover, polygon)) continue;
       set_mark(other, flood);
       stack_.push_back(other);
-      if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);
+      if (flooded_.empty() || flooded_.back() != id) flooded_.push_back(id);
     }
   };
   for (const Face f : made) visit_neighbours(f);
@@ -101,9 +101,7 @@ void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Fa
   constraint::keep_one_of_each(flooded_);
 }
 
-void Components::set_cover(Label component, Uses cover) {
-  records_.write(component, {records_[component].size, cover});
-}
+void Components::set_cover(Id component, Uses cover) { records_.write(component, {records_[component].size, cover}); }
 
 /// Returns a half-edge that starts at `v`, in a face of the box. To the right of this half-edge lies only what comes
 /// before `v` in (x, y) order, or what lies beyond the box.
@@ -116,7 +114,7 @@ HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::V
 void Components::cover_new_groups(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
-    if (groups_[i].label != kNone || !cover_from_beyond(triangulation, changes, i)) continue;
+    if (groups_[i].id != kNone || !cover_from_beyond(triangulation, changes, i)) continue;
     for (reached_.assign(1, i); !reached_.empty();) {
       const Group group = groups_[reached_.back()];
       reached_.pop_back();
@@ -124,7 +122,7 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
         for (std::uint32_t side = 0; side < 3; ++side) {
           const HalfEdge h{3 * number(faces_[k]) + side};
           const std::uint32_t other = mark(mesh::face(mesh.twin(h))) - group_mark_;
-          if (other >= groups_.size() || groups_[other].label != kNone) continue;
+          if (other >= groups_.size() || groups_[other].id != kNone) continue;
           cover_group(triangulation, changes, other, h);
           reached_.push_back(other);
         }
@@ -140,7 +138,7 @@ bool Components::cover_from_beyond(const Triangulation& triangulation, const Cha
   for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge beyond = mesh.twin(HalfEdge{3 * number(faces_[i]) + side});
-      if (labels_[number(beyond) / 3] == kNone && !triangulation.triangulation().is_ghost_face(beyond)) continue;
+      if (ids_[number(beyond) / 3] == kNone && !triangulation.triangulation().is_ghost_face(beyond)) continue;
       cover_group(triangulation, changes, group, beyond);
       return true;
     }
@@ -154,14 +152,14 @@ void Components::cover_group(const Triangulation& triangulation, const Changes& 
                              HalfEdge beyond) {
   const Uses cover = cover_beyond(triangulation, beyond, changes.inserted);
   Group& added = groups_[group];
-  added.label = add_record({added.end - added.begin, cover});
-  for (std::uint32_t i = added.begin; i < added.end; ++i) write_label(faces_[i], added.label);
+  added.id = add_record({added.end - added.begin, cover});
+  for (std::uint32_t i = added.begin; i < added.end; ++i) set_id(faces_[i], added.id);
 }
 
 /// Returns the polygons that cover the face beyond `h`. Leaves out the polygons in `inserted`: no cover contains them
 /// yet. Requires: the cover of the face of `h` is known, or it is a ghost face.
 Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, std::span<const std::uint32_t> inserted) {
-  const Label neighbour = of(mesh::face(h));
+  const Id neighbour = component_of(mesh::face(h));
   polygons_.clear();
   if (neighbour != kNone) {
     covers_.for_each(records_[neighbour].cover, [&](std::uint32_t polygon) { polygons_.push_back(polygon); });
@@ -201,8 +199,8 @@ void Components::cover_with(const Triangulation& triangulation, const Winding& w
     if (mark(f) == flood) return;
     set_mark(f, flood);
     stack_.push_back(f);
-    const Label label = labels_[number(f)];
-    if (flooded_.empty() || flooded_.back() != label) flooded_.push_back(label);
+    const Id id = ids_[number(f)];
+    if (flooded_.empty() || flooded_.back() != id) flooded_.push_back(id);
   };
   const std::uint32_t polygon = winding.polygon();
   triangulation.items().outline(polygon, outline_);
@@ -232,7 +230,7 @@ void Components::cover_with(const Triangulation& triangulation, const Winding& w
     }
   }
   constraint::keep_one_of_each(flooded_);
-  for (const Label label : flooded_) set_cover(label, covers_.add(records_[label].cover, polygon));
+  for (const Id id : flooded_) set_cover(id, covers_.add(records_[id].cover, polygon));
 }
 
 }  // namespace waywright::nav

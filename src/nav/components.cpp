@@ -25,26 +25,27 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
     marks_.clear();
     next_mark_ = 1;
   }
-  take_out(changes.gone);
+  remove_changed_faces(changes.gone);
   find_groups(mesh, changes.made);
   drop_removed(triangulation, changes);
-  find_parts(mesh);
-  label_parts(mesh);
+  find_remainders(mesh);
+  assign_components(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon);
 }
 
-void Components::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
+                                      std::span<const Face> made) {
   make_room(mesh);
-  Label component = kNone;
+  Id component = kNone;
   std::uint32_t gone_count = 0;
   for (const Face f : gone) {
-    if (labels_[number(f)] == kNone) continue;
-    component = labels_[number(f)];
+    if (ids_[number(f)] == kNone) continue;
+    component = ids_[number(f)];
     ++gone_count;
-    write_label(f, kNone);
+    set_id(f, kNone);
   }
-  for (const Face f : made) write_label(f, component);
+  for (const Face f : made) set_id(f, component);
   Record record = records_[component];
   record.size += static_cast<std::uint32_t>(made.size()) - gone_count;
   records_.write(component, record);
@@ -52,25 +53,25 @@ void Components::refill(const mesh::TriangleMesh& mesh, std::span<const Face> go
 
 void Components::make_room(const mesh::TriangleMesh& mesh) {
   marks_.cover(mesh.face_slots());
-  labels_.cover(mesh.face_slots(), kNone);
+  ids_.cover(mesh.face_slots(), kNone);
 }
 
 /// Takes the changed faces out of their components. Frees a component that has no face left.
-void Components::take_out(std::span<const Face> gone) {
-  Label label = kNone;
+void Components::remove_changed_faces(std::span<const Face> gone) {
+  Id id = kNone;
   Record record;
   const auto write = [&] {
-    if (label == kNone) return;
-    records_.write(label, record);
-    if (record.size == 0) free_record(label);
+    if (id == kNone) return;
+    records_.write(id, record);
+    if (record.size == 0) free_record(id);
   };
   for (const Face f : gone) {
-    const Label own = labels_[number(f)];
+    const Id own = ids_[number(f)];
     if (own == kNone) continue;
-    write_label(f, kNone);
-    if (own != label) {
+    set_id(f, kNone);
+    if (own != id) {
       write();
-      label = own;
+      id = own;
       record = records_[own];
     }
     --record.size;
@@ -100,8 +101,8 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
         const HalfEdge h{3 * number(faces_[i]) + side};
         if (!PointAgent::can_cross(mesh, h)) continue;
         const Face other = mesh::face(mesh.twin(h));
-        if (labels_[number(other)] != kNone) {
-          contacts_.push_back({labels_[number(other)], group, other});
+        if (ids_[number(other)] != kNone) {
+          contacts_.push_back({ids_[number(other)], group, other});
         } else if (mark(other) == no_group) {
           set_mark(other, group_mark);
           faces_.push_back(other);
@@ -116,39 +117,39 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   });
 }
 
-void Components::find_parts(const mesh::TriangleMesh& mesh) {
-  parts_.clear();
-  parted_.clear();
+void Components::find_remainders(const mesh::TriangleMesh& mesh) {
+  remainders_.clear();
+  piece_faces_.clear();
   const auto count = static_cast<std::uint32_t>(contacts_.size());
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
     const Contact& first = contacts_[begin];
     bool is_in_one = true;
     for (; end < count && contacts_[end].component == first.component; ++end) {
-      is_in_one = is_in_one && top(group_sets_, contacts_[end].group) == top(group_sets_, first.group);
+      is_in_one = is_in_one && root_of(group_sets_, contacts_[end].group) == root_of(group_sets_, first.group);
     }
     if (is_in_one) {
-      parts_.push_back({first.component, first.group, records_[first.component].size, false, begin, end});
+      remainders_.push_back({first.component, first.group, records_[first.component].size, false, begin, end});
     } else {
-      part(mesh, begin, end);
+      find_pieces(mesh, begin, end);
     }
   }
 }
 
 /// Finds the pieces of one old component by searches from its contacts. Source: Even and Shiloach, *An on-line
 /// edge-deletion problem*, JACM 1981 (searches that run in turn).
-void Components::part(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
+void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
   start_searches({contacts_.data() + begin, end - begin});
   const std::uint32_t rest = search_until_one_is_left(mesh);
-  const Label component = contacts_[begin].component;
+  const Id component = contacts_[begin].component;
   std::uint32_t size = records_[component].size;
   for (std::uint32_t i = 0; i < search_sets_.size(); ++i) {
-    const std::uint32_t set = top(search_sets_, i);
+    const std::uint32_t set = root_of(search_sets_, i);
     unite(group_sets_, searches_[set].group, searches_[i].group);
     if (set != i || set == rest) continue;
     add_piece(i, component);
-    size -= parts_.back().size;
+    size -= remainders_.back().size;
   }
-  parts_.push_back({component, searches_[rest].group, size, false, begin, end});
+  remainders_.push_back({component, searches_[rest].group, size, false, begin, end});
 }
 
 /// Starts one search for all contacts in groups that are already known to be connected.
@@ -156,7 +157,7 @@ void Components::start_searches(std::span<const Contact> contacts) {
   search_mark_ = next_mark_;
   search_sets_.clear();
   for (const Contact& contact : contacts) {
-    const std::uint32_t group = top(group_sets_, contact.group);
+    const std::uint32_t group = root_of(group_sets_, contact.group);
     std::uint32_t i = 0;
     while (i < search_sets_.size() && searches_[i].group != group) ++i;
     if (i == search_sets_.size()) {
@@ -183,8 +184,8 @@ std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mes
     std::uint32_t rest = 0;
     std::size_t open_sets = 0;
     for (std::uint32_t i = 0; i < searches.size(); ++i) {
-      if (!is_open(searches[i]) || (open_sets > 0 && top(search_sets_, i) == rest)) continue;
-      rest = top(search_sets_, i);
+      if (!is_open(searches[i]) || (open_sets > 0 && root_of(search_sets_, i) == rest)) continue;
+      rest = root_of(search_sets_, i);
       if (++open_sets > 1) break;
     }
     if (open_sets <= 1) return rest;
@@ -197,7 +198,7 @@ void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   for (std::uint32_t side = 0; side < 3; ++side) {
     const HalfEdge h{3 * number(f) + side};
     const Face other = mesh::face(mesh.twin(h));
-    if (PointAgent::can_cross(mesh, h) && labels_[number(other)] != kNone) find(search, other);
+    if (PointAgent::can_cross(mesh, h) && ids_[number(other)] != kNone) find(search, other);
   }
 }
 
@@ -214,61 +215,62 @@ void Components::find(Search& search, Face f) {
 }
 
 /// Adds the piece that a finished set of searches has found. `search` is the first search of the set.
-void Components::add_piece(std::uint32_t search, Label component) {
-  const auto begin = static_cast<std::uint32_t>(parted_.size());
+void Components::add_piece(std::uint32_t search, Id component) {
+  const auto begin = static_cast<std::uint32_t>(piece_faces_.size());
   for (std::uint32_t i = search; i < search_sets_.size(); ++i) {
-    if (top(search_sets_, i) != search) continue;
-    parted_.insert(parted_.end(), searches_[i].found.begin(), searches_[i].found.end());
+    if (root_of(search_sets_, i) != search) continue;
+    piece_faces_.insert(piece_faces_.end(), searches_[i].found.begin(), searches_[i].found.end());
   }
-  const auto end = static_cast<std::uint32_t>(parted_.size());
-  parts_.push_back({component, searches_[search].group, end - begin, true, begin, end});
+  const auto end = static_cast<std::uint32_t>(piece_faces_.size());
+  remainders_.push_back({component, searches_[search].group, end - begin, true, begin, end});
 }
 
-// Makes one component of each set of connected groups and the parts that they connect. The component takes the label
+// Makes one component of each set of connected groups and the parts that they connect. The component takes the id
 // of the largest rest of an old component among them, if there is one.
-void Components::label_parts(const mesh::TriangleMesh& mesh) {
-  for (const Part& part : parts_) {
-    Group& group = groups_[top(group_sets_, part.group)];
-    if (part.is_piece || (group.label != kNone && part.size <= group.size)) continue;
-    group.label = part.component;
-    group.size = part.size;
+void Components::assign_components(const mesh::TriangleMesh& mesh) {
+  for (const Remainder& remainder : remainders_) {
+    Group& group = groups_[root_of(group_sets_, remainder.group)];
+    if (remainder.is_piece || (group.id != kNone && remainder.size <= group.size)) continue;
+    group.id = remainder.component;
+    group.size = remainder.size;
   }
   for (Group& group : groups_) group.size = 0;
-  for (const Part& part : parts_) {
-    Group& group = groups_[top(group_sets_, part.group)];
-    if (group.label == kNone) group.label = add_record({0, covers_.copy(records_[part.component].cover)});
-    group.size += part.size;
+  for (const Remainder& remainder : remainders_) {
+    Group& group = groups_[root_of(group_sets_, remainder.group)];
+    if (group.id == kNone) group.id = add_record({0, covers_.copy(records_[remainder.component].cover)});
+    group.size += remainder.size;
   }
-  for (const Part& part : parts_) relabel(mesh, part, groups_[top(group_sets_, part.group)].label);
+  for (const Remainder& remainder : remainders_)
+    move_to(mesh, remainder, groups_[root_of(group_sets_, remainder.group)].id);
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     Group& group = groups_[i];
-    Group& first = groups_[top(group_sets_, i)];
+    Group& first = groups_[root_of(group_sets_, i)];
     first.size += group.end - group.begin;
-    group.label = first.label;
-    if (group.label == kNone) continue;
-    for (std::uint32_t k = group.begin; k < group.end; ++k) write_label(faces_[k], group.label);
+    group.id = first.id;
+    if (group.id == kNone) continue;
+    for (std::uint32_t k = group.begin; k < group.end; ++k) set_id(faces_[k], group.id);
   }
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
-    if (group.label == kNone || top(group_sets_, i) != i) continue;
-    records_.write(group.label, {group.size, records_[group.label].cover});
+    if (group.id == kNone || root_of(group_sets_, i) != i) continue;
+    records_.write(group.id, {group.size, records_[group.id].cover});
   }
 }
 
-void Components::relabel(const mesh::TriangleMesh& mesh, const Part& part, Label label) {
-  if (label == part.component) return;
-  if (part.is_piece) {
-    for (std::uint32_t i = part.begin; i < part.end; ++i) write_label(parted_[i], label);
+void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id) {
+  if (id == remainder.component) return;
+  if (remainder.is_piece) {
+    for (std::uint32_t i = remainder.begin; i < remainder.end; ++i) set_id(piece_faces_[i], id);
     return;
   }
   stack_.clear();
   const auto visit = [&](Face f) {
-    if (labels_[number(f)] != part.component) return;
-    write_label(f, label);
+    if (ids_[number(f)] != remainder.component) return;
+    set_id(f, id);
     stack_.push_back(f);
   };
-  for (std::uint32_t i = part.begin; i < part.end; ++i) {
-    if (top(group_sets_, contacts_[i].group) == top(group_sets_, part.group)) visit(contacts_[i].face);
+  for (std::uint32_t i = remainder.begin; i < remainder.end; ++i) {
+    if (root_of(group_sets_, contacts_[i].group) == root_of(group_sets_, remainder.group)) visit(contacts_[i].face);
   }
   while (!stack_.empty()) {
     const Face f = stack_.back();
@@ -278,34 +280,34 @@ void Components::relabel(const mesh::TriangleMesh& mesh, const Part& part, Label
       if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }
-  free_record(part.component);
+  free_record(remainder.component);
 }
 
-std::uint32_t Components::top(std::vector<std::uint32_t>& sets, std::uint32_t i) {
+std::uint32_t Components::root_of(std::vector<std::uint32_t>& sets, std::uint32_t i) {
   while (sets[i] != i) i = sets[i] = sets[sets[i]];
   return i;
 }
 
 void Components::unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j) {
-  const std::uint32_t a = top(sets, i);
-  const std::uint32_t b = top(sets, j);
+  const std::uint32_t a = root_of(sets, i);
+  const std::uint32_t b = root_of(sets, j);
   sets[std::max(a, b)] = std::min(a, b);
 }
 
-Components::Label Components::add_record(const Record& record) {
+Components::Id Components::add_record(const Record& record) {
   if (free_records_.is_empty()) {
     records_.append(record);
-    return static_cast<Label>(records_.size() - 1);
+    return static_cast<Id>(records_.size() - 1);
   }
-  const Label label = free_records_.first();
-  const Label next_free = records_[label].size;
-  records_.write(label, record);
+  const Id id = free_records_.first();
+  const Id next_free = records_[id].size;
+  records_.write(id, record);
   free_records_.pop(next_free);
   --free_count_;
-  return label;
+  return id;
 }
 
-void Components::free_record(Label component) {
+void Components::free_record(Id component) {
   covers_.release(records_[component].cover);
   records_.write(component, {free_records_.first(), UseLists::kNone});
   (void)free_records_.push(component);
@@ -314,7 +316,7 @@ void Components::free_record(Label component) {
 
 void Components::begin() {
   covers_.begin();
-  labels_.begin();
+  ids_.begin();
   records_.begin();
   free_records_before_ = free_records_;
   free_count_before_ = free_count_;
@@ -322,29 +324,29 @@ void Components::begin() {
 
 void Components::roll_back() {
   covers_.roll_back();
-  labels_.roll_back();
+  ids_.roll_back();
   records_.roll_back();
   free_records_ = free_records_before_;
   free_count_ = free_count_before_;
 }
 
 void Components::count_memory(MemoryUse& use) const {
-  labels_.count_memory(use, &MemoryUse::abstraction);
+  ids_.count_memory(use, &MemoryUse::abstraction);
   marks_.count_memory(use, &MemoryUse::abstraction);
   records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
-  memory::count_spare(use, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_, parted_, stack_,
-                      flooded_, reached_, around_, sides_, polygons_);
+  memory::count_spare(use, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_,
+                      stack_, flooded_, reached_, around_, sides_, polygons_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
 void Components::shrink_to_fit() {
-  labels_.shrink_to_fit();
+  ids_.shrink_to_fit();
   records_.shrink_to_fit();
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
-  memory::release(faces_, groups_, group_sets_, contacts_, searches_, search_sets_, parts_, parted_, stack_, flooded_,
-                  reached_, around_, sides_, polygons_);
+  memory::release(faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_, stack_,
+                  flooded_, reached_, around_, sides_, polygons_);
 }
 
 }  // namespace waywright::nav

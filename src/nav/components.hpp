@@ -24,27 +24,29 @@ namespace waywright::nav {
 ///
 /// update() carries the components over from one mesh to the next. If a change may have disconnected a component,
 /// searches from all its pieces run in turn until at most one of them is unfinished. If components meet, the smaller
-/// ones take the label of the largest. Labels can only be compared for equality: which label a component has depends on
+/// ones take the id of the largest. Ids can only be compared for equality: which id a component has depends on
 /// the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
-  using Label = std::uint32_t;
-  static constexpr Label kNone = 0xffffffff;
+  using Id = std::uint32_t;
+  static constexpr Id kNone = 0xffffffff;
 
   /// The components of a triangulation. Cost: linear. Needs scratch memory only for the walls between components.
   explicit Components(const constraint::ExactTriangulation& triangulation);
 
   /// Returns the component of a face of the box.
-  [[nodiscard]] Label of(mesh::Face f) const { return labels_[number(f)]; }
+  [[nodiscard]] Id component_of(mesh::Face f) const { return ids_[number(f)]; }
   [[nodiscard]] std::size_t count() const { return records_.size() - free_count_; }
   /// The number of faces in the component.
-  [[nodiscard]] std::uint32_t size(Label component) const { return records_[component].size; }
+  [[nodiscard]] std::uint32_t size(Id component) const { return records_[component].size; }
   /// Returns whether a polygon covers the face.
-  [[nodiscard]] bool is_covered(mesh::Face f) const { return records_[of(f)].cover != constraint::UseLists::kNone; }
+  [[nodiscard]] bool is_covered(mesh::Face f) const {
+    return records_[component_of(f)].cover != constraint::UseLists::kNone;
+  }
   /// Calls visit(slot) for each polygon that covers the face.
   template <class Visit>
   void for_each_cover(mesh::Face f, Visit&& visit) const {
-    covers_.for_each(records_[of(f)].cover, visit);
+    covers_.for_each(records_[component_of(f)].cover, visit);
   }
 
   /// What has changed since the last update. `gone` lists the faces, by slot, that were made, rebuilt or freed. `made`
@@ -61,16 +63,17 @@ class Components {
 
   /// Does the same as update(), for a change where `made` fill the area of `gone`, no wall lies inside that area or on
   /// its border, before or after, and no polygon was inserted or removed.
-  void refill(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
+  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone,
+                            std::span<const mesh::Face> made);
 
   /// Returns the first difference from `other`, other components of the same faces, or nothing if there is none.
   [[nodiscard]] std::optional<std::string> find_difference(const Components& other,
                                                            std::span<const mesh::Face> faces) const;
 
-  /// Calls visit(face) for each face whose label has changed since begin().
+  /// Calls visit(face) for each face whose id has changed since begin().
   template <class Visit>
-  void for_each_relabelled_face(Visit&& visit) const {
-    labels_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
+  void for_each_changed_face(Visit&& visit) const {
+    ids_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
   }
 
   /// Clears the undo log.
@@ -93,12 +96,12 @@ class Components {
   /// A set of new faces that new faces alone connect with one another.
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
-    Label label = kNone;
+    Id id = kNone;
     std::uint32_t size = 0;  ///< size of the component to which the group will belong
   };
   /// An old face with a passage to a face of a group.
   struct Contact {
-    Label component;  ///< of the old face
+    Id component;  ///< of the old face
     std::uint32_t group;
     mesh::Face face;
   };
@@ -110,44 +113,44 @@ class Components {
   };
   /// A connected part of what is left of an old component: a piece whose faces a search has listed, or the rest, whose
   /// faces are not listed.
-  struct Part {
-    Label component;
+  struct Remainder {
+    Id component;
     std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
     bool is_piece;
-    std::uint32_t begin, end;  ///< a piece: its faces in `parted_`; else: the contacts in `contacts_`
+    std::uint32_t begin, end;  ///< a piece: its faces in `piece_faces_`; else: the contacts in `contacts_`
   };
 
   // Building from scratch.
   /// A half-edge with a wall on it and another component beyond it. Its face is in `component`, or is a ghost face.
   struct Door {
-    Label component;
+    Id component;
     mesh::HalfEdge h;
   };
-  [[nodiscard]] static std::vector<Label> join_faces(const Triangulation& triangulation);
-  void number_components(std::vector<Label>& labels);
+  [[nodiscard]] static std::vector<Id> join_faces(const Triangulation& triangulation);
+  void number_components(std::vector<Id>& ids);
   void cover_components(const Triangulation& triangulation);
   [[nodiscard]] std::vector<Door> find_doors(const mesh::TriangleMesh& mesh) const;
 
-  // Updating labels.
+  // Updating ids.
   void make_room(const mesh::TriangleMesh& mesh);
-  void take_out(std::span<const mesh::Face> gone);
+  void remove_changed_faces(std::span<const mesh::Face> gone);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
-  void find_parts(const mesh::TriangleMesh& mesh);
-  void part(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
+  void find_remainders(const mesh::TriangleMesh& mesh);
+  void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
   void start_searches(std::span<const Contact> contacts);
   [[nodiscard]] std::uint32_t search_until_one_is_left(const mesh::TriangleMesh& mesh);
   void step(const mesh::TriangleMesh& mesh, Search& search);
   void find(Search& search, mesh::Face f);
-  void add_piece(std::uint32_t search, Label component);
-  void label_parts(const mesh::TriangleMesh& mesh);
-  void relabel(const mesh::TriangleMesh& mesh, const Part& part, Label label);
-  void write_label(mesh::Face f, Label label) { labels_.write(number(f), label); }
-  [[nodiscard]] Label add_record(const Record& record);
-  void free_record(Label component);
+  void add_piece(std::uint32_t search, Id component);
+  void assign_components(const mesh::TriangleMesh& mesh);
+  void move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id);
+  void set_id(mesh::Face f, Id id) { ids_.write(number(f), id); }
+  [[nodiscard]] Id add_record(const Record& record);
+  void free_record(Id component);
 
   // Disjoint sets of groups, or of searches, stored as trees. The root of a tree is the first member of the set.
-  [[nodiscard]] static std::uint32_t top(std::vector<std::uint32_t>& sets, std::uint32_t i);
+  [[nodiscard]] static std::uint32_t root_of(std::vector<std::uint32_t>& sets, std::uint32_t i);
   static void unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j);
 
   // Marks of faces.
@@ -170,9 +173,9 @@ class Components {
   void cover_with(const Triangulation& triangulation, std::uint32_t polygon);
   template <class Winding>
   void cover_with(const Triangulation& triangulation, const Winding& winding);
-  void set_cover(Label component, Uses cover);
+  void set_cover(Id component, Uses cover);
 
-  memory::JournaledArray<Label> labels_;  ///< by face
+  memory::JournaledArray<Id> ids_;  ///< by face
   memory::JournaledArray<Record> records_;
   constraint::UseLists covers_;
   memory::FreeList free_records_;  ///< linked by Record::size
@@ -191,10 +194,10 @@ class Components {
   std::vector<Contact> contacts_;
   std::vector<Search> searches_;
   std::vector<std::uint32_t> search_sets_;
-  std::vector<Part> parts_;
-  std::vector<mesh::Face> parted_;
+  std::vector<Remainder> remainders_;
+  std::vector<mesh::Face> piece_faces_;
   std::vector<mesh::Face> stack_;
-  std::vector<Label> flooded_;
+  std::vector<Id> flooded_;
   std::vector<std::uint32_t> reached_;
   std::vector<mesh::HalfEdge> around_;
   constraint::Outline outline_;

@@ -12,15 +12,16 @@ using mesh::Face;
 
 std::optional<std::string> Components::find_difference(const Components& other, std::span<const Face> faces) const {
   if (count() != other.count()) return "the abstraction has another number of components";
-  std::unordered_map<Label, Label> names;
+  std::unordered_map<Id, Id> names;
   std::vector<std::uint32_t> cover;
   std::vector<std::uint32_t> other_cover;
   for (const Face f : faces) {
-    const auto [name, is_new] = names.emplace(of(f), other.of(f));
+    const auto [name, is_new] = names.emplace(component_of(f), other.component_of(f));
     const std::string where = "face " + std::to_string(number(f));
-    if (name->second != other.of(f)) return where + " is in another component";
+    if (name->second != other.component_of(f)) return where + " is in another component";
     if (!is_new) continue;
-    if (size(of(f)) != other.size(other.of(f))) return "the component of " + where + " has another size";
+    if (size(component_of(f)) != other.size(other.component_of(f)))
+      return "the component of " + where + " has another size";
     cover.clear();
     other_cover.clear();
     for_each_cover(f, [&](std::uint32_t item) { cover.push_back(item); });
@@ -42,7 +43,7 @@ std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& me
   for (const Face f : faces) {
     const std::string where = "face " + std::to_string(number(f));
     if (is_core(f) != other.is_core(f)) return where + (is_core(f) ? " is not of the core" : " is of the core");
-    if ((states_[number(f)] & kWays) != (other.states_[number(f)] & kWays)) return where + " has other ways";
+    if ((states_[number(f)] & kPassages) != (other.states_[number(f)] & kPassages)) return where + " has other ways";
     if (is_core(f)) continue;
     const Face root = tops[number(f)];
     const Face other_root = other_tops[number(f)];

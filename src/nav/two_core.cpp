@@ -16,7 +16,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
     state = kCore;
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * f + side};
-      if (PointAgent::can_cross(mesh, h)) state |= way(h);
+      if (PointAgent::can_cross(mesh, h)) state |= passage_bit(h);
     }
   }
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
@@ -49,7 +49,7 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   }
   for (const Face f : made) write(f, kCore | kNew);
   for (const Face f : made) join(mesh, f, around);
-  loose_.assign(made.begin(), made.end());
+  to_peel_.assign(made.begin(), made.end());
   const bool hangs_on_one = around.trees == 1 && !around.has_core && !around.had_top;
   if (hangs_on_one) peel(mesh);
   if (around.trees > 0) climb_trees(mesh, made);
@@ -57,10 +57,11 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   for (const Face f : made) states_.unrecorded(number(f)) = static_cast<State>(states_[number(f)] & ~kNew);
 }
 
-void TwoCore::refill(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
+                                   std::span<const Face> made) {
   states_.cover(mesh.face_slots(), kAbsent);
   for (const Face f : gone) write(f, kAbsent);
-  for (const Face f : made) write(f, kCore | kWays);
+  for (const Face f : made) write(f, kCore | kPassages);
 }
 
 void TwoCore::write(Face f, State state) {
@@ -71,9 +72,9 @@ void TwoCore::write(Face f, State state) {
   }
 }
 
-void TwoCore::add_way(HalfEdge h) {
+void TwoCore::add_passage(HalfEdge h) {
   const Face f = mesh::face(h);
-  write(f, states_[number(f)] | way(h));
+  write(f, states_[number(f)] | passage_bit(h));
 }
 
 /// Gives a new face its passages, including one to each adjacent old tree face. A tree face gets a passage back only
@@ -85,11 +86,11 @@ void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around)
     const HalfEdge back = mesh.twin(h);
     const Face other = mesh::face(back);
     if (leads_up(back)) continue;
-    add_way(h);
+    add_passage(h);
     if (!is_core(other)) {
       ++around.trees;
-    } else if ((states_[number(other)] & kNew) == 0 && !is_way(back)) {
-      add_way(back);
+    } else if ((states_[number(other)] & kNew) == 0 && !is_passage(back)) {
+      add_passage(back);
       around.has_core = true;
     }
   }
@@ -99,7 +100,7 @@ void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> 
   for (const Face f : made) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge h{3 * number(f) + i};
-      if (is_way(h) && !is_way(mesh.twin(h))) climb(mesh, mesh.twin(h));
+      if (is_passage(h) && !is_passage(mesh.twin(h))) climb(mesh, mesh.twin(h));
     }
   }
 }
@@ -109,22 +110,22 @@ void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> 
 void TwoCore::climb(const mesh::TriangleMesh& mesh, HalfEdge back) {
   for (;;) {
     const Face f = mesh::face(back);
-    if (is_core(f)) return add_way(back);
+    if (is_core(f)) return add_passage(back);
     const HalfEdge up = towards_core(f);
     if (up == mesh::kNoHalfEdge) {
-      write(f, kCore | way(back));
-      return loose_.push_back(f);
+      write(f, kCore | passage_bit(back));
+      return to_peel_.push_back(f);
     }
-    write(f, static_cast<State>(kCore | way(back) | way(up)));
+    write(f, static_cast<State>(kCore | passage_bit(back) | passage_bit(up)));
     back = mesh.twin(up);
   }
 }
 
 /// Takes loose faces out of the core until every face of the core has two passages.
 void TwoCore::peel(const mesh::TriangleMesh& mesh) {
-  while (!loose_.empty()) {
-    const Face f = loose_.back();
-    loose_.pop_back();
+  while (!to_peel_.empty()) {
+    const Face f = to_peel_.back();
+    to_peel_.pop_back();
     peel_from(mesh, f);
   }
 }
@@ -133,11 +134,11 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
 void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
   while (is_core(f) && degree(f) < 2) {
     if (degree(f) == 0) return write(f, kRoot);
-    const HalfEdge up{3 * number(f) + static_cast<std::uint32_t>(std::countr_zero(ways(f)))};
-    write(f, leaf(up));
+    const HalfEdge up{3 * number(f) + static_cast<std::uint32_t>(std::countr_zero(passages(f)))};
+    write(f, tree_state(up));
     const HalfEdge back = mesh.twin(up);
     f = mesh::face(back);
-    if (is_core(f)) write(f, static_cast<State>(states_[number(f)] & ~way(back)));
+    if (is_core(f)) write(f, static_cast<State>(states_[number(f)] & ~passage_bit(back)));
   }
 }
 

@@ -38,15 +38,15 @@ class TwoCore {
   /// Returns whether the face is in the core: it lies on a ring of passages, or on a connection between two rings.
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Returns whether `h` is a passage from one face of the core to another.
-  [[nodiscard]] bool is_way(mesh::HalfEdge h) const { return is_way(mesh::face(h), h); }
+  [[nodiscard]] bool is_passage(mesh::HalfEdge h) const { return is_passage(mesh::face(h), h); }
   /// The same for a half-edge of `f`, which saves the division that finds the face.
-  [[nodiscard]] bool is_way(mesh::Face f, mesh::HalfEdge h) const {
+  [[nodiscard]] bool is_passage(mesh::Face f, mesh::HalfEdge h) const {
     return (states_[number(f)] >> (number(h) - 3 * number(f)) & 1U) != 0;
   }
   /// The face's passages in the core: bit i stands for the face's half-edge number i.
-  [[nodiscard]] unsigned ways(mesh::Face f) const { return states_[number(f)] & unsigned{kWays}; }
+  [[nodiscard]] unsigned passages(mesh::Face f) const { return states_[number(f)] & unsigned{kPassages}; }
   /// The number of the face's passages in the core: 0 outside the core, 2 in a corridor, 3 at a junction.
-  [[nodiscard]] unsigned degree(mesh::Face f) const { return static_cast<unsigned>(std::popcount(ways(f))); }
+  [[nodiscard]] unsigned degree(mesh::Face f) const { return static_cast<unsigned>(std::popcount(passages(f))); }
   /// Returns the half-edge by which a tree face leads towards the core, or kNoHalfEdge for the root of a component
   /// without a core. Requires: `f` is not in the core.
   [[nodiscard]] mesh::HalfEdge towards_core(mesh::Face f) const {
@@ -71,14 +71,15 @@ class TwoCore {
   }
   /// Does the same as update(). Requires: all faces of `gone` that were in the graph had three passages in the core,
   /// and all faces of `made` have three passages.
-  void refill(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
+  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone,
+                            std::span<const mesh::Face> made);
 
   /// Returns the first difference from `other`, another core of the same graph, or nothing if there is none. The two
   /// may differ in the roots of trees without a core, but each such tree must have a root.
   [[nodiscard]] std::optional<std::string> find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,
                                                            std::span<const mesh::Face> faces) const;
 
-  /// Calls visit(face) for each face whose state update() or refill() has written since begin().
+  /// Calls visit(face) for each face whose state update() or update_in_open_space() has written since begin().
   template <class Visit>
   void for_each_written_face(Visit&& visit) const {
     states_.for_each_written([&](std::uint32_t f) { visit(mesh::Face{f}); });
@@ -91,19 +92,19 @@ class TwoCore {
 
   void count_memory(MemoryUse& use) const {
     states_.count_memory(use, &MemoryUse::abstraction);
-    memory::count_spare(use, loose_);
+    memory::count_spare(use, to_peel_);
   }
   /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     states_.shrink_to_fit();
-    memory::release(loose_);
+    memory::release(to_peel_);
   }
 
  private:
   // The state of a face: a bit for each half-edge that is a passage in the core, the half-edge (0 to 2) towards the
   // core, and whether the face is in the core.
   using State = std::uint8_t;
-  static constexpr State kWays = 7;
+  static constexpr State kPassages = 7;
   static constexpr State kSideShift = 3;
   static constexpr State kNoSide = 3;
   static constexpr State kRoot = kNoSide << kSideShift;
@@ -111,11 +112,11 @@ class TwoCore {
   static constexpr State kAbsent = kRoot | 1 << 6;  ///< not in the graph
   static constexpr State kNew = 1 << 7;             ///< set only during an update
 
-  [[nodiscard]] static State way(mesh::HalfEdge h) { return static_cast<State>(1U << number(h) % 3); }
-  [[nodiscard]] static State leaf(mesh::HalfEdge h) { return static_cast<State>(number(h) % 3 << kSideShift); }
+  [[nodiscard]] static State passage_bit(mesh::HalfEdge h) { return static_cast<State>(1U << number(h) % 3); }
+  [[nodiscard]] static State tree_state(mesh::HalfEdge h) { return static_cast<State>(number(h) % 3 << kSideShift); }
   [[nodiscard]] std::vector<mesh::Face> tops(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> faces) const;
   void write(mesh::Face f, State state);
-  void add_way(mesh::HalfEdge h);
+  void add_passage(mesh::HalfEdge h);
   /// The old faces that are adjacent to the new faces, and what was removed.
   struct Surroundings {
     std::size_t trees = 0;  ///< number of adjacent tree faces that do not hang on a new face
@@ -131,7 +132,7 @@ class TwoCore {
   memory::JournaledArray<State> states_;  ///< by face
 
   // Scratch.
-  std::vector<mesh::Face> loose_;  ///< faces of the core that may have fewer than two passages
+  std::vector<mesh::Face> to_peel_;  ///< faces of the core that may have fewer than two passages
 };
 
 }  // namespace waywright::nav

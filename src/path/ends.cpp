@@ -13,9 +13,9 @@ using mesh::HalfEdge;
 
 /// Stops a segment walk as soon as the straight line between the ends may not be free: at a wall, at a vertex on the
 /// line, or if a polygon covers the first face.
-class Ends::StraightWay : public constraint::SegmentVisitor {
+class Ends::StraightLine : public constraint::SegmentVisitor {
  public:
-  explicit StraightWay(Ends& ends)
+  explicit StraightLine(Ends& ends)
       : ends_(ends),
         mesh_(ends.triangulation_->topology()),
         is_at_start_(ends.start_place_.spot != locate::Spot::face) {
@@ -88,7 +88,7 @@ void Ends::free_start() {
 
 // The same polygons cover two faces on both sides of a free edge. So if the first face on the straight line
 // is open, all its faces are open, and neither end lies strictly inside a polygon.
-std::optional<PathStatus> Ends::set_goal(const Point& goal) {
+std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
   goal_ = goal;
   moved_goal_.reset();
   if (sees_goal()) return PathStatus::found;
@@ -111,7 +111,7 @@ std::optional<PathStatus> Ends::known_status() {
   if (is_goal_blocked) return PathStatus::goal_blocked;
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
-  if (abstraction_ != nullptr && !are_joined(abstraction_->components())) return PathStatus::no_path;
+  if (abstraction_ != nullptr && !are_connected(abstraction_->components())) return PathStatus::no_path;
   // A common face, but no free straight line: both ends lie on one edge of that face, and the path runs along the edge.
   const bool is_straight =
       std::any_of(start_faces_.begin(), start_faces_.end(), [&](HalfEdge h) { return is_goal(mesh::face(h)); });
@@ -120,7 +120,7 @@ std::optional<PathStatus> Ends::known_status() {
 }
 
 bool Ends::sees_goal() {
-  StraightWay way(*this);
+  StraightLine way(*this);
   constraint::SegmentWalk(*triangulation_, start_, goal_, start_place_).run(way);
   return way.is_free();
 }
@@ -137,7 +137,7 @@ void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, 
 bool Ends::move_blocked_ends() {
   if (start_faces_.empty() && may_start_move_) move_start(goal_faces_);
   if (goal_faces_.empty() && !start_faces_.empty()) {
-    if (const auto found = find_free_place(goal_, goal_place_, start_faces_)) move_goal_to(*found);
+    if (const auto found = find_free_position(goal_, goal_place_, start_faces_)) move_goal_to(*found);
   }
   return !start_faces_.empty() && !goal_faces_.empty();
 }
@@ -145,21 +145,21 @@ bool Ends::move_blocked_ends() {
 /// An end may lie on the wrong side of a wall by no more than a rounding error. If the ends are not connected, moves
 /// one of them across such a wall. Returns whether it has moved one.
 bool Ends::move_end_across_wall() {
-  if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_joined(abstraction_->components())) return false;
+  if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_connected(abstraction_->components())) return false;
   const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));
   if (may_start_move_) {
-    if (const auto found = find_joined_place(start_, start_place_, goal_faces_, rounding)) {
+    if (const auto found = find_connected_position(start_, start_place_, goal_faces_, rounding)) {
       move_start_to(*found);
       return true;
     }
   }
-  const auto found = find_joined_place(goal_, goal_place_, start_faces_, rounding);
+  const auto found = find_connected_position(goal_, goal_place_, start_faces_, rounding);
   if (found) move_goal_to(*found);
   return found.has_value();
 }
 
 void Ends::move_start(const std::vector<HalfEdge>& goal_faces) {
-  if (const auto found = find_free_place(start_, start_place_, goal_faces)) move_start_to(*found);
+  if (const auto found = find_free_position(start_, start_place_, goal_faces)) move_start_to(*found);
 }
 
 void Ends::move_start_to(const Point& place) {
@@ -178,19 +178,20 @@ void Ends::move_goal_to(const Point& place) {
 
 /// Returns the free position nearest to an end. If some free positions within the limit are connected with the other
 /// end, returns the nearest of these.
-std::optional<Point> Ends::find_free_place(const Point& end, const locate::Located& place,
-                                           const std::vector<HalfEdge>& other_faces) {
+std::optional<Point> Ends::find_free_position(const Point& end, const locate::Located& place,
+                                              const std::vector<HalfEdge>& other_faces) {
   const double limit = tolerance();
   if (!(limit > 0.0)) return std::nullopt;
   if (abstraction_ != nullptr && !other_faces.empty()) {
-    if (const auto found = find_joined_place(end, place, other_faces, limit)) return found;
+    if (const auto found = find_connected_position(end, place, other_faces, limit)) return found;
   }
-  return free_places_.nearest(*triangulation_, cover_, end, place, limit, {});
+  return free_positions_.nearest(*triangulation_, cover_, end, place, limit, {});
 }
 
-std::optional<Point> Ends::find_joined_place(const Point& end, const locate::Located& place,
-                                             const std::vector<HalfEdge>& other_faces, double limit) {
-  return free_places_.nearest(*triangulation_, cover_, end, place, limit, {&abstraction_->components(), &other_faces});
+std::optional<Point> Ends::find_connected_position(const Point& end, const locate::Located& place,
+                                                   const std::vector<HalfEdge>& other_faces, double limit) {
+  return free_positions_.nearest(*triangulation_, cover_, end, place, limit,
+                                 {&abstraction_->components(), &other_faces});
 }
 
 void Ends::write_moved_and_blocked(PathStatus status, Path& path) {
@@ -210,10 +211,10 @@ bool Ends::are_covered() {
          std::any_of(goal_faces_.begin(), goal_faces_.end(), is_covered);
 }
 
-bool Ends::are_joined(const nav::Components& components) const {
+bool Ends::are_connected(const nav::Components& components) const {
   for (const HalfEdge start : start_faces_) {
     for (const HalfEdge goal : goal_faces_) {
-      if (components.of(mesh::face(start)) == components.of(mesh::face(goal))) return true;
+      if (components.component_of(mesh::face(start)) == components.component_of(mesh::face(goal))) return true;
     }
   }
   return false;

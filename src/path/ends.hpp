@@ -8,7 +8,7 @@
 #include "constraint/cover.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/kept_cover.hpp"
-#include "path/free_places.hpp"
+#include "path/free_positions.hpp"
 
 namespace waywright::path {
 
@@ -32,7 +32,7 @@ class Ends {
   void free_start();
   /// Locates the goal. Returns the status of the path if no search is necessary: the straight line is free, or an end
   /// is blocked or walled in. Otherwise returns nothing. Requires: the goal lies in the domain.
-  std::optional<PathStatus> set_goal(const Point& goal);
+  std::optional<PathStatus> find_status_without_search(const Point& goal);
 
   /// Writes which ends were moved and, if `status` says that an end is blocked, which polygons block it. Requires:
   /// `path.blockers` is empty.
@@ -45,12 +45,12 @@ class Ends {
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_place() const { return start_place_; }
-  /// The open faces around the end, named and ordered as constraint::Cover::open_faces() does it. Requires: set_goal()
-  /// returned nothing.
+  /// The open faces around the end, named and ordered as constraint::Cover::open_faces() does it. Requires:
+  /// find_status_without_search() returned nothing.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
   [[nodiscard]] const std::vector<mesh::HalfEdge>& goal_faces() const { return goal_faces_; }
-  /// Returns whether a polygon now covers one of the faces around an end. Requires: set_goal() returned nothing, and no
-  /// change has touched these faces since.
+  /// Returns whether a polygon now covers one of the faces around an end. Requires: find_status_without_search()
+  /// returned nothing, and no change has touched these faces since.
   [[nodiscard]] bool are_covered();
   [[nodiscard]] bool is_goal(mesh::Face f) const {
     for (const mesh::HalfEdge h : goal_faces_) {
@@ -67,7 +67,7 @@ class Ends {
   [[nodiscard]] bool has_moved() const { return moved_start_ || moved_goal_; }
 
  private:
-  class StraightWay;
+  class StraightLine;
 
   [[nodiscard]] bool sees_goal();
   [[nodiscard]] double tolerance() const {
@@ -78,15 +78,16 @@ class Ends {
   void find_goal_faces();
   [[nodiscard]] std::optional<PathStatus> known_status();
   [[nodiscard]] bool move_blocked_ends();
-  [[nodiscard]] std::optional<Point> find_free_place(const Point& end, const locate::Located& place,
-                                                     const std::vector<mesh::HalfEdge>& other_faces);
-  [[nodiscard]] std::optional<Point> find_joined_place(const Point& end, const locate::Located& place,
-                                                       const std::vector<mesh::HalfEdge>& other_faces, double limit);
+  [[nodiscard]] std::optional<Point> find_free_position(const Point& end, const locate::Located& place,
+                                                        const std::vector<mesh::HalfEdge>& other_faces);
+  [[nodiscard]] std::optional<Point> find_connected_position(const Point& end, const locate::Located& place,
+                                                             const std::vector<mesh::HalfEdge>& other_faces,
+                                                             double limit);
   [[nodiscard]] bool move_end_across_wall();
   void move_start(const std::vector<mesh::HalfEdge>& goal_faces);
   void move_start_to(const Point& place);
   void move_goal_to(const Point& place);
-  [[nodiscard]] bool are_joined(const nav::Components& components) const;
+  [[nodiscard]] bool are_connected(const nav::Components& components) const;
 
   const Triangulation* triangulation_ = nullptr;
   const nav::Abstraction* abstraction_ = nullptr;  ///< or null
@@ -104,7 +105,7 @@ class Ends {
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::HalfEdge> tried_;
   nav::KeptCover cover_;
-  FreePlaces free_places_;
+  FreePositions free_positions_;
 };
 
 }  // namespace waywright::path

@@ -43,7 +43,7 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
   clear(path);
   ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
-  const std::optional<PathStatus> known = ends_.set_goal(query.goal);
+  const std::optional<PathStatus> known = ends_.find_status_without_search(query.goal);
   ends_.write_ends(known.value_or(PathStatus::no_path), path);
   is_searched_ = !known.has_value();
   is_done_ = !is_searched_;
@@ -92,7 +92,7 @@ void Finder::write_straight(bool wants_channel, Path& path) const {
   if (!wants_channel) return;
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
-  const auto place = [&](mesh::Vertex v) { return geometry.nearest(number(v)); };
+  const auto place = [&](mesh::Vertex v) { return geometry.rounded(number(v)); };
   for (const mesh::HalfEdge h : ends_.crossed()) {
     path.channel.push_back({place(mesh.target(h)), place(mesh.origin(h))});
   }
@@ -163,7 +163,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
   ends_.free_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     clear(paths[i]);
-    const std::optional<PathStatus> known = ends_.set_goal(query.goals[i]);
+    const std::optional<PathStatus> known = ends_.find_status_without_search(query.goals[i]);
     ends_.write_ends(known.value_or(PathStatus::no_path), paths[i]);
     if (known) {
       paths[i].status = *known;

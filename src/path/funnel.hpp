@@ -41,7 +41,7 @@ class TautTree {
   [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
 
   [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].place.x, nodes_[node].place.y}; }
-  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
+  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
   /// The length of the string from the start to the node.
   [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
   [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }

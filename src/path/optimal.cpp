@@ -25,8 +25,8 @@ class Optimal::Cone {
   Cone(const Optimal& search, const Node& window)
       : geometry_(*search.geometry_), root_(search.view(search.roots_[window.root])) {
     const auto bound = [&](mesh::Vertex v) {
-      return v == kStraightOn ? Geometry::Line(search.view(search.roots_[search.roots_[window.root].before]), root_)
-                              : Geometry::Line(root_, geometry_.view(number(v)));
+      return v == kContinuation ? Geometry::Line(search.view(search.roots_[search.roots_[window.root].before]), root_)
+                                : Geometry::Line(root_, geometry_.view(number(v)));
     };
     left_ = bound(window.left);
     right_ = bound(window.right);
@@ -79,7 +79,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
 /// Lists the components of the start's faces, in ascending order, each once.
 void Optimal::list_components() {
   for (const mesh::HalfEdge h : ends_->start_faces()) {
-    goals_in_components_.push_back({components_->of(mesh::face(h)), 0});
+    goals_in_components_.push_back({components_->component_of(mesh::face(h)), 0});
   }
   std::sort(goals_in_components_.begin(), goals_in_components_.end(),
             [](const GoalsInComponent& p, const GoalsInComponent& q) { return p.component < q.component; });
@@ -135,15 +135,15 @@ void Optimal::cover_mesh() {
 }
 
 /// Returns the index of a component's entry in the list of components, or the index where it would be.
-std::size_t Optimal::place_of(nav::Components::Label component) const {
-  const auto comes_before = [](const GoalsInComponent& p, nav::Components::Label label) { return p.component < label; };
+std::size_t Optimal::place_of(nav::Components::Id component) const {
+  const auto comes_before = [](const GoalsInComponent& p, nav::Components::Id label) { return p.component < label; };
   const auto at = std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component, comes_before);
   return static_cast<std::size_t>(at - goals_in_components_.begin());
 }
 
 /// Counts a goal face in its component, and at each face from there up to the core.
 void Optimal::count_goal_face(mesh::Face f) {
-  const nav::Components::Label component = components_->of(f);
+  const nav::Components::Id component = components_->component_of(f);
   const std::size_t at = place_of(component);
   if (at < goals_in_components_.size() && goals_in_components_[at].component == component) {
     ++goals_in_components_[at].count;
@@ -162,7 +162,7 @@ void Optimal::count_goal_face(mesh::Face f) {
 
 /// Returns how many goal faces lie in the face's component. Requires: this is a component of a start face.
 std::uint32_t Optimal::goals_around(mesh::Face f) const {
-  return goals_in_components_[place_of(components_->of(f))].count;
+  return goals_in_components_[place_of(components_->component_of(f))].count;
 }
 
 /// Returns whether no goal face lies beyond `exit`. Requires: `exit` is a passage, but not one in the core, and its
@@ -357,7 +357,7 @@ void Optimal::make_left_turn(const Node& turn) {
   if (roots_[root].length > reached(turn.left).length) return;
   ++expansions_;
   look(mesh::face(turn.entry));
-  Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kStraightOn, turn.trace};
+  Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kContinuation, turn.trace};
   const Cone cone(*this, window);
   const bool sees_apex = cone.side_of_right(geometry_->view(number(window.left))) == Sign::positive;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
@@ -390,7 +390,7 @@ void Optimal::make_right_turn(const Node& turn) {
   if (roots_[root].length > reached(turn.right).length) return;
   ++expansions_;
   look(mesh::face(turn.entry));
-  Node window{Kind::window, turn.entry, root, kStraightOn, mesh_->apex(turn.entry), turn.trace};
+  Node window{Kind::window, turn.entry, root, kContinuation, mesh_->apex(turn.entry), turn.trace};
   const Cone cone(*this, window);
   const bool sees_apex = cone.side_of_left(geometry_->view(number(window.right))) == Sign::negative;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {

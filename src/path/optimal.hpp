@@ -68,7 +68,7 @@ class Optimal {
   static constexpr std::uint32_t kNone = 0xffffffff;
   /// Stands in a node for the vertex that bounds a cone. It says that the bound is the straight continuation of the
   /// path's segment to the root.
-  static constexpr mesh::Vertex kStraightOn = mesh::kNoVertex;
+  static constexpr mesh::Vertex kContinuation = mesh::kNoVertex;
 
   /// A corner of paths, or their start.
   struct Root {
@@ -124,7 +124,7 @@ class Optimal {
 
   /// How many goal faces lie in a component.
   struct GoalsInComponent {
-    nav::Components::Label component;
+    nav::Components::Id component;
     std::uint32_t count;
   };
 
@@ -132,7 +132,7 @@ class Optimal {
 
   void forget_last_query();
   void list_components();
-  [[nodiscard]] std::size_t place_of(nav::Components::Label component) const;
+  [[nodiscard]] std::size_t place_of(nav::Components::Id component) const;
   void count_goal_face(mesh::Face f);
   [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();
@@ -168,7 +168,7 @@ class Optimal {
   /// dead end without a goal.
   [[nodiscard]] bool is_barred(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_way(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_dead_end(exit));
+    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_dead_end(exit));
   }
   [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const { return is_barred(mesh::face(exit), exit); }
   [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
@@ -179,7 +179,7 @@ class Optimal {
   [[nodiscard]] bool has_walls(mesh::Vertex v) const;
   [[nodiscard]] Reached& reached(mesh::Vertex v);
   [[nodiscard]] std::uint32_t traced(mesh::HalfEdge entry, std::uint32_t before);
-  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
+  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
   [[nodiscard]] Geometry::View view(const Root& root) const;
   [[nodiscard]] double bound(const Node& window, const Point& left, const Point& right) const;
   [[nodiscard]] double bound_from(const Point& p) const;

@@ -76,7 +76,7 @@ void PolylineWalk::collect_crossings_at(const Point& point) {
     HalfEdge h = mesh::first(flooded_[i]);
     for (int corner = 0; corner < 3; ++corner, h = mesh::next(h)) {
       const auto v = number(mesh_->origin(h));
-      const bool is_meant = !geometry().is_explicit(v) && geometry().nearest(v) == point;
+      const bool is_meant = !geometry().is_explicit(v) && geometry().rounded(v) == point;
       const auto is_known = [&](const View& meaning) { return meaning.vertex == v; };
       if (is_meant && std::none_of(meanings_.begin(), meanings_.end(), is_known))
         meanings_.push_back(geometry().view(v));

@@ -27,7 +27,7 @@ void TraStar::find(Path& path) {
   mark_ways_to_goal();
   for (const HalfEdge h : ends_->start_faces()) mark(mesh::face(h), kChosen);
   for (const HalfEdge h : ends_->start_faces()) {
-    if (is_joined_to_goal(mesh::face(h))) leave_start_face(h);
+    if (is_connected_to_goal(mesh::face(h))) leave_start_face(h);
   }
   while (!open_.empty()) {
     const std::uint32_t position = open_.pop();
@@ -55,10 +55,11 @@ void TraStar::mark(Face f, std::uint32_t mark) {
   marks = (marks >= stamp_.value() ? marks : stamp_.value()) | mark;
 }
 
-bool TraStar::is_joined_to_goal(Face f) const {
+bool TraStar::is_connected_to_goal(Face f) const {
   const auto& goals = ends_->goal_faces();
-  return std::any_of(goals.begin(), goals.end(),
-                     [&](HalfEdge h) { return components_->of(mesh::face(h)) == components_->of(f); });
+  return std::any_of(goals.begin(), goals.end(), [&](HalfEdge h) {
+    return components_->component_of(mesh::face(h)) == components_->component_of(f);
+  });
 }
 
 void TraStar::mark_ways_to_goal() {
@@ -83,7 +84,7 @@ void TraStar::climb_from_goal(Face goal) {
 /// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face that is marked
 ///   itself.
 void TraStar::mark_ways_between_goals() {
-  const auto component = [&](Face top) { return components_->of(top); };
+  const auto component = [&](Face top) { return components_->component_of(top); };
   std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });
   for (std::size_t i = 1; i < tops_.size(); ++i) {
     if (component(tops_[i - 1]) != component(tops_[i])) continue;

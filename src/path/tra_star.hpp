@@ -61,7 +61,7 @@ class TraStar {
     return marks_[number(f)] >= stamp_.value() ? marks_[number(f)] - stamp_.value() : 0;
   }
   void mark(mesh::Face f, std::uint32_t mark);
-  [[nodiscard]] bool is_joined_to_goal(mesh::Face f) const;
+  [[nodiscard]] bool is_connected_to_goal(mesh::Face f) const;
   void mark_ways_to_goal();
   void climb_from_goal(mesh::Face goal);
   void mark_ways_between_goals();
@@ -71,7 +71,7 @@ class TraStar {
   }
   /// In a dead end: the passage up. In the core: all passages in the core.
   [[nodiscard]] unsigned ways_up(mesh::Face f) const {
-    if (core_->is_core(f)) return core_->ways(f);
+    if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
   }
@@ -83,7 +83,7 @@ class TraStar {
   void open(mesh::HalfEdge exit, mesh::HalfEdge entry, std::uint32_t before, const Sight& sight);
   void collect_channel(std::uint32_t goal_node);
   void write_path(Path& path);
-  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->nearest(number(v)); }
+  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
 
   const Ends* ends_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;

@@ -60,7 +60,7 @@ void World::Impl::note_removal(std::uint32_t slot) {
   triangulation.items().outline(slot, outline);
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   change_log.add_item();
-  for (const mesh::Vertex v : outline.corners) change_log.add_point(geometry.nearest(number(v)));
+  for (const mesh::Vertex v : outline.corners) change_log.add_point(geometry.rounded(number(v)));
 }
 
 Result<ItemId> World::insert(const Shape& shape, ItemId id) {

@@ -25,7 +25,7 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
   bool starts_ring = true;
   items.for_each_corner(slot, [&](mesh::Vertex corner, bool ends_ring) {
     if (starts_ring) shape.rings.start_ring();
-    shape.rings.add_point(geometry.nearest(number(corner)));
+    shape.rings.add_point(geometry.rounded(number(corner)));
     starts_ring = ends_ring;
   });
   if (is_one_point) shape.rings.add_point(shape.rings[0][0]);

@@ -40,7 +40,7 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); };
   std::rotate(corners.begin(), std::min_element(corners.begin(), end, before), end);
   for (std::size_t i = 0; i < location.corner_count; ++i) {
-    location.corners[i] = delaunay.geometry().nearest(number(corners[i]));
+    location.corners[i] = delaunay.geometry().rounded(number(corners[i]));
   }
   location.inside.clear();
   nav::KeptCover& cover = context.scratch_->cover;

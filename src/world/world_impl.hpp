@@ -88,7 +88,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   }
 
   Impl& impl_;
-  constraint::ExactTriangulation::Operation operation_;
+  constraint::ExactTriangulation::UndoGuard operation_;
 };
 
 /// If the world has no items, builds a new triangulation: then a batch is all or nothing without an operation.
@@ -100,7 +100,7 @@ void World::Impl::insert_all(const Batch& batch, const threads::Crew& crew) {
     return operation.commit();
   }
   constraint::ExactTriangulation made(triangulation.domain(), batch, crew);
-  made.see(triangulation.items().largest_id_seen());
+  made.mark_used(triangulation.items().largest_id_seen());
   change_log.begin();
   note_changes(batch);
   change_log.reserve();

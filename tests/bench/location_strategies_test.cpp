@@ -116,7 +116,7 @@ TEST(Strategies, CubeRootSamplingStartsNear) {
   constexpr int kRounds = 200;
   for (int i = 0; i < kRounds; ++i) {
     const Point point = random_point(random);
-    const Point start = ground.geometry.nearest(number(ground.mesh.origin(strategy.start(ground, point))));
+    const Point start = ground.geometry.rounded(number(ground.mesh.origin(strategy.start(ground, point))));
     sum += std::hypot(start.x - point.x, start.y - point.y);
   }
   EXPECT_LT(sum / kRounds, 0.3 * 32);

@@ -44,7 +44,7 @@ std::set<std::pair<Edge, mesh::Label>> edges_of(const Triangulation& triangulati
     const HalfEdge h{i};
     if (triangulation.is_ghost_face(h)) continue;
     const auto place = [&](mesh::Vertex v) {
-      const Point& point = triangulation.geometry().nearest(number(v));
+      const Point& point = triangulation.geometry().rounded(number(v));
       return Place{point.x, point.y};
     };
     edges.insert({{place(mesh.origin(h)), place(mesh.target(h))}, mesh.label(h)});

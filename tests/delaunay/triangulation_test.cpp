@@ -75,7 +75,7 @@ TEST(Triangulation, InsertsInFacesOnEdgesOnTheBorderAndOnVertices) {
   EXPECT_EQ(triangulation.topology().label(on_side.split), 1U);
   const auto again = insert(2, 2);
   EXPECT_FALSE(again.is_new);
-  EXPECT_EQ(triangulation.geometry().nearest(number(again.vertex)), (Point{2, 2}));
+  EXPECT_EQ(triangulation.geometry().rounded(number(again.vertex)), (Point{2, 2}));
   EXPECT_FALSE(insert(0, 0).is_new) << "a corner of the box";
 }
 
@@ -86,7 +86,7 @@ TEST(Triangulation, RandomLatticePointsAreDelaunayTiesIncluded) {
     for (int i = 0; i < 25; ++i) {
       const Point p{static_cast<double>(random.below(7)), static_cast<double>(random.below(7))};
       const auto inserted = triangulation.insert(p);
-      ASSERT_EQ(triangulation.geometry().nearest(number(inserted.vertex)), p);
+      ASSERT_EQ(triangulation.geometry().rounded(number(inserted.vertex)), p);
     }
     ASSERT_EQ(triangulation.topology().find_fault(), std::nullopt) << "seed " << seed;
     ASSERT_TRUE(is_delaunay(triangulation)) << "seed " << seed;

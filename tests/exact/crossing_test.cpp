@@ -263,10 +263,10 @@ TEST(Geometry, CrossingsThatAreDoublesBecomeExplicit) {
   geometry.place(4, {3, 0});
   geometry.place_crossing(5, 0, 1, 2, 3);
   EXPECT_TRUE(geometry.is_explicit(5));
-  EXPECT_EQ(geometry.nearest(5), (Point{1, 1}));
+  EXPECT_EQ(geometry.rounded(5), (Point{1, 1}));
   geometry.place_crossing(6, 0, 1, 2, 4);
   EXPECT_FALSE(geometry.is_explicit(6));
-  EXPECT_EQ(geometry.nearest(6), (Point{1.2, 1.2}));
+  EXPECT_EQ(geometry.rounded(6), (Point{1.2, 1.2}));
   geometry.clear(6);
   geometry.place_crossing(7, 1, 0, 4, 2);
   EXPECT_EQ(exact::to_fractions(geometry.exact(7)), "6 5 6 5");

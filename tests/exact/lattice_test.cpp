@@ -71,8 +71,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Lattice,
                          testing::Values(LatticeKind{2, 0, 0}, LatticeKind{13, 0, 0}, LatticeKind{28, 0, 0},
                                          LatticeKind{28, -60, 0}, LatticeKind{28, 72, 0}, LatticeKind{28, -24, 0x1p28},
                                          LatticeKind{29, 0, 0}, LatticeKind{30, 0, 0}, LatticeKind{52, -40, 0}),
-                         [](const auto& info) {
-                           const LatticeKind& kind = info.param;
+                         [](const auto& test) {
+                           const LatticeKind& kind = test.param;
                            return std::to_string(kind.bits) + "BitsTimesTwoToThe" + (kind.unit < 0 ? "Minus" : "") +
                                   std::to_string(std::abs(kind.unit)) + (kind.centre != 0 ? "OffCentre" : "");
                          });

@@ -40,7 +40,7 @@ inline std::string fault_of_scene(Scene scene) {
 inline std::string fault_of_script(std::string_view text) {
   const Result<Script> script = parse_script(text, kFuzzName);
   if (!script.ok()) return fault_of_error(script.error(), text);
-  for (const Operation& operation : script->operations) {
+  for (const ScriptLine& operation : script->lines) {
     if (to_string(operation).empty()) return "an operation without a word";
   }
   return fault_of_scene(scene_of(*script));

@@ -39,22 +39,22 @@ void print_insertion(World& world, const Item& item) {
   }
 }
 
-void perform(World& world, const Operation& operation) {
+void perform(World& world, const ScriptLine& operation) {
   std::printf("%s", std::string(to_string(operation)).c_str());
   switch (operation.kind) {
-    case OperationKind::insert:
+    case ScriptLineKind::insert:
       print_insertion(world, operation.item);
       break;
-    case OperationKind::remove:
+    case ScriptLineKind::remove:
       std::printf(" %d", world.remove(operation.item.id).ok());
       break;
-    case OperationKind::locate:
+    case ScriptLineKind::locate:
       if (const auto location = world.locate(operation.from)) print(location->corners[0]);
       break;
-    case OperationKind::ray:
+    case ScriptLineKind::ray:
       if (const auto hit = world.ray(operation.from, operation.to)) print(hit->at);
       break;
-    case OperationKind::path:
+    case ScriptLineKind::path:
       print(world.find_path({.start = operation.from,
                              .goal = operation.to,
                              .algorithm = operation.algorithm.value_or(PathAlgorithm::optimal)}));
@@ -72,7 +72,7 @@ bool run(const std::filesystem::path& file) {
   if (!script) return std::fprintf(stderr, "%s\n", script.error().message().c_str()), false;
   World world = World::create(script->domain).value();
   std::printf("script %s\n", file.filename().string().c_str());
-  for (const Operation& operation : script->operations) perform(world, operation);
+  for (const ScriptLine& operation : script->lines) perform(world, operation);
   std::printf("%s%s", world.validate().fault.c_str(), world.dump().c_str());
   return true;
 }

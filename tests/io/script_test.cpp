@@ -22,10 +22,10 @@ Script parsed(std::string_view lines) {
   return script.ok() ? *script : Script{};
 }
 
-Operation parsed_one(std::string_view line) {
+ScriptLine parsed_one(std::string_view line) {
   const Script script = parsed(line);
-  EXPECT_EQ(script.operations.size(), 1U);
-  return script.operations.size() == 1 ? script.operations.front() : Operation{};
+  EXPECT_EQ(script.lines.size(), 1U);
+  return script.lines.size() == 1 ? script.lines.front() : ScriptLine{};
 }
 
 TEST(ParseScript, ReadsTheDomain) {
@@ -33,7 +33,7 @@ TEST(ParseScript, ReadsTheDomain) {
   ASSERT_TRUE(script.ok());
   EXPECT_EQ(script->domain, (Box{{-1.5, 2.0}, {1000.0, 5.0}}));
   EXPECT_EQ(script->domain_line, 3U);
-  EXPECT_TRUE(script->operations.empty());
+  EXPECT_TRUE(script->lines.empty());
 }
 
 TEST(ParseScript, PassesOverCommentsBlanksTabsAndCarriageReturns) {
@@ -41,15 +41,15 @@ TEST(ParseScript, PassesOverCommentsBlanksTabsAndCarriageReturns) {
       "# a title\r\n\r\n \t\r\n  waywright\t1 # version\r\n#\r\ndomain 0 0 1 1# box\r\n\tcheck  \r\n# end", "test.wws");
   ASSERT_TRUE(script.ok()) << script.error().message();
   EXPECT_EQ(script->domain_line, 6U);
-  ASSERT_EQ(script->operations.size(), 1U);
-  EXPECT_EQ(script->operations[0].kind, OperationKind::check);
-  EXPECT_EQ(script->operations[0].line, 7U);
+  ASSERT_EQ(script->lines.size(), 1U);
+  EXPECT_EQ(script->lines[0].kind, ScriptLineKind::check);
+  EXPECT_EQ(script->lines[0].line, 7U);
 }
 
 TEST(ParseScript, ReadsInsertions) {
   const auto expect_item = [](std::string_view line, const Item& expected) {
-    const Operation operation = parsed_one(line);
-    EXPECT_EQ(operation.kind, OperationKind::insert) << line;
+    const ScriptLine operation = parsed_one(line);
+    EXPECT_EQ(operation.kind, ScriptLineKind::insert) << line;
     EXPECT_EQ(operation.line, 3U) << line;
     EXPECT_EQ(operation.item, expected) << line;
   };
@@ -69,39 +69,39 @@ TEST(ParseScript, ReadsInsertions) {
 TEST(ParseScript, ReadsReplacementsAsInsertionsAfterAWord) {
   for (const std::string insertion :
        {"point 7 1 2", "segment 8 1 2 3 4", "polyline 9 2 1 2 3 4", "polygon 1 2 0 0 1 0 / 1 5 5 / 3 1 1 2 1 1 2"}) {
-    const Operation replacement = parsed_one("replace " + insertion);
-    EXPECT_EQ(replacement.kind, OperationKind::replace) << insertion;
+    const ScriptLine replacement = parsed_one("replace " + insertion);
+    EXPECT_EQ(replacement.kind, ScriptLineKind::replace) << insertion;
     EXPECT_EQ(replacement.item, parsed_one(insertion).item) << insertion;
     EXPECT_EQ(to_string(replacement), "replace");
   }
 }
 
 TEST(ParseScript, ReadsTheOtherOperations) {
-  EXPECT_EQ(parsed_one("remove 5").kind, OperationKind::remove);
+  EXPECT_EQ(parsed_one("remove 5").kind, ScriptLineKind::remove);
   EXPECT_EQ(parsed_one("remove 5").item.id, ItemId{5});
-  EXPECT_EQ(parsed_one("locate 1 2").kind, OperationKind::locate);
+  EXPECT_EQ(parsed_one("locate 1 2").kind, ScriptLineKind::locate);
   EXPECT_EQ(parsed_one("locate 1 2").from, (Point{1, 2}));
-  EXPECT_EQ(parsed_one("hash").kind, OperationKind::hash);
+  EXPECT_EQ(parsed_one("hash").kind, ScriptLineKind::hash);
 
-  const Operation ray = parsed_one("ray 1 2 3 4");
-  EXPECT_EQ(ray.kind, OperationKind::ray);
+  const ScriptLine ray = parsed_one("ray 1 2 3 4");
+  EXPECT_EQ(ray.kind, ScriptLineKind::ray);
   EXPECT_EQ(ray.from, (Point{1, 2}));
   EXPECT_EQ(ray.to, (Point{3, 4}));
 
-  const Operation disc = parsed_one("disc 1 2 0.5");
-  EXPECT_EQ(disc.kind, OperationKind::disc);
+  const ScriptLine disc = parsed_one("disc 1 2 0.5");
+  EXPECT_EQ(disc.kind, ScriptLineKind::disc);
   EXPECT_EQ(disc.from, (Point{1, 2}));
   EXPECT_EQ(disc.radius, 0.5);
 
-  const Operation nearest = parsed_one("nearest 3 4 0.25");
-  EXPECT_EQ(nearest.kind, OperationKind::nearest);
+  const ScriptLine nearest = parsed_one("nearest 3 4 0.25");
+  EXPECT_EQ(nearest.kind, ScriptLineKind::nearest);
   EXPECT_EQ(nearest.from, (Point{3, 4}));
   EXPECT_EQ(nearest.radius, 0.25);
 }
 
 TEST(ParseScript, ReadsPathsWithOrWithoutAnAlgorithm) {
-  const Operation plain = parsed_one("path 1 2 3 4 0.5");
-  EXPECT_EQ(plain.kind, OperationKind::path);
+  const ScriptLine plain = parsed_one("path 1 2 3 4 0.5");
+  EXPECT_EQ(plain.kind, ScriptLineKind::path);
   EXPECT_EQ(plain.from, (Point{1, 2}));
   EXPECT_EQ(plain.to, (Point{3, 4}));
   EXPECT_EQ(plain.radius, 0.5);
@@ -112,7 +112,7 @@ TEST(ParseScript, ReadsPathsWithOrWithoutAnAlgorithm) {
 }
 
 TEST(ParseScript, LeavesRangesToTheWorld) {
-  const Operation huge = parsed_one("point 1 1e999 nan");
+  const ScriptLine huge = parsed_one("point 1 1e999 nan");
   EXPECT_EQ(huge.item.shape.rings[0][0].x, std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isnan(huge.item.shape.rings[0][0].y));
   EXPECT_EQ(parsed_one("disc 50 50 -1").radius, -1.0);

@@ -32,14 +32,14 @@ void expect_true(const Triangulation& triangulation, const Located& place, const
                                                 view);
   };
   ASSERT_FALSE(triangulation.is_ghost_face(place.h) && place.spot == Spot::face);
-  const Point origin = triangulation.geometry().nearest(number(mesh.origin(place.h)));
+  const Point origin = triangulation.geometry().rounded(number(mesh.origin(place.h)));
   switch (place.spot) {
     case Spot::vertex:
       EXPECT_EQ(origin, point);
       break;
     case Spot::edge: {
       EXPECT_EQ(side(place.h), exact::Sign::zero);
-      const Point target = triangulation.geometry().nearest(number(mesh.target(place.h)));
+      const Point target = triangulation.geometry().rounded(number(mesh.target(place.h)));
       const double along = (point.x - origin.x) * (target.x - origin.x) + (point.y - origin.y) * (target.y - origin.y);
       const double length =
           (target.x - origin.x) * (target.x - origin.x) + (target.y - origin.y) * (target.y - origin.y);

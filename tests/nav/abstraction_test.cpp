@@ -29,7 +29,7 @@ class Reduced {
   explicit Reduced(const Box& domain) : mesh_(domain), abstraction_(mesh_) {}
 
   void apply(const std::vector<Change>& changes, const std::vector<ItemId>& ids) {
-    constraint::ExactTriangulation::Operation operation(mesh_);
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
     abstraction_.begin();
     for (std::size_t i = 0; i < changes.size(); ++i) {
       if (changes[i].kind != Change::Kind::insert) {
@@ -113,10 +113,10 @@ class Expected {
   }
 
   [[nodiscard]] Fault component_fault(const nav::Components& components) const {
-    std::map<std::uint32_t, nav::Components::Label> label_of;
-    std::map<nav::Components::Label, std::uint32_t> size_of;
+    std::map<std::uint32_t, nav::Components::Id> label_of;
+    std::map<nav::Components::Id, std::uint32_t> size_of;
     for (const std::uint32_t f : faces_) {
-      const auto label = components.of(Face{f});
+      const auto label = components.component_of(Face{f});
       const auto [at, is_new] = label_of.emplace(set_of(f), label);
       if (is_new && size_of.contains(label)) return "two components have one label";
       if (at->second != label) return "a component has two labels";
@@ -151,7 +151,7 @@ class Expected {
       if (core.degree(Face{f}) != (core_.contains(f) ? ways(f) : 0)) return "a face has another degree";
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
         const bool is_way = core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
-        if (core.is_way(HalfEdge{h}) != is_way) return "a way is not one, or one is missed";
+        if (core.is_passage(HalfEdge{h}) != is_way) return "a way is not one, or one is missed";
       }
     }
     return std::nullopt;
@@ -230,7 +230,7 @@ TEST(Abstraction, WallsPartAndTheirGoingJoins) {
   Reduced reduced(kTen);
   const auto parted = [&] {
     const nav::Components& components = reduced.abstraction().components();
-    return components.of(reduced.face_at({1, 4.5})) != components.of(reduced.face_at({9, 4.5}));
+    return components.component_of(reduced.face_at({1, 4.5})) != components.component_of(reduced.face_at({9, 4.5}));
   };
   reduced.insert(wall({5, 0}, {5, 6}));
   EXPECT_FALSE(parted());

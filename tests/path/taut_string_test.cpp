@@ -40,7 +40,7 @@ double hypotenuse(const Point& p, const Point& q) { return std::hypot(p.x - q.x,
 /// of all portals to all later ones that a straight line through the portals between them reaches.
 double shortest_by_trying_all(const Triangulation& triangulation, const Channel& channel) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  const auto place = [&](Vertex v) { return triangulation.geometry().nearest(number(v)); };
+  const auto place = [&](Vertex v) { return triangulation.geometry().rounded(number(v)); };
   struct Stop {
     Point at;
     std::size_t portal;
@@ -123,7 +123,7 @@ class TautStrings : public testing::Test {
   static Point end_in(Random& random, const Triangulation& triangulation, mesh::Face f) {
     const HalfEdge h = mesh::first(f);
     const auto corner = [&](HalfEdge at) {
-      return triangulation.geometry().nearest(number(triangulation.topology().origin(at)));
+      return triangulation.geometry().rounded(number(triangulation.topology().origin(at)));
     };
     const Point a = corner(h), b = corner(mesh::next(h)), c = corner(mesh::previous(h));
     switch (random.below(4)) {

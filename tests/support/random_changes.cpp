@@ -188,13 +188,13 @@ ChangeScript random_changes(Flavour flavour, std::uint64_t seed, std::size_t ste
 
 ChangeScript changes_of(const Script& script) {
   ChangeScript result{script.domain, {}};
-  for (const Operation& operation : script.operations) {
+  for (const ScriptLine& operation : script.lines) {
     const ItemId id = operation.item.id;
-    if (operation.kind == OperationKind::insert) {
+    if (operation.kind == ScriptLineKind::insert) {
       result.steps.push_back({{{Change::Kind::insert, id, operation.item.shape}}, false});
-    } else if (operation.kind == OperationKind::remove) {
+    } else if (operation.kind == ScriptLineKind::remove) {
       result.steps.push_back({{{Change::Kind::remove, id, {}}}, false});
-    } else if (operation.kind == OperationKind::replace) {
+    } else if (operation.kind == ScriptLineKind::replace) {
       result.steps.push_back({{{Change::Kind::replace, id, operation.item.shape}}, false});
     }
   }

@@ -324,10 +324,10 @@ TEST_P(FloatEnvironment, ChangesNoText) {
       "segment 3 0.7 0.123456789012345678 9007199254740993e3 -1e21\npoint 4 1e-310 0\n";
   const Script script = in([&] { return parse_script(kScript, "text"); }).value();
   const Script plainly = parse_script(kScript, "text").value();
-  for (std::size_t i = 0; i < script.operations.size(); ++i) {
-    for (std::size_t k = 0; k < script.operations[i].item.shape.rings[0].size(); ++k) {
-      EXPECT_EQ(bits_of(script.operations[i].item.shape.rings[0][k]),
-                bits_of(plainly.operations[i].item.shape.rings[0][k]));
+  for (std::size_t i = 0; i < script.lines.size(); ++i) {
+    for (std::size_t k = 0; k < script.lines[i].item.shape.rings[0].size(); ++k) {
+      EXPECT_EQ(bits_of(script.lines[i].item.shape.rings[0][k]),
+                bits_of(plainly.lines[i].item.shape.rings[0][k]));
     }
   }
   const Scene scene = in([&] { return scene_of(script); });

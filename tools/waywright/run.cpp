@@ -38,8 +38,8 @@ RunResult carry_out(const Script& script, const RunOptions& options, Runner& run
   RunResult result;
   Progress progress("run");
   std::size_t done = 0;
-  for (const Operation& operation : script.operations) {
-    progress.show(done++, script.operations.size());
+  for (const ScriptLine& operation : script.lines) {
+    progress.show(done++, script.lines.size());
     const Outcome outcome = runner.carry_out(operation);
     if (outcome == Outcome::check_failed) result.status = kRefused;
     if (outcome == Outcome::refused && options.strict) return {kRefused, false};

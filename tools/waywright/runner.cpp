@@ -13,68 +13,68 @@ namespace waywright::command {
 
 namespace {
 
-Request request_of(const Operation& operation) { return {to_string(operation), operation.line}; }
+Request request_of(const ScriptLine& operation) { return {to_string(operation), operation.line}; }
 
-bool has_radius(OperationKind kind) { return kind == OperationKind::disc || kind == OperationKind::nearest; }
+bool has_radius(ScriptLineKind kind) { return kind == ScriptLineKind::disc || kind == ScriptLineKind::nearest; }
 
 }  // namespace
 
-Outcome Runner::carry_out(const Operation& operation) {
+Outcome Runner::carry_out(const ScriptLine& operation) {
   switch (operation.kind) {
-    case OperationKind::insert:
+    case ScriptLineKind::insert:
       return insert(operation);
-    case OperationKind::locate:
+    case ScriptLineKind::locate:
       return locate(operation);
-    case OperationKind::path:
+    case ScriptLineKind::path:
       return find_path(operation);
-    case OperationKind::check:
+    case ScriptLineKind::check:
       return check(operation);
-    case OperationKind::remove:
+    case ScriptLineKind::remove:
       return remove(operation);
-    case OperationKind::replace:
+    case ScriptLineKind::replace:
       return replace(operation);
-    case OperationKind::hash:
+    case ScriptLineKind::hash:
       output_.write_line(json_line(request_of(operation), world_.items_hash(), world_.mesh_hash()));
       return Outcome::done;
-    case OperationKind::ray:
+    case ScriptLineKind::ray:
       return cast_ray(operation);
-    case OperationKind::clear:
+    case ScriptLineKind::clear:
       return test_clear(operation);
-    case OperationKind::disc:
-    case OperationKind::nearest:
+    case ScriptLineKind::disc:
+    case ScriptLineKind::nearest:
       break;
   }
   return refuse_unsupported(operation);
 }
 
-bool Runner::validate_after(const Operation& operation) {
+bool Runner::validate_after(const ScriptLine& operation) {
   const Validation validation = world_.validate();
   if (!validation.ok) output_.write_line(json_line({"check", operation.line}, validation));
   return validation.ok;
 }
 
-Outcome Runner::insert(const Operation& operation) {
+Outcome Runner::insert(const ScriptLine& operation) {
   const Result<ItemId> inserted = world_.insert(operation.item.shape, operation.item.id);
   if (!inserted.ok()) return refuse(operation, inserted.error());
   forget_queries();
   return Outcome::done;
 }
 
-Outcome Runner::remove(const Operation& operation) {
+Outcome Runner::remove(const ScriptLine& operation) {
   const Result<void> removed = world_.remove(operation.item.id);
   if (!removed.ok()) return refuse(operation, removed.error());
   forget_queries();
   return Outcome::done;
 }
 
-Outcome Runner::replace(const Operation& operation) {
+Outcome Runner::replace(const ScriptLine& operation) {
   const Result<void> replaced = world_.replace(operation.item.id, operation.item.shape);
   if (!replaced.ok()) return refuse(operation, replaced.error());
   forget_queries();
   return Outcome::done;
 }
 
-Outcome Runner::locate(const Operation& operation) {
+Outcome Runner::locate(const ScriptLine& operation) {
   const Result<void> located = world_.locate(operation.from, context_, location_);
   if (!located.ok()) return refuse(operation, located.error());
   output_.write_line(json_line(request_of(operation), location_));
@@ -82,7 +82,7 @@ Outcome Runner::locate(const Operation& operation) {
   return Outcome::done;
 }
 
-Outcome Runner::cast_ray(const Operation& operation) {
+Outcome Runner::cast_ray(const ScriptLine& operation) {
   const Result<void> cast = world_.ray(operation.from, operation.to, hit_);
   if (!cast.ok()) return refuse(operation, cast.error());
   output_.write_line(json_line(request_of(operation), hit_));
@@ -90,7 +90,7 @@ Outcome Runner::cast_ray(const Operation& operation) {
   return Outcome::done;
 }
 
-Outcome Runner::find_path(const Operation& operation) {
+Outcome Runner::find_path(const ScriptLine& operation) {
   PathQuery query{operation.from, operation.to, operation.radius, operation.algorithm.value_or(PathAlgorithm::optimal)};
   query.end_tolerance = operation.end_tolerance;
   Path path;
@@ -101,14 +101,14 @@ Outcome Runner::find_path(const Operation& operation) {
   return Outcome::done;
 }
 
-Outcome Runner::test_clear(const Operation& operation) {
+Outcome Runner::test_clear(const ScriptLine& operation) {
   const Result<bool> is_clear = world_.is_clear(operation.item.shape.rings.points(), context_);
   if (!is_clear.ok()) return refuse(operation, is_clear.error());
   output_.write_line(json_line(request_of(operation), *is_clear));
   return Outcome::done;
 }
 
-Outcome Runner::check(const Operation& operation) {
+Outcome Runner::check(const ScriptLine& operation) {
   const Validation validation = world_.validate();
   output_.write_line(json_line(request_of(operation), validation));
   return validation.ok ? Outcome::done : Outcome::check_failed;
@@ -118,12 +118,12 @@ void Runner::forget_queries() {
   if (overlay_ != nullptr) *overlay_ = {};
 }
 
-Outcome Runner::refuse(const Operation& operation, const Error& error) {
+Outcome Runner::refuse(const ScriptLine& operation, const Error& error) {
   output_.write_line(json_line(request_of(operation), error));
   return Outcome::refused;
 }
 
-Outcome Runner::refuse_unsupported(const Operation& operation) {
+Outcome Runner::refuse_unsupported(const ScriptLine& operation) {
   Error error;
   if (has_radius(operation.kind) && !(std::isfinite(operation.radius) && operation.radius >= 0.0)) {
     error.code = ErrorCode::bad_radius;

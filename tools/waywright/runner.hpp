@@ -21,22 +21,22 @@ class Runner {
   /// Unless `overlay` is null, keeps in it the queries since the last change of the world, with their answers.
   Runner(World& world, StreamWriter& output, SvgOverlay* overlay) : world_(world), output_(output), overlay_(overlay) {}
 
-  Outcome carry_out(const Operation& operation);
+  Outcome carry_out(const ScriptLine& operation);
   /// Validates the world after an operation. Prints only an error.
-  [[nodiscard]] bool validate_after(const Operation& operation);
+  [[nodiscard]] bool validate_after(const ScriptLine& operation);
 
  private:
-  Outcome insert(const Operation& operation);
-  Outcome remove(const Operation& operation);
-  Outcome replace(const Operation& operation);
-  Outcome locate(const Operation& operation);
-  Outcome cast_ray(const Operation& operation);
-  Outcome find_path(const Operation& operation);
-  Outcome test_clear(const Operation& operation);
-  Outcome check(const Operation& operation);
+  Outcome insert(const ScriptLine& operation);
+  Outcome remove(const ScriptLine& operation);
+  Outcome replace(const ScriptLine& operation);
+  Outcome locate(const ScriptLine& operation);
+  Outcome cast_ray(const ScriptLine& operation);
+  Outcome find_path(const ScriptLine& operation);
+  Outcome test_clear(const ScriptLine& operation);
+  Outcome check(const ScriptLine& operation);
   void forget_queries();
-  Outcome refuse(const Operation& operation, const Error& error);
-  Outcome refuse_unsupported(const Operation& operation);
+  Outcome refuse(const ScriptLine& operation, const Error& error);
+  Outcome refuse_unsupported(const ScriptLine& operation);
 
   World& world_;
   StreamWriter& output_;

@@ -18,12 +18,12 @@ namespace waywright::path {
 
 /// Finds the free position nearest to a position that polygons cover. A position is free if it lies in or on the border
 /// of an open face, which is a face that no polygon covers. Keep the object: its memory serves many queries.
-class FreePlaces {
+class FreePositions {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
   /// The faces with which a free position must be connected: only faces of their components count as open.
-  struct Joined {
+  struct Connection {
     const nav::Components* components = nullptr;  ///< null if every open face counts
     const std::vector<mesh::HalfEdge>* faces = nullptr;
   };
@@ -35,7 +35,7 @@ class FreePlaces {
   /// positive. Cost: the covered faces within the distance of the answer, or of `limit`.
   [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::Cover& cover,
                                              const Point& point, const locate::Located& place, double limit,
-                                             const Joined& joined);
+                                             const Connection& connection);
 
  private:
   /// A half-edge of a covered face with an open face beyond it, and its distance, computed in doubles.
@@ -44,13 +44,13 @@ class FreePlaces {
     double distance;
   };
 
-  void flood(const locate::Located& place, double limit, const Joined& joined);
-  void visit(mesh::HalfEdge h, const Joined& joined);
+  void flood(const locate::Located& place, double limit, const Connection& connection);
+  void visit(mesh::HalfEdge h, const Connection& connection);
   [[nodiscard]] double distance_to(mesh::HalfEdge h) const;
-  [[nodiscard]] bool is_open(mesh::HalfEdge h, const Joined& joined);
-  [[nodiscard]] std::optional<Point> choose(double limit, const Joined& joined);
-  [[nodiscard]] std::optional<Point> round_to_free(const Point& rounded, const Joined& joined);
-  [[nodiscard]] bool is_free(const Point& point, const Joined& joined);
+  [[nodiscard]] bool is_open(mesh::HalfEdge h, const Connection& connection);
+  [[nodiscard]] std::optional<Point> choose(double limit, const Connection& connection);
+  [[nodiscard]] std::optional<Point> round_to_free(const Point& rounded, const Connection& connection);
+  [[nodiscard]] bool is_free(const Point& point, const Connection& connection);
 
   const Triangulation* triangulation_ = nullptr;
   constraint::Cover* cover_ = nullptr;

@@ -1,4 +1,4 @@
-#include "path/free_places.hpp"
+#include "path/free_positions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,9 +35,9 @@ std::array<double, 3> neighbours(double value) {
 
 }  // namespace
 
-std::optional<Point> FreePlaces::nearest(const Triangulation& triangulation, constraint::Cover& cover,
-                                         const Point& point, const locate::Located& place, double limit,
-                                         const Joined& joined) {
+std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, constraint::Cover& cover,
+                                            const Point& point, const locate::Located& place, double limit,
+                                            const Connection& connection) {
   if (limit < kLeastLimit) return std::nullopt;
   triangulation_ = &triangulation;
   cover_ = &cover;
@@ -46,13 +46,13 @@ std::optional<Point> FreePlaces::nearest(const Triangulation& triangulation, con
   const double largest =
       std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
   slack_ = largest * 0x1p-46;
-  flood(place, limit, joined);
-  return choose(limit, joined);
+  flood(place, limit, connection);
+  return choose(limit, connection);
 }
 
 /// Collects the edges between covered and open faces that may contain the nearest free position. The straight segment
 /// to it passes only through covered faces, so each edge that it crosses is at most as far as the position itself.
-void FreePlaces::flood(const locate::Located& place, double limit, const Joined& joined) {
+void FreePositions::flood(const locate::Located& place, double limit, const Connection& connection) {
   stamp_.next(1, marks_);
   marks_.cover(triangulation_->topology().face_slots());
   candidates_.clear();
@@ -64,17 +64,17 @@ void FreePlaces::flood(const locate::Located& place, double limit, const Joined&
   }
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const HalfEdge face = waiting_[i];
-    for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) visit(h, joined);
+    for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) visit(h, connection);
   }
 }
 
 /// Looks at the face beyond `h`, which is a half-edge of a covered face.
-void FreePlaces::visit(HalfEdge h, const Joined& joined) {
+void FreePositions::visit(HalfEdge h, const Connection& connection) {
   const HalfEdge beyond = triangulation_->topology().twin(h);
   if (triangulation_->triangulation().is_ghost_face(beyond)) return;
   const double distance = distance_to(h);
   if (distance > nearest_ + slack_) return;
-  if (!nav::PointAgent::can_cross(triangulation_->topology(), h) && is_open(beyond, joined)) {
+  if (!nav::PointAgent::can_cross(triangulation_->topology(), h) && is_open(beyond, connection)) {
     nearest_ = std::min(nearest_, distance + slack_);
     return candidates_.push_back({h, distance});
   }
@@ -84,10 +84,10 @@ void FreePlaces::visit(HalfEdge h, const Joined& joined) {
 }
 
 /// Returns the distance from the point to the edge of `h`, in doubles, with an error less than `slack_`.
-double FreePlaces::distance_to(HalfEdge h) const {
+double FreePositions::distance_to(HalfEdge h) const {
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
-  const Point& a = geometry.nearest(number(triangulation_->topology().origin(h)));
-  const Point& b = geometry.nearest(number(triangulation_->topology().target(h)));
+  const Point& a = geometry.rounded(number(triangulation_->topology().origin(h)));
+  const Point& b = geometry.rounded(number(triangulation_->topology().target(h)));
   const Point edge{b.x - a.x, b.y - a.y};
   const double squared_length = edge.x * edge.x + edge.y * edge.y;
   if (squared_length <= kNoLength) return distance(point_, a);
@@ -96,16 +96,16 @@ double FreePlaces::distance_to(HalfEdge h) const {
   return distance(point_, {a.x + clamped * edge.x, a.y + clamped * edge.y});
 }
 
-bool FreePlaces::is_open(HalfEdge h, const Joined& joined) {
+bool FreePositions::is_open(HalfEdge h, const Connection& connection) {
   if (cover_->is_covered(*triangulation_, h)) return false;
-  if (joined.components == nullptr) return true;
-  const nav::Components::Label own = joined.components->of(mesh::face(h));
-  return std::any_of(joined.faces->begin(), joined.faces->end(),
-                     [&](HalfEdge other) { return joined.components->of(mesh::face(other)) == own; });
+  if (connection.components == nullptr) return true;
+  const nav::Components::Id own = connection.components->component_of(mesh::face(h));
+  return std::any_of(connection.faces->begin(), connection.faces->end(),
+                     [&](HalfEdge other) { return connection.components->component_of(mesh::face(other)) == own; });
 }
 
 /// Returns a free double for the candidate that is exactly nearest or, if there is none, for the next, and so on.
-std::optional<Point> FreePlaces::choose(double limit, const Joined& joined) {
+std::optional<Point> FreePositions::choose(double limit, const Connection& connection) {
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.distance > nearest_ + slack_; });
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
@@ -113,20 +113,20 @@ std::optional<Point> FreePlaces::choose(double limit, const Joined& joined) {
   for (const auto& [h, distance] : candidates_) {
     const constraint::Side& side = triangulation_->items().side(triangulation_->uses().any(mesh.label(h)));
     const exact::NearestOnSegment place(point_, geometry.exact(number(mesh.origin(h))),
-                                        geometry.exact(number(mesh.target(h))), geometry.nearest(number(side.from)),
-                                        geometry.nearest(number(side.to)));
+                                        geometry.exact(number(mesh.target(h))), geometry.rounded(number(side.from)),
+                                        geometry.rounded(number(side.to)));
     if (limit >= kNoLimit || place.is_within(limit)) places.push_back(place);
   }
   std::sort(places.begin(), places.end(),
             [](const auto& p, const auto& q) { return exact::NearestOnSegment::compare(p, q) < 0; });
   for (std::size_t i = 0; i < std::min(places.size(), kTries); ++i) {
-    if (const auto found = round_to_free(places[i].rounded(), joined)) return found;
+    if (const auto found = round_to_free(places[i].rounded(), connection)) return found;
   }
   return std::nullopt;
 }
 
 /// Returns the free double that is nearest to `rounded`, among `rounded` and the doubles around it.
-std::optional<Point> FreePlaces::round_to_free(const Point& rounded, const Joined& joined) {
+std::optional<Point> FreePositions::round_to_free(const Point& rounded, const Connection& connection) {
   std::array<Point, 9> around;
   std::size_t count = 0;
   for (const double x : neighbours(rounded.x)) {
@@ -143,18 +143,18 @@ std::optional<Point> FreePlaces::round_to_free(const Point& rounded, const Joine
     if (p_distance != q_distance) return p_distance < q_distance;
     return p.x != q.x ? p.x < q.x : p.y < q.y;
   });
-  const auto found = std::find_if(around.begin(), around.end(), [&](const Point& p) { return is_free(p, joined); });
+  const auto found = std::find_if(around.begin(), around.end(), [&](const Point& p) { return is_free(p, connection); });
   if (found == around.end()) return std::nullopt;
   return *found;
 }
 
-bool FreePlaces::is_free(const Point& point, const Joined& joined) {
+bool FreePositions::is_free(const Point& point, const Connection& connection) {
   const Box& domain = triangulation_->domain();
   const bool is_in_domain = point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y &&
                             point.y <= domain.max.y && is_in_range(point);
   if (!is_in_domain) return false;
   constraint::faces_at(*triangulation_, triangulation_->triangulation().locate(point), waiting_);
-  return std::any_of(waiting_.begin(), waiting_.end(), [&](HalfEdge h) { return is_open(h, joined); });
+  return std::any_of(waiting_.begin(), waiting_.end(), [&](HalfEdge h) { return is_open(h, connection); });
 }
 
 }  // namespace waywright::path
