@@ -326,8 +326,7 @@ TEST_P(FloatEnvironment, ChangesNoText) {
   const Script plainly = parse_script(kScript, "text").value();
   for (std::size_t i = 0; i < script.lines.size(); ++i) {
     for (std::size_t k = 0; k < script.lines[i].item.shape.rings[0].size(); ++k) {
-      EXPECT_EQ(bits_of(script.lines[i].item.shape.rings[0][k]),
-                bits_of(plainly.lines[i].item.shape.rings[0][k]));
+      EXPECT_EQ(bits_of(script.lines[i].item.shape.rings[0][k]), bits_of(plainly.lines[i].item.shape.rings[0][k]));
     }
   }
   const Scene scene = in([&] { return scene_of(script); });
