@@ -28,10 +28,10 @@ int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
 
 }  // namespace
 
-// Computes the winding number along a ray from the position upwards (or to the right). A side counts if its ends lie on
-// different sides of the ray's line. An end on the line counts as on the smaller side, so a ray through a corner counts
-// correctly. For a side through the position itself, seen from one side it lies behind the start of the ray, and seen
-// from the other side the ray crosses it.
+// Computes the winding number along a ray from the position upwards (or to the right). A side counts if one of its ends
+// lies beyond the ray's line and the other does not. An end on the line does not lie beyond it, so a ray through a
+// corner counts correctly. A side through the position itself does not cross the ray that starts just after the
+// position; it crosses the ray that starts just before.
 Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x) {
   Cover cover;
   int turns_ahead = 0;

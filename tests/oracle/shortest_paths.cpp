@@ -142,8 +142,8 @@ struct ShortestPaths::Impl {
   }
 
   /// Returns whether a straight line towards a vertex lies in the node's wedge and may belong to a shortest path that
-  /// continues there. At a corner, a shortest path is taut around walls on both sides of its line. Requires: no wall
-  /// leads to the vertex.
+  /// passes through the node. It cannot if the two walls of the wedge lie left and right of the line: then the path
+  /// could be pulled tighter at the node. An end of a path always may. Requires: no wall leads to the vertex.
   [[nodiscard]] bool may_leave(const Node& node, std::uint32_t towards) const {
     const auto& [spokes, is_end] = hubs[node.vertex];
     if (spokes.size() < 2) return true;

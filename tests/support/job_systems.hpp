@@ -87,7 +87,7 @@ class Pool final : public JobSystem {
   std::vector<std::thread> threads_;
 };
 
-/// Makes every third call at once, and every third when all those are finished. Leaves the others to the library.
+/// Makes the calls 0, 3, 6 and so on, then the calls 2, 5, 8 and so on. Leaves the others to the library.
 class Dawdler final : public JobSystem {
  public:
   void run(std::size_t count, const std::function<void(std::size_t)>& job) override {

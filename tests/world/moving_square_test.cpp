@@ -33,8 +33,8 @@ INSTANTIATE_TEST_SUITE_P(Turns, MovingSquare,
                          [](const auto& turn) { return std::string(turn.param.name); });
 
 // Experiment 6 of Chen's thesis: a small square moves along the diagonal through nested squares; it is removed,
-// translated and inserted 8,000 times. (The program of the thesis leaves vertices behind: 44 become 361.) At its start
-// and its end the square touches no other, so the number of vertices must be equal.
+// translated and inserted 8,000 times. (The baseline of that experiment leaves vertices behind: 44 become 361.) At its
+// start and its end the square touches no other, so the number of vertices must be equal.
 TEST_P(MovingSquare, LeavesNothingBehindOnItsWay) {
   constexpr int kSteps = 8000;
   constexpr ItemId kMoving{9};
