@@ -17,7 +17,7 @@
 namespace waywright::bench {
 namespace {
 
-/// One of the squares at a time moves a little, and back when its turn comes again.
+/// Returns updates that each move one of the squares a little, and back when it is chosen again.
 Workload square_moves(std::size_t count) {
   constexpr std::size_t kMoves = 4000;
   constexpr double kStep = 3.0;
@@ -34,7 +34,7 @@ Workload square_moves(std::size_t count) {
   return workload;
 }
 
-/// Asks for paths from one half of a world to the other, which a wall cuts off.
+/// Times searches for paths between two halves of a world that a wall disconnects.
 void time_parted_ends(benchmark::State& state, std::size_t count) {
   constexpr std::size_t kQueries = 1000;
   const Workload workload = random_squares(count);

@@ -11,7 +11,7 @@
 
 namespace waywright::bench {
 
-/// All of a workload's insertions as one operation of this library.
+/// Times all of a workload's insertions as one operation of this library.
 inline void time_apply(benchmark::State& state, const Workload& workload) {
   std::vector<Change> changes;
   for (const Update& update : workload.updates) {

@@ -11,7 +11,7 @@
 
 namespace waywright::bench {
 
-/// Times what `insert` does with a fresh world. Its destruction is off the clock.
+/// Times a call of `insert` on a new world, without the world's destruction.
 template <class Insert>
 void time_at_once(benchmark::State& state, const Workload& workload, const WorldOptions& options, Insert&& insert) {
   for ([[maybe_unused]] const auto iteration : state) {
@@ -28,7 +28,7 @@ void time_at_once(benchmark::State& state, const Workload& workload, const World
   report_time_per_operation(state, workload.updates.size());
 }
 
-/// The same for all of the workload's items.
+/// Times the insertion of all of the workload's items in one operation.
 inline void time_items_at_once(benchmark::State& state, const Workload& workload, const WorldOptions& options) {
   std::vector<Item> items;
   for (const Update& update : workload.updates) items.push_back(update.inserted);

@@ -19,7 +19,7 @@
 namespace waywright::bench {
 namespace {
 
-// Predicates are exact, and points alone need no constructions.
+// Predicates are exact; points without segments need no constructions.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 using HierarchyVertex = CGAL::Triangulation_hierarchy_vertex_base_2<CGAL::Triangulation_vertex_base_2<Kernel>>;
@@ -39,7 +39,7 @@ Kernel::Point_2 point_of(const Item& item) {
   return {point.x, point.y};
 }
 
-/// A contender of points alone that remembers each point's vertex.
+/// A contender for points without segments. It stores the vertex of each point.
 template <class Triangulation, bool kStartsFromLast>
 class CgalPoints {
  public:

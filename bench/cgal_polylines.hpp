@@ -15,12 +15,12 @@
 
 namespace waywright::bench {
 
-/// CGAL's Constrained_triangulation_plus_2 with polylines under ids. Its remove_constraint leaves corners and crossing
-/// points behind; here what no item needs any more is cleaned up by hand, so that the mesh from before comes back, as
-/// far as the kernel allows.
+/// CGAL's Constrained_triangulation_plus_2 with polylines under ids. Its remove_constraint leaves corners and crossings
+/// in the mesh. This contender removes the vertices that no item needs any more, so that the mesh returns to its
+/// earlier state, as far as the kernel allows.
 template <class Kernel, class Intersections>
 class CgalPolylines {
-  /// How often items have a corner in a vertex.
+  /// How many corners of items lie on a vertex.
   struct Uses {
     std::uint32_t corners = 0;
   };
@@ -30,12 +30,12 @@ class CgalPolylines {
   using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, Intersections>;
   using Base = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 
-  /// Its insert_constraint() always looks for a polyline's first point from the mesh's edge. This one starts from a
-  /// vertex.
+  /// The base's insert_constraint() always searches a polyline's first point from the mesh's boundary. This one starts
+  /// from a vertex.
   struct Plus : Base {
     using Base::insert_constraint;
 
-    /// Requires two vertices or more, no neighbours equal.
+    /// Requires: two vertices or more; neighbours differ.
     typename Base::Constraint_id insert_constraint(const std::vector<typename Base::Vertex_handle>& vertices) {
       const typename Base::Constraint_id id = this->hierarchy.insert_constraint(vertices[0], vertices[1]);
       this->insert_subconstraint(vertices[0], vertices[1]);
@@ -50,7 +50,7 @@ class CgalPolylines {
   using ConstraintId = typename Plus::Constraint_id;
   using Corner = typename Plus::Point;
 
-  /// What an item put in: a constraint a ring, or a vertex where the ring is a point.
+  /// What an item inserted: a constraint for each ring, or a vertex for a ring that is a single point.
   struct Live {
     std::vector<ConstraintId> constraints;
     std::vector<Vertex> points;
@@ -117,12 +117,12 @@ class CgalPolylines {
     for (const Vertex v : touched_) clean_up(v);
   }
 
-  /// Takes a vertex out that is nobody's corner and where no two constraints cross.
+  /// Removes a vertex if no item has a corner there and no two constraints cross there.
   void clean_up(Vertex v) {
     if (v->info().corners > 0) return;
     std::size_t constrained = 0;
     Vertex along;   // the other end of a constrained edge
-    Vertex beside;  // that of any edge
+    Vertex beside;  // the other end of any edge
     auto edge = plus_.incident_edges(v);
     const auto start = edge;
     do {
@@ -138,7 +138,7 @@ class CgalPolylines {
     if (constrained == 0) {
       plus_.remove(v);
     } else {
-      // simplify() joins the two pieces for all polylines that run through them.
+      // simplify() joins the two pieces in all polylines that contain them.
       auto position = plus_.context(along, v).current();
       if (*position != v) ++position;
       plus_.simplify(position);

@@ -10,7 +10,7 @@
 
 namespace waywright::bench {
 
-/// Experiment 5, every contender's.
+/// Registers experiment 5 for a contender.
 template <class Contender>
 void register_segments(const std::string& contender) {
   for (const std::size_t count : {1000U, 8000U}) {
@@ -27,7 +27,7 @@ void register_segments(const std::string& contender) {
   }
 }
 
-/// Experiment 6.
+/// Registers experiment 6 for a contender.
 template <class Contender>
 void register_moving_square(const std::string& contender) {
   for (const std::size_t steps : {1000U, 8000U}) {
@@ -41,7 +41,7 @@ void register_moving_square(const std::string& contender) {
   }
 }
 
-/// Polygons that come and go.
+/// Registers the benchmarks in which polygons are inserted and removed.
 template <class Contender>
 void register_rts(const std::string& contender) {
   constexpr std::size_t kSteps = 20000;
@@ -51,7 +51,7 @@ void register_rts(const std::string& contender) {
   register_updates<Contender>("rts_disjoint" + size, contender, [] { return rts(Crowd::disjoint, kSteps); });
 }
 
-/// Real scenes, item by item.
+/// Registers the benchmarks that build real scenes item by item.
 template <class Contender>
 void register_real_scenes(const std::string& contender) {
   for (const std::string& file : real_scene_files()) {

@@ -15,8 +15,8 @@
 #include "waywright_contender.hpp"
 #include "workloads.hpp"
 
-// What degenerate data costs against data of which no filter despairs: lattices of points against random points, all in
-// random order; the obstacles of a map against as many rectangles anywhere.
+// Compares degenerate data with data whose predicates the filters can decide: lattices of points with random points,
+// all in random order, and the obstacles of a map with as many rectangles at random positions.
 
 namespace waywright::bench {
 namespace {
@@ -27,11 +27,11 @@ Workload shuffled(Workload workload) {
   Random random(300);
   std::vector<Update>& updates = workload.updates;
   for (std::size_t i = updates.size(); i > 1; --i) std::swap(updates[i - 1], updates[random.below(i)]);
-  // A copy's shapes lie in memory in the order in which they are read, as those of random points do.
+  // The copy's shapes lie in memory in the order in which the benchmark reads them, as those of random points do.
   return Workload(workload);
 }
 
-/// The lattice, every coordinate times `unit` as doubles have it.
+/// Returns the lattice with every coordinate multiplied by `unit` and rounded.
 Workload scaled_lattice(std::size_t side, double unit) {
   Workload workload = shuffled(lattice_points(side));
   workload.domain.max = {workload.domain.max.x * unit, workload.domain.max.y * unit};
@@ -42,7 +42,8 @@ Workload scaled_lattice(std::size_t side, double unit) {
   return workload;
 }
 
-/// As many rectangles as the scene has items, in its domain, a little smaller than a cell of it: few touch another.
+/// Returns as many rectangles as the scene has items, in its domain, each a little smaller than a cell of the domain.
+/// Few of them touch another.
 Workload random_rectangles(const Workload& scene) {
   Random random(301);
   Workload workload{scene.domain, {}, {}};
@@ -59,7 +60,7 @@ Workload random_rectangles(const Workload& scene) {
   return workload;
 }
 
-/// Both one at a time and all at once.
+/// Registers insertions one by one and in one operation.
 template <class Make>
 void register_points(const std::string& name, const std::string& size, Make make) {
   register_updates<Waywright>(name + size, "waywright", make);
@@ -69,7 +70,7 @@ void register_points(const std::string& name, const std::string& size, Make make
       ->Unit(benchmark::kMillisecond);
 }
 
-/// The map's obstacles, or rectangles in their place; in random order both.
+/// Registers the map's obstacles, or random rectangles instead, both in random order.
 void register_obstacles(const std::string& name, bool are_real) {
   benchmark::RegisterBenchmark((name + "/waywright").c_str(),
                                [are_real, is_checked = std::make_shared<bool>(false)](benchmark::State& state) {

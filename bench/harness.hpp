@@ -11,21 +11,22 @@
 
 namespace waywright::bench {
 
-/// Reports the processor's time for one operation.
+/// Reports the processor time for one operation.
 inline void report_time_per_operation(benchmark::State& state, std::size_t operation_count) {
   state.counters["per_op"] =
       benchmark::Counter(static_cast<double>(operation_count),
                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Says what is missing, in the only way the library has to end a benchmark without a result.
+/// Ends a benchmark without a result and says which file is missing. The benchmark library has no other method for
+/// this.
 inline void skip_without_data(benchmark::State& state, const std::string& file) {
   state.SkipWithError(("skipped: no real input " + file + "; set WAYWRIGHT_DATA").c_str());
 }
 
 /// Runs the workload's updates through a contender. A contender has: a constructor from the domain; insert(item) and
-/// update(update); vertex_count(); fault(), empty when its mesh is right. `is_checked` remembers between repetitions
-/// that fault() was asked: it takes longer than many a workload.
+/// update(update); vertex_count(); fault(), empty if its mesh is correct. `is_checked` stores between repetitions
+/// whether fault() was called, because fault() takes longer than many workloads.
 template <class Contender>
 void time_updates(benchmark::State& state, const Workload& workload, bool& is_checked) {
   std::string fault;
@@ -47,8 +48,8 @@ void time_updates(benchmark::State& state, const Workload& workload, bool& is_ch
   report_time_per_operation(state, workload.updates.size());
 }
 
-/// Registers `WORKLOAD/CONTENDER`. `make` gives the workload. One iteration a repetition: a workload is long enough,
-/// and starts from a fresh structure.
+/// Registers `WORKLOAD/CONTENDER`. `make` returns the workload. Each repetition has one iteration: a workload is long
+/// enough, and starts with a new structure.
 template <class Contender, class Make>
 void register_updates(const std::string& workload_name, const std::string& contender_name, Make make) {
   benchmark::RegisterBenchmark((workload_name + '/' + contender_name).c_str(),

@@ -23,7 +23,7 @@ void time_points(benchmark::State& state, const Workload& workload, const WorldO
   time_at_once(state, workload, options, [&](World& world) { world.insert_points(points, {}, {threads, {}}).value(); });
 }
 
-/// As wall time: the processors' would add up the threads'.
+/// Measures wall time: the processor time would be the sum over all threads.
 template <class Make>
 void register_points(const std::string& name, Make make) {
   struct Contender {

@@ -17,7 +17,7 @@
 
 namespace waywright::bench {
 
-/// The data from which a strategy chooses a start: a triangulated box, the positions of its vertices, and the ghost
+/// The data from which a strategy chooses a start: a triangulated box, the points of its vertices, and the ghost
 /// vertex.
 template <class Geometry>
 struct Ground {
@@ -28,13 +28,13 @@ struct Ground {
   [[nodiscard]] bool is_inside(mesh::HalfEdge h) const {
     return mesh.origin(h) != ghost && mesh.target(h) != ghost && mesh.apex(h) != ghost;
   }
-  /// Whether `h`, which was stored earlier, now represents a face in the box.
+  /// Returns whether `h`, which was stored earlier, now represents a face in the box.
   [[nodiscard]] bool holds(mesh::HalfEdge h) const {
     return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
   }
-  /// A face in the box: a face at the box's border.
+  /// Returns a face in the box that touches the box's boundary.
   [[nodiscard]] mesh::HalfEdge somewhere() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
-  /// A face in the box that has `v` as a corner. Requires: `v` is alive and is not the ghost.
+  /// Returns a face in the box that has `v` as a corner. Requires: `v` is alive and is not the ghost.
   [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
     mesh::HalfEdge h = mesh.outgoing(v);
     while (!is_inside(h)) h = mesh.next_around(h);

@@ -4,8 +4,7 @@
 
 #include "registers.hpp"
 
-// All benchmarks are named WORKLOAD/SIZE/CONTENDER. Those of `large/` take minutes and run only where a filter names
-// them.
+// All benchmarks are named WORKLOAD/SIZE/CONTENDER. Those of `large/` take minutes and run only if a filter names them.
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

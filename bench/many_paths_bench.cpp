@@ -14,15 +14,15 @@
 #include "workloads.hpp"
 #include "world_of.hpp"
 
-// Many paths at once: by many threads, and from one start.
+// Many paths in one call: by many threads, and from one start.
 
 namespace waywright::bench {
 namespace {
 
 constexpr std::size_t kSquares = 2000;
 
-/// Asks for the shortest paths between random ends. As wall time, and the processors' beside it, which adds up the
-/// threads': where that stays the same, threads don't stand in each other's way.
+/// Times searches for shortest paths between random ends. Reports the wall time and the processor time, which is the
+/// sum over all threads: if it does not grow with the threads, they do not slow each other down.
 void time_threads(benchmark::State& state, std::size_t threads) {
   constexpr std::size_t kQueries = 8000;
   const Workload workload = random_squares(kSquares);
@@ -32,13 +32,13 @@ void time_threads(benchmark::State& state, std::size_t threads) {
   for (std::size_t i = 0; i < kQueries; ++i) queries.push_back({ends[2 * i], ends[2 * i + 1]});
   std::vector<QueryContext> contexts(threads);
   std::vector<Path> paths;
-  world.find_paths(queries, contexts, paths).value();  // for their memory
+  world.find_paths(queries, contexts, paths).value();  // so that the contexts have their memory
   for ([[maybe_unused]] const auto iteration : state) world.find_paths(queries, contexts, paths).value();
   report_time_per_operation(state, kQueries);
   state.counters["vertices"] = static_cast<double>(world.vertex_count());
 }
 
-/// Times ask(world, start, goals) for some starts and the same random goals. An operation is a path.
+/// Times ask(world, start, goals) for some starts and the same random goals. One operation is one path.
 template <class Ask>
 void time_goals(benchmark::State& state, std::size_t goal_count, Ask&& ask) {
   constexpr std::size_t kStarts = 20;
@@ -57,7 +57,7 @@ void time_goals(benchmark::State& state, std::size_t goal_count, Ask&& ask) {
   state.counters["length"] = length;
 }
 
-/// By World::find_paths_from.
+/// Times World::find_paths_from.
 void time_goals_at_once(benchmark::State& state, std::size_t goal_count) {
   QueryContext context;
   std::vector<Path> paths;
@@ -69,7 +69,7 @@ void time_goals_at_once(benchmark::State& state, std::size_t goal_count) {
   });
 }
 
-/// By a query for each goal.
+/// Times one query for each goal.
 void time_goals_one_by_one(benchmark::State& state, std::size_t goal_count) {
   QueryContext context;
   Path path;

@@ -12,7 +12,7 @@
 namespace waywright::bench {
 namespace {
 
-/// From the items as they were read.
+/// Times the construction from the items in the order of the file.
 void register_at_once(const std::string& file, const std::string& contender, const WorldOptions& options) {
   const std::string name = "bulk_map/" + file.substr(file.rfind('/') + 1) + '/' + contender;
   benchmark::RegisterBenchmark(name.c_str(),

@@ -23,7 +23,7 @@
 namespace waywright::bench {
 namespace {
 
-/// How a path is asked for.
+/// How a benchmark searches a path.
 struct PathContender {
   const char* name;
   PathAlgorithm algorithm;
@@ -49,23 +49,23 @@ constexpr std::array<MapQueries, 6> kMapQueries = {{
     {"grid/random/random512-20-0.map", "grid/anyangle/random512-20-0.anyangle.scen"},
 }};
 
-/// What a series of queries found.
+/// The results of a series of queries.
 struct PathTotals {
   std::size_t found = 0;
   double length = 0.0;
-  double shortest = 0.0;  ///< of those found, where it is known
+  double shortest = 0.0;  ///< of the found paths whose shortest length is known
 };
 
 PathQuery query_between(const KnownPath& ends, const PathContender& contender) {
   return {ends.start, ends.goal, 0.0, contender.algorithm, contender.budget};
 }
 
-/// Queries that took so many microseconds the first time make a mean that the clock's steps, and what ran before, don't
-/// show in.
+/// The timed loop repeats all queries until, by the times of the first pass, it takes this many microseconds. So
+/// neither the clock's resolution nor the work before the loop affects the mean.
 constexpr double kTimed = 20'000.0;
 
-/// Asks every query once with a clock around each, for the median and the mean of a first time; then all of them on the
-/// benchmark's clock, as often as it takes.
+/// Makes every query once and measures each, for the median and the mean of a first search. Then makes all of them
+/// inside the benchmark's timed loop.
 void time_queries(benchmark::State& state, const World& world, const std::vector<KnownPath>& queries,
                   const PathContender& contender) {
   using Clock = std::chrono::steady_clock;

@@ -8,7 +8,7 @@
 
 namespace waywright::bench {
 
-/// A size of a workload of points; large ones are run only on demand.
+/// The size of a workload of points. Large ones run only if a filter names them.
 struct PointSize {
   std::string prefix;
   std::size_t count;
@@ -23,19 +23,19 @@ inline const std::vector<PointSize>& point_sizes() {
   return sizes;
 }
 
-/// The sides of lattices: about as many points.
+/// The side lengths of lattices with about as many points.
 inline const std::vector<PointSize>& lattice_sides() {
   static const std::vector<PointSize> sides = {{"", 100}, {"", 316}, {"large/", 1000}};
   return sides;
 }
 
-/// A world of points that grows, for the time per vertex.
+/// The sizes of a growing world of points, for the time per vertex.
 inline const std::vector<PointSize>& growing_sizes() {
   static const std::vector<PointSize> sizes = {{"large/", 100'000}, {"large/", 1'000'000}, {"large/", 10'000'000}};
   return sizes;
 }
 
-/// What is asked for, and among what.
+/// Which points a benchmark locates, and among which vertices.
 struct LocationKind {
   std::string name;
   Locations (*make)(std::size_t count);

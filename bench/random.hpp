@@ -5,7 +5,7 @@
 
 namespace waywright::bench {
 
-/// Random numbers that are the same on every machine, which those of the standard's distributions are not.
+/// Random numbers that are the same on every machine; the distributions of the standard library are not.
 /// Source: Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014 (SplitMix64).
 class Random {
  public:
@@ -19,15 +19,15 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// 0 to count - 1. The remainder's bias is far below anything that a benchmark shows.
+  /// Returns 0 to count - 1. The bias of the remainder is far below the precision of a benchmark.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
-  /// A whole number from `low` to `high`, both included, as a coordinate.
+  /// Returns a whole number from `low` to `high`, both included, as a coordinate.
   double between(std::int64_t low, std::int64_t high) {
     return static_cast<double>(low + static_cast<std::int64_t>(below(static_cast<std::size_t>(high - low + 1))));
   }
 
-  /// 0 <= x < 1, a multiple of 2^-53.
+  /// Returns a multiple of 2^-53 with 0 <= x < 1.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
  private:

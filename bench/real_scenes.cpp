@@ -23,7 +23,7 @@ Workload workload_of(Scene scene) {
   return workload;
 }
 
-/// The points of `x,y x,y ...`, given in hundredths, as whole numbers.
+/// Returns the points of `x,y x,y ...`, which are in hundredths, as whole numbers.
 std::vector<Point> parse_footprint(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();
@@ -36,7 +36,7 @@ std::vector<Point> parse_footprint(std::string_view text) {
   }
   std::vector<Point> ring;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) ring.push_back({numbers[i], numbers[i + 1]});
-  // The first point is repeated at the end.
+  // The file repeats the first point at the end.
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   return ring;
 }

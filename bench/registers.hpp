@@ -2,7 +2,7 @@
 
 namespace waywright::bench {
 
-// Each adds its benchmarks; main() calls them before it runs any.
+// Each function registers its benchmarks; main() calls them before it runs any.
 
 void register_insertions();
 void register_locations();

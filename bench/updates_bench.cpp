@@ -15,7 +15,7 @@
 namespace waywright::bench {
 namespace {
 
-/// The edges that the line y = 0 crosses between vertices.
+/// Returns how many edges the line y = 0 crosses between their ends.
 std::size_t count_crossed(const MeshSnapshot& mesh) {
   std::size_t sides = 0;
   for (const auto& triangle : mesh.triangles) {
@@ -28,7 +28,7 @@ std::size_t count_crossed(const MeshSnapshot& mesh) {
   return sides / 2;
 }
 
-/// One wall; what is reported is the time for an edge that it crosses.
+/// Times the insertion of one wall and reports the time for each edge that it crosses.
 void time_wall(benchmark::State& state, const Workload& workload) {
   const Item& wall = workload.updates.front().inserted;
   std::size_t crossed = 0;

@@ -10,10 +10,10 @@
 
 namespace waywright::bench {
 
-/// A triangulation and no more, which is all that the others make.
+/// Options for a triangulation without the path abstraction, as the other contenders have none.
 inline constexpr WorldOptions kMeshOnly{.keep_abstraction = false};
 
-/// This library: an update is a removal and an insertion.
+/// This library. An update is a removal and an insertion.
 class Waywright {
  public:
   explicit Waywright(const Box& domain, const WorldOptions& options = kMeshOnly)
@@ -37,7 +37,7 @@ class Waywright {
   World world_;
 };
 
-/// This library: an update puts a shape in another's place. For workloads that keep their ids.
+/// This library. An update replaces a shape. For workloads that keep their ids.
 class WaywrightReplace : public Waywright {
  public:
   using Waywright::Waywright;
@@ -45,7 +45,7 @@ class WaywrightReplace : public Waywright {
   void update(const Update& update) { world().replace(update.removed, update.inserted.shape).value(); }
 };
 
-/// One of them, with everything kept up that paths live on.
+/// One of the contenders above, which also maintains the path abstraction.
 template <class Contender>
 class ForPaths : public Contender {
  public:

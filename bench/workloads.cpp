@@ -39,8 +39,9 @@ void shuffle(std::vector<std::size_t>& values, Random& random) {
   for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
 }
 
-/// How far along the Hilbert curve of order 16 a place of the grid lies.
-/// Source: Hilbert, *Über die stetige Abbildung einer Linie auf ein Flächenstück*, 1891; by quadrant, turning the rest.
+/// Returns the position of a grid point along the Hilbert curve of order 16.
+/// Source: Hilbert, *Über die stetige Abbildung einer Linie auf ein Flächenstück*, 1891. Computed by quadrant; each
+/// step rotates the rest.
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
   std::uint64_t index = 0;
   for (std::uint32_t side = 1U << 15; side > 0; side >>= 1) {
@@ -109,7 +110,7 @@ bool touches_any(const Box& box, const std::vector<Box>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& other) { return touch(box, other); });
 }
 
-/// A polygon around a random centre. A corner in each quadrant keeps the centre inside and the polygon simple.
+/// Returns a polygon around a random centre. It has a corner in each quadrant, so it is simple and contains its centre.
 Item rts_polygon(Random& random, std::size_t id, std::int64_t largest_reach) {
   constexpr std::array<Point, 4> kQuadrants = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   const Point centre = {random.between(largest_reach, kLargeSide - largest_reach),
@@ -126,7 +127,7 @@ Item rts_polygon(Random& random, std::size_t id, std::int64_t largest_reach) {
   }
   std::vector<Point> ring;
   for (std::vector<Point>& quadrant : offsets) {
-    // Whole numbers below 2^13: the products are exact, and so is the order by angle.
+    // The coordinates are whole numbers below 2^13, so the products and the order by angle are exact.
     std::sort(quadrant.begin(), quadrant.end(), [](Point a, Point b) {
       const double turn = a.x * b.y - a.y * b.x;
       return turn > 0 || (turn == 0 && std::abs(a.x) < std::abs(b.x));
@@ -183,7 +184,7 @@ Workload point_removal(std::size_t count) {
   Random random(200);
   const double side = static_cast<double>(kLargeSide);
   Workload workload{{{0.0, 0.0}, {side, side}}, {}, {}};
-  // Distinct, so that with its item each vertex goes, too.
+  // The points are distinct, so that the removal of an item also removes its vertex.
   std::set<std::pair<double, double>> taken;
   while (taken.size() < count) taken.emplace(random.between(1, kLargeSide - 1), random.between(1, kLargeSide - 1));
   std::vector<Point> points;
@@ -250,7 +251,7 @@ Workload moving_square(Turn turn, std::size_t steps) {
     const double reach = kSpacing * static_cast<double>(i);
     workload.before.push_back(make_item(i, ItemKind::polygon, square_ring({0.0, 0.0}, reach)));
   }
-  // From the centre to the first corner; the others follow by right angles.
+  // From the centre to the first corner. The others follow by right angles.
   Point arm = {kReach, kReach};
   if (turn == Turn::by_45) arm = {0.0, 1.4 * kReach};
   if (turn == Turn::by_30) arm = {kReach * 0.5 * (std::sqrt(3.0) - 1.0), kReach * 0.5 * (std::sqrt(3.0) + 1.0)};

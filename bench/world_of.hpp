@@ -9,10 +9,10 @@
 
 namespace waywright::bench {
 
-/// The counts of squares in the worlds that paths are asked for in.
+/// The counts of squares in the worlds of the path benchmarks.
 inline constexpr std::array<std::size_t, 3> kPathSquares = {100, 500, 2000};
 
-/// The world that a workload without removals leaves.
+/// Returns the world after all insertions of a workload without removals.
 [[nodiscard]] inline World world_of(const Workload& workload) {
   World world = World::create(workload.domain).value();
   for (const Item& item : workload.before) static_cast<void>(world.insert(item.shape, item.id).value());

@@ -1,16 +1,17 @@
-# The arithmetic that the library's proofs assume, whatever flags the parent project sets: -ffast-math, -Ofast,
-# -ffp-contract=fast, /fp:fast and the like. src/base/ieee.hpp refuses what gets through and can be seen.
+# Sets the floating-point arithmetic that the library's proofs assume, whatever flags the parent project sets:
+# -ffast-math, -Ofast, -ffp-contract=fast, /fp:fast and others. src/base/ieee.hpp stops the compilation if it can detect
+# that a wrong flag is still active.
 #
 # Of two options that contradict each other the later one counts. The compiler gets CMAKE_CXX_FLAGS first, then the
-# options of the directory, of the target, of what the target links, and of the source file.
+# options of the directory, of the target, of the libraries that the target links, and of the source file.
 
 if(MSVC)
   set(WAYWRIGHT_IEEE_OPTIONS /fp:precise)
 else()
-  # The order matters. -fno-fast-math resets what the options after it are about; -ffp-contract=on before it keeps clang
-  # from warning that it overrides a parent's -ffp-contract=fast. -ffp-contract=off: a fused multiply-add rounds once
-  # where the error bounds of the predicates count two roundings. -fno-math-errno changes no value: std::sqrt need not
-  # set errno.
+  # The order matters. -fno-fast-math resets the settings of the options after it. -ffp-contract=on before it keeps
+  # clang from warning that it overrides a parent's -ffp-contract=fast. -ffp-contract=off: a fused multiply-add rounds
+  # once where the error bounds of the predicates count two roundings. -fno-math-errno changes no value: std::sqrt need
+  # not set errno.
   set(WAYWRIGHT_IEEE_OPTIONS
       -ffp-contract=on
       -fno-fast-math
@@ -35,7 +36,7 @@ else()
 endif()
 
 function(waywright_use_ieee_arithmetic target)
-  # As one element: CMake removes elements that repeat one of the parent's, which would change the order.
+  # As one element: CMake removes elements that repeat one of the parent's elements, which would change the order.
   list(JOIN WAYWRIGHT_IEEE_OPTIONS " " options)
   target_compile_options(${target} PRIVATE "SHELL:${options}")
 endfunction()

@@ -1,4 +1,4 @@
-# What an installed library consists of: itself, its headers, its licence, and what CMake and pkg-config find it by.
+# Installs the library, its headers, its licence, and the files with which CMake and pkg-config find it.
 
 include(CMakePackageConfigHelpers)
 set(waywright_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/waywright)
@@ -18,13 +18,13 @@ install(
   DESTINATION ${waywright_config_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/waywright-config.cmake.in
                               ${PROJECT_BINARY_DIR}/waywright-config.cmake INSTALL_DESTINATION ${waywright_config_dir})
-# Before 1.0 a minor version may break what the one before promised.
+# Before 1.0, a minor version may break promises of the version before.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/waywright-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/waywright-config.cmake ${PROJECT_BINARY_DIR}/waywright-config-version.cmake
         DESTINATION ${waywright_config_dir})
 
-# Paths in waywright.pc start from the place of that file, so that an installed tree can be moved; where the library's
-# folder was given as an absolute path, they are absolute.
+# Paths in waywright.pc are relative to that file, so that an installed tree can be moved. If the library's folder was
+# given as an absolute path, they are absolute.
 if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
   set(waywright_pc_prefix ${CMAKE_INSTALL_PREFIX})
   set(waywright_pc_libdir ${CMAKE_INSTALL_FULL_LIBDIR})
@@ -42,7 +42,7 @@ if(waywright_is_shared)
 endif()
 set(waywright_pc_threads "${CMAKE_THREAD_LIBS_INIT}")
 if(NOT waywright_pc_threads AND UNIX)
-  set(waywright_pc_threads -pthread)  # where the C library has threads built in, this changes nothing
+  set(waywright_pc_threads -pthread)  # no effect if the C library contains threads
 endif()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/waywright.pc.in ${PROJECT_BINARY_DIR}/waywright.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/waywright.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,5 +1,6 @@
-# Some standard libraries read and write no doubles (see src/base/number_text.hpp). This asks the compiler, and finds a
-# library of headers for what is missing: fast_float to read, fmt to write. Like Boost, they are used inside sources only.
+# Some standard libraries cannot read or write doubles (see src/base/number_text.hpp). This file tests the compiler, and
+# finds a header library for each missing function: fast_float to read, fmt to write. Like Boost, only source files use
+# them.
 
 include(CheckCXXSourceCompiles)
 

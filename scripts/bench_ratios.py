@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Turns the JSON output of a benchmark run into a table of ours beside the rivals'.
+"""Turns the JSON output of benchmark runs into a table that compares the library with its rivals.
 
 usage: bench_ratios.py FILE...
 
-Each FILE is what `./dev bench --benchmark_out=FILE --benchmark_out_format=json` wrote, best with
-`--benchmark_repetitions=5 --benchmark_enable_random_interleaving`, so that all contenders share the machine's good and bad
-minutes. Several files count as one longer run. Prints a Markdown table: for each workload and contender the median time
-of an operation in microseconds, how far the repetitions spread (the middle half of them, against the median), the
-vertices, and for rivals the ratio ours / rival (below 1: we are faster). A contender that failed at a workload has a row
-that says how.
+Each FILE is the output of `./dev bench --benchmark_out=FILE --benchmark_out_format=json`, best with
+`--benchmark_repetitions=5 --benchmark_enable_random_interleaving`, so that all contenders run under the same conditions.
+Several files count as one longer run. Prints a Markdown table: for each workload and contender the median time of an
+operation in microseconds, the spread of the repetitions (the width of their middle half in per cent of the median), the
+number of vertices, and for rivals the ratio ours / rival (below 1: the library is faster). If a contender failed at a
+workload, its row contains the error.
 """
 
 import json
@@ -18,7 +18,7 @@ from collections import defaultdict
 
 OURS = "waywright"
 FAILED = "failed: "
-TIMED_BY = ("manual_time", "process_time", "real_time")  # what the benchmark library adds to names
+TIMED_BY = ("manual_time", "process_time", "real_time")  # suffixes that the benchmark library adds to names
 
 
 def is_ours(contender):
@@ -28,13 +28,13 @@ def is_ours(contender):
 def read_runs(file_names):
     """Returns {workload: {contender: [(microseconds, vertices), ...]}} in the order of their registration.
 
-    Of a contender that failed, the list holds what it failed of, a string, instead.
+    For a contender that failed, the list contains the error, a string, instead.
     """
     runs = defaultdict(lambda: defaultdict(list))
     for file_name in file_names:
         with open(file_name, encoding="utf-8") as file:
             report = json.load(file)
-        # Interleaving shuffles the runs.
+        # Interleaving changes the order of the runs.
         for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
             if run.get("run_type") == "aggregate":
                 continue
@@ -56,7 +56,7 @@ def median_time(runs):
 
 
 def spread(times):
-    """The middle half's width against the median, in per cent; None for fewer than three times."""
+    """Returns the width of the middle half in per cent of the median, or None for fewer than three times."""
     if len(times) < 3:
         return None
     low, _, high = statistics.quantiles(times, n=4, method="inclusive")

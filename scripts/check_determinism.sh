@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # usage: check_determinism.sh
-# Builds the library, and a program that lets 200 worlds live, with two compilers at several optimisation levels, and
-# compares what the programs print byte for byte. Prints a line a build and a verdict; what differs stays in
-# build/determinism/. COMPILERS names other compilers, WAYWRIGHT_JOBS limits how many run at once.
+# Builds the library and a program that runs changes on 200 worlds, with two compilers at several optimisation levels.
+# Compares the output of the programs byte for byte. Prints a line for each build and a verdict. Outputs that differ
+# remain in build/determinism/. COMPILERS names other compilers; WAYWRIGHT_JOBS limits how many run at once.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export LC_ALL=C.UTF-8

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Checks what the Markdown pages quote and where their links lead.
+"""Checks the quotations and the links in the Markdown pages.
 
 usage: check_docs.py [ROOT]
 
-- Each ```cpp block in docs/guides is in one of the examples (examples/*.cpp), and each ```text block in what the tests
-  expect an example to print (examples/*.txt): the same lines in the same order, apart from their common indentation.
-- Each link to a file of the project leads to a file or folder that is there.
+- Each ```cpp block in docs/guides must be in one of the examples (examples/*.cpp), and each ```text block in the expected
+  output of an example (examples/*.txt): the same lines in the same order, apart from their common indentation.
+- Each link to a file of the project must lead to an existing file or folder.
 
 Prints `FILE:LINE: what is wrong` for each fault and exits 1; exits 0 when there is none.
 """
@@ -15,7 +15,7 @@ import sys
 import textwrap
 from pathlib import Path
 
-# What the blocks of a language are quoted from.
+# The files that the blocks of each language quote.
 SOURCES = {"cpp": "*.cpp", "text": "*.txt"}
 FENCE = re.compile(r"^```(\w*)$")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s#]+)(?:#[^)]*)?\)")
@@ -36,7 +36,7 @@ def blocks_of(text):
 
 
 def is_quoted(lines, source):
-    """Whether the lines stand in the source, one after the other."""
+    """Returns whether the source contains these lines, one after the other."""
     source = source.splitlines()
     wanted = textwrap.dedent("\n".join(lines))
     starts = range(len(source) - len(lines) + 1)

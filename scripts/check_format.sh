@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # usage: check_format.sh [--fix]
-# Refuses C++ files that clang-format would change, or changes them. Looks at what git tracks or would track; outside a
-# work tree, at all.
+# Refuses C++ files that clang-format would change; with --fix, changes them. Checks the files that git tracks or would
+# track. Outside a work tree, checks all files.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -16,6 +16,6 @@ list_files() {
 }
 
 list_files | while IFS= read -r -d '' file; do
-  # A file that git tracks may be gone from the work tree.
+  # A file that git tracks may be missing in the work tree.
   if [[ -f $file ]]; then printf '%s\0' "$file"; fi
 done | xargs -0 --no-run-if-empty clang-format-14 "${mode[@]}"

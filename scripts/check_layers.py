@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Refuses an include that points up the rooms, or out of them, and headers that include each other.
+"""Refuses includes that the layers forbid: of a higher room, or of headers outside. Refuses headers that include each other.
 
 usage: check_layers.py [ROOT]
 
 Prints `FILE:LINE: what is wrong` for each such include and exits 1; exits 0 when there is none. A room is a folder. The
-table ROOMS says for each what it may include; there are no exceptions from it.
+table ROOMS says for each room what it may include, without exceptions.
 """
 
 import re
@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-# Public headers that name single values. The other public headers stand on the whole library.
+# Public headers of single value types. The other public headers need the whole library.
 VALUES = frozenset({"point.hpp", "id.hpp", "error.hpp", "memory_use.hpp"})
 ALL = None  # every public header, or any library
 
@@ -21,7 +21,7 @@ ALL = None  # every public header, or any library
 class Room:
     rooms: frozenset  # the rooms that it may include besides itself
     public: frozenset = frozenset()  # the public headers that it may include; ALL for any
-    libraries: tuple = ()  # of headers between <>, besides the standard library: how their paths start; ALL for any
+    libraries: tuple = ()  # prefixes of permitted <> headers besides the standard library; ALL for any
 
 
 def room(rooms, public=frozenset(), libraries=()):
@@ -34,7 +34,7 @@ TRIANGULATION = NUMBERS | {"threads", "exact", "mesh", "locate", "delaunay"}
 NAVIGATION = TRIANGULATION | {"constraint"}
 WORLD = NAVIGATION | {"text", "nav", "path"}
 
-# By folder; a file is in the room of the longest folder that it lies in.
+# By folder. A file belongs to the room with the longest folder name that contains it.
 ROOMS = {
     "include/waywright": room([], ALL),
     "src/base": room([], libraries=ALL),
@@ -64,7 +64,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>|(\S+))')
 
 
 def includes_of(text):
-    """Yields (line number, path, whether quoted) for each include; a path given by a macro comes as None."""
+    """Yields (line number, path, whether quoted) for each include. The path is None if a macro gives it."""
     for number, line in enumerate(text.splitlines(), start=1):
         match = INCLUDE.match(line)
         if match:
@@ -73,12 +73,12 @@ def includes_of(text):
 
 
 def is_standard(path):
-    """Whether an include between <> names a header of the C++ standard library."""
+    """Returns whether an include between <> names a header of the C++ standard library."""
     return re.fullmatch(r"[a-z_]+", path) is not None
 
 
 def room_of(file):
-    """The folder of ROOMS that a file, relative to the root, lies in, or None."""
+    """Returns the folder of ROOMS that contains a file, or None. The file's path is relative to the root."""
     folders = [folder.as_posix() for folder in file.parents if folder.as_posix() in ROOMS]
     return folders[0] if folders else None
 
@@ -86,10 +86,10 @@ def room_of(file):
 class Checker:
     def __init__(self, root):
         self.root = root
-        self.edges = {}  # of each header, the headers of its room that it includes
+        self.edges = {}  # by header: the headers of its room that it includes
 
     def find(self, file, path):
-        """The file that an include between quotes names, relative to the root, or None."""
+        """Returns the file, relative to the root, that an include between quotes names, or None."""
         part = file.parts[0]
         for folder in (file.parent, Path(part), Path("src"), Path("include"), Path("bench")):
             if (self.root / folder / path).is_file():
@@ -97,7 +97,7 @@ class Checker:
         return None
 
     def fault(self, file, path, quoted):
-        """Says what is wrong with an include in `file` (relative to the root), or returns None."""
+        """Returns what is wrong with an include in `file` (relative to the root), or None."""
         here = room_of(file)
         if path is None:
             return "an include by macro cannot be checked"
@@ -133,7 +133,7 @@ class Checker:
         return f"<{path}>: {here} may not include this library"
 
     def cycles(self):
-        """Names each header that includes itself by way of others."""
+        """Reports each header that includes itself through others."""
         for start in sorted(self.edges):
             seen, waiting = set(), list(self.edges[start])
             while waiting:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Refuses what not every compiler or system has, outside the few files that are there for it.
+"""Refuses code that not every compiler or system supports, except in the few files that contain it on purpose.
 
 usage: check_portable.py [ROOT]
 
-Prints `FILE:LINE: what is wrong` for each such construct and exits 1; exits 0 when there is none. What is checked is
-what every target builds: the library, its headers, the command, the examples and the program tests/determinism.
+Prints `FILE:LINE: what is wrong` for each such construct and exits 1; exits 0 when there is none. Checks all code that every
+target builds: the library, its headers, the command, the examples and the program tests/determinism.
 """
 
 import re
@@ -15,7 +15,7 @@ from pathlib import Path
 FOLDERS = ["include", "src", "tools", "examples", "tests/determinism", "tests/support"]
 SUFFIXES = {".cpp", ".hpp", ".h", ".ipp"}
 
-# The files that are there for what depends on the compiler, and only for that.
+# The only files for code that depends on the compiler.
 COMPILER_FILES = {
     "src/base/compiler.hpp",  # builtins, attributes, integers of 128 bits
     "src/base/ieee.hpp",  # flags that break floating-point arithmetic
@@ -23,7 +23,7 @@ COMPILER_FILES = {
     "include/waywright/export.hpp",  # visibility of symbols
 }
 SYSTEM_FILES = COMPILER_FILES | {"tools/waywright/platform.cpp"}
-# What decides how a mesh looks, and what measures paths.
+# The code that determines meshes and the lengths of paths.
 LIBRARY = ("include/", "src/")
 
 
@@ -31,8 +31,8 @@ LIBRARY = ("include/", "src/")
 class Rule:
     pattern: str
     advice: str
-    homes: frozenset | set = frozenset()  # the files that may
-    where: tuple = ("",)  # the folders that may not
+    homes: frozenset | set = frozenset()  # the files that may contain it
+    where: tuple = ("",)  # the folders that must not contain it
 
 
 TO_COMPILER = "belongs in src/base/compiler.hpp"

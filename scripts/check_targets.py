@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Builds the library for every target that this machine has a compiler for, and compares what the targets compute.
+"""Builds the library for every target for which this machine has a compiler, and compares the results of the targets.
 
 usage: check_targets.py [--only NAME]... [--no-command] [--ticks N]
 
-Builds the library, the program tests/determinism, the game examples/lockstep_rts and, where it can, the command; runs
-these where it has an emulator; and compares their output, byte for byte, with what the native g++ gives: 200 worlds that
-change, with the paths through them; a game with rollback; and world scripts. Prints a line for each step, then a table, and leaves all it builds in build/targets/. Exits 1
-where a build fails or bytes differ. A target without its compiler is skipped, and so are comparisons without an emulator.
+Builds the library, the program tests/determinism, the game examples/lockstep_rts and, where possible, the command. Runs them
+where an emulator is installed. Compares their output, byte for byte, with the output of the native g++ build: 200 worlds
+that change, with the paths through them; a game with rollback; and world scripts. Prints a line for each step, then a table.
+Leaves the builds in build/targets/. Exits 1 if a build fails or bytes differ. Skips targets without a compiler, and
+comparisons without an emulator.
   --only NAME   build this target (and the native one); can be repeated
   --no-command  leave out the command
-  --ticks N     let the game run for N ticks (120); its acceptance test is 600
+  --ticks N     run the game for N ticks (120); its acceptance test uses 600
 WAYWRIGHT_JOBS limits how many compilers run at once.
 """
 
@@ -23,7 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "build" / "targets"
-# The most that one program may take. An emulator takes a minute.
+# The time limit for one program. An emulator takes about a minute.
 SECONDS = 3600
 
 
@@ -33,7 +34,7 @@ class Target:
     about: str
     compiler: str
     toolchain: str = ""
-    runners: list = field(default_factory=list)  # the first that is here runs the programs; [] is none, natively
+    runners: list = field(default_factory=list)  # the first that exists runs the programs; [] means natively
     ending: str = ""  # of a program's file name
     options: list = field(default_factory=list)
 
@@ -69,12 +70,12 @@ TARGETS = [
     Target(
         "mingw64", "Windows, 64-bit x86", "x86_64-w64-mingw32-g++-posix", "mingw64", runners=[["wine"]], ending=".exe"
     ),
-    # The Emscripten of Debian 12 is older than the function `fetch` of Node, which it would use on files.
+    # Emscripten in Debian 12 is older than Node's function `fetch`, and would use that function for files.
     Target("wasm", "WebAssembly (32 bits)", "em++", "wasm", runners=[["node", "--no-experimental-fetch"]], ending=".js"),
 ]
 
-# The folders of headers that cross compilers may see of this machine's, and nothing else: the rest of /usr/include is
-# about another machine.
+# The only folders of this machine's headers that cross compilers may use. The rest of /usr/include describes another
+# machine.
 HEADERS = ["boost", "fast_float", "CLI", "fmt", "nlohmann"]
 PACKAGES = {
     "CLI11": ("CLI11::CLI11", ""),
@@ -95,7 +96,7 @@ class Fault(Exception):
 
 
 def run(arguments, log, name, **options):
-    """Runs a program and returns its standard output; what it prints otherwise goes to `log`."""
+    """Runs a program and returns its standard output. Its other output goes to `log`."""
     with open(log, "ab") as errors:
         try:
             done = subprocess.run(
@@ -109,13 +110,13 @@ def run(arguments, log, name, **options):
 
 
 def run_into(log, arguments, name):
-    """Runs a program; all it prints goes to `log`."""
+    """Runs a program. All its output goes to `log`."""
     with open(log, "ab") as text:
         run(arguments, log, name, stdout=text, stderr=text)
 
 
 def make_prefix():
-    """A folder of packages for any target: links to folders of headers, and descriptions of them for CMake."""
+    """Makes a folder of packages for any target: links to folders of headers, and descriptions of them for CMake."""
     prefix = FOLDER / "packages"
     shutil.rmtree(prefix, ignore_errors=True)
     (prefix / "include").mkdir(parents=True)
@@ -137,7 +138,7 @@ def make_prefix():
 
 
 def can_run(runner):
-    """Whether this machine has the runner and can execute it. A kernel may lack what 32-bit programs need."""
+    """Returns whether this machine has the runner and can execute it. A kernel may lack support for 32-bit programs."""
     if not runner:
         return True
     try:
@@ -158,7 +159,7 @@ class Build:
         self.environment = dict(os.environ, WINEDEBUG="-all", WINEPREFIX=str(FOLDER / "wine"))
 
     def build(self, prefix):
-        (self.folder / "CMakeCache.txt").unlink(missing_ok=True)  # where packages were found may have changed
+        (self.folder / "CMakeCache.txt").unlink(missing_ok=True)  # the locations of packages may have changed
         packages = []
         if self.target.toolchain:
             packages = [
@@ -184,7 +185,7 @@ class Build:
         run_into(self.log, ["cmake", "--build", self.folder, "--parallel", jobs, "--target", *targets], "the build")
 
     def output(self, program, *arguments):
-        """What a program of this build prints. Windows ends lines in its own way, which is not what is compared."""
+        """Returns the output of a program of this build, with the line ends of Windows replaced."""
         command = [*self.runner, self.folder / (program + self.target.ending), *arguments]
         text = run(command, self.log, program, cwd=ROOT, env=self.environment)
         return text.replace(b"\r\n", b"\n") if self.target.ending == ".exe" else text
@@ -271,7 +272,7 @@ def main():
     FOLDER.mkdir(parents=True, exist_ok=True)
     if shutil.which("ccache"):
         os.environ["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
-    # Emscripten uses modules of Debian's packages, which only Debian's Node looks for by itself.
+    # Emscripten uses modules of Debian's packages, which only Debian's own Node finds by itself.
     os.environ.setdefault("NODE_PATH", "/usr/share/nodejs")
     prefix = make_prefix()
     check = Check(not arguments.no_command, arguments.ticks)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Takes the quick start out of README.md: its first ```cpp block, and the ```text block that follows it, its output.
+"""Extracts the quick start from README.md: its first ```cpp block, and its output, the ```text block that follows.
 
 usage: extract_quick_start.py README CODE_FILE OUTPUT_FILE
 """

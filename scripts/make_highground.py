@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Draws the demo map: prints the world script of examples/maps/highground.wws.
 
-Usage: make_highground.py [OUT]      standard output where OUT is missing
+Usage: make_highground.py [OUT]      standard output if OUT is missing
 
 Two main bases on cliff-ringed plateaus, two expansions, a river with bridges and fords around a lake, ridges, rocks,
-forests, buildings and walls. One half is drawn; the other is its half turn about the middle, as on a fair game map.
-The same bytes come out everywhere: all coordinates are rounded to quarters.
+forests, buildings and walls. The script draws one half and rotates it by half a turn about the middle, as on a
+fair game map. Its output is the same on every machine, as all coordinates are rounded to quarters.
 """
 
 import math
@@ -20,12 +20,12 @@ def quarter(value):
 
 
 def place(x, y):
-    """The nearest quarter point inside the map."""
+    """Returns the nearest point inside the map whose coordinates are quarters."""
     return (min(max(quarter(x), 0.0), float(WIDTH)), min(max(quarter(y), 0.0), float(HEIGHT)))
 
 
 def turned(point):
-    """The half turn about the middle of the map."""
+    """Returns the point rotated by half a turn about the middle of the map."""
     return (WIDTH - point[0], HEIGHT - point[1])
 
 
@@ -45,7 +45,7 @@ def inside(p, ring):
 
 
 class Map:
-    """Items in groups, each group under a heading of its own; and where there is still room."""
+    """Items in groups, each with a heading, and the areas that are still free."""
 
     def __init__(self):
         self.groups = {}
@@ -70,7 +70,7 @@ class Map:
             self.groups.setdefault(group, []).append(("point", [[copy]]))
 
     def lane(self, width, *stops):
-        """Ground that scattered things keep off."""
+        """Marks an area that scattered items must not use."""
         for copy in (list(stops), [turned(p) for p in stops]):
             self.lanes.append((width / 2, copy))
 
@@ -108,7 +108,7 @@ def numbers(word, rings):
 
 
 class Wobble:
-    """A smooth, closed, irregular function of an angle, within about -1 to 1."""
+    """Returns a smooth, closed, irregular function of an angle, within about -1 to 1."""
 
     def __init__(self, rng, waves=(2, 3, 5, 8), weights=(0.45, 0.3, 0.2, 0.12)):
         self.terms = [(wave, weight, rng.uniform(0, 2 * math.pi)) for wave, weight in zip(waves, weights)]
@@ -118,7 +118,7 @@ class Wobble:
 
 
 def blob(rng, x, y, radius, corners, roughness=0.25, stretch=1.0, angle=0.0):
-    """An irregular ring around a place."""
+    """Returns an irregular ring around a point."""
     ring = []
     for k in range(corners):
         turn = 2 * math.pi * (k + rng.uniform(-0.25, 0.25)) / corners
@@ -129,7 +129,7 @@ def blob(rng, x, y, radius, corners, roughness=0.25, stretch=1.0, angle=0.0):
 
 
 def cliff(world, rng, x, y, radius, ramps, thickness=6.5):
-    """A plateau's rim, broken by ramps (angle in degrees, width), each with walls down its two flanks."""
+    """Returns a plateau's rim with gaps for ramps (angle in degrees, width), each with walls to its left and right."""
     wobble, crag = Wobble(rng), Wobble(rng, (7, 11, 16, 23), (0.4, 0.3, 0.3, 0.25))
 
     def rim(angle, inset):
@@ -154,7 +154,7 @@ def cliff(world, rng, x, y, radius, ramps, thickness=6.5):
 
 
 def river_point(t):
-    """The river's middle line from the map's upper edge, t = 0, to the lake, t = 1."""
+    """Returns the river's middle line from the map's upper edge, t = 0, to the lake, t = 1."""
     x = 146 + 110 * t + 26 * math.sin(2 * math.pi * t) * (1 - 0.35 * t)
     return (x, 384 - 192 * t)
 
@@ -166,7 +166,7 @@ def river_frame(t):
 
 
 def river_piece(world, rng, start, end):
-    """Water from one crossing to the next; the ends are cut square."""
+    """Returns the water from one crossing to the next; its ends are straight."""
     left, right = [], []
     steps = max(5, round((end - start) * 34))
     for k in range(steps + 1):
@@ -179,7 +179,7 @@ def river_piece(world, rng, start, end):
 
 
 def bridge(world, t, width, reach):
-    """Two rails across the river, which overlap the ends of the water."""
+    """Returns two rails across the river, which overlap the ends of the water."""
     (x, y), (dx, dy) = river_point(t), river_frame(t)
     for side in (-1, 1):
         chain = []
@@ -190,7 +190,7 @@ def bridge(world, t, width, reach):
 
 
 def lake(world, rng):
-    """In the middle of the map, with an island; its shape is its own half turn."""
+    """Returns the lake in the middle of the map, with an island. Half a turn maps its shape to itself."""
     wobble, shore = Wobble(rng, (2, 4, 6, 10), (0.5, 0.3, 0.2, 0.1)), []
     for k in range(44):
         angle = 2 * math.pi * k / 44
@@ -213,7 +213,7 @@ def water(world, rng):
 
 
 def edge_mountains(world, rng):
-    """Jagged foothills along the map's sides, their backs on the domain's boundary."""
+    """Returns jagged foothills along the map's sides; their outer sides lie on the domain's boundary."""
     for side, start, end, deep in (("left", 128, 196, 15), ("left", 205, 262, 11), ("bottom", 150, 232, 16),
                                    ("bottom", 246, 322, 12), ("top", 92, 132, 10), ("left", 0, 34, 11),
                                    ("bottom", 22, 64, 9)):
@@ -231,7 +231,7 @@ def edge_mountains(world, rng):
 
 
 def ridge(world, rng, stops, width):
-    """A mountain chain along a line: broad, craggy, pointed at its ends."""
+    """Returns a mountain chain along a line: broad, irregular, pointed at its ends."""
     left, right = [], []
     for (ax, ay), (bx, by) in zip(stops, stops[1:]):
         length = math.hypot(bx - ax, by - ay)
@@ -258,7 +258,7 @@ def ridges(world, rng):
 
 
 def rocks(world, rng):
-    """Clusters of boulders that lean on each other."""
+    """Returns groups of boulders that touch each other."""
     for x, y, spread, count in ((132, 158, 8, 5), (184, 240, 7, 5), (238, 112, 8, 6), (96, 226, 8, 5),
                                 (290, 50, 8, 5), (186, 22, 6, 4), (120, 262, 6, 4), (196, 330, 7, 4)):
         for _ in range(count):
@@ -269,7 +269,7 @@ def rocks(world, rng):
 
 
 def forests(world, rng):
-    """Groves of small, ragged crowns, here and there grown into each other."""
+    """Returns groves of small, irregular crowns, some of which overlap."""
     for x, y, spread, count in ((46, 166, 17, 20), (196, 96, 17, 22), (118, 322, 19, 22), (262, 30, 20, 16),
                                 (178, 288, 15, 14), (100, 196, 13, 12), (226, 18, 14, 10), (146, 30, 13, 10),
                                 (30, 232, 13, 12), (180, 158, 12, 13)):
@@ -284,7 +284,7 @@ def forests(world, rng):
 
 
 def house(world, x, y, width, depth, degrees=0, notch=None):
-    """A rectangle, or an L where a notch (its width and depth) is cut from a corner; turned about its middle."""
+    """Returns a rectangle, or an L if a notch (its width and depth) is cut from a corner; rotated about its middle."""
     w, d = width / 2, depth / 2
     ring = [(-w, -d), (w, -d), (w, d), (-w, d)]
     if notch:
@@ -307,7 +307,7 @@ def buildings(world):
 
 
 def minerals(world, rng):
-    """Crystals in an arc beside each town hall, and a marker for the gatherers before each arc."""
+    """Returns crystals in an arc beside each town hall, and a marker for the gatherers before each arc."""
     for x, y, radius, first, last, count in ((78, 76, 26, 150, 232, 7), (60, 304, 20, 95, 190, 6)):
         for k in range(count):
             degrees = first + (last - first) * k / (count - 1)
@@ -322,7 +322,7 @@ def minerals(world, rng):
 
 
 def walls(world):
-    """Fences and the ruins of a fort; some cross, some run into the rocks."""
+    """Returns fences and the ruins of a fort. Some cross each other, and some run into the rocks."""
     for chain in (
             [(84, 150), (94, 158), (110, 160)], [(66, 158), (72, 152), (74, 146)],
             [(100, 252), (112, 246), (126, 250), (134, 262)], [(116, 240), (122, 262)],

@@ -3,12 +3,12 @@
 
 usage: make_pictures.py [--check] COMMAND DRAW_UNITS
 
-COMMAND is the program waywright, DRAW_UNITS the example draw_units. Each picture is drawn as SVG and converted to
-docs/images/NAME.png (needs rsvg-convert and pngquant). docs/images/pictures.sha256 keeps for each the hash of the SVG
-text, which is the same on every machine, and that of the PNG file, whose bytes depend on the converter's version.
+COMMAND is the program waywright, DRAW_UNITS the example draw_units. Draws each picture as SVG and converts it to
+docs/images/NAME.png (needs rsvg-convert and pngquant). docs/images/pictures.sha256 contains two hashes for each picture: of
+the SVG text, which is the same on every machine, and of the PNG file, whose bytes depend on the converter's version.
 
---check draws every SVG text anew and compares hashes. It needs no converter. It prints what is stale and exits 1, or
-exits 0.
+--check draws every SVG text anew and compares hashes. It needs no converter. If pictures are out of date, it prints their
+names and exits 1; otherwise it exits 0.
 """
 
 import hashlib
@@ -24,14 +24,14 @@ ADVICE = "run ./dev pictures, and look at what it makes"
 
 
 def demo_ends(root):
-    """The ends of the path that ./dev demo finds, as arguments."""
+    """Returns the ends of the path that ./dev demo finds, as arguments."""
     text = (root / "dev").read_text(encoding="utf-8")
     start, goal = (re.search(rf"^demo_{end}=\((.*)\)$", text, re.M).group(1).split() for end in ("from", "to"))
     return ["--from", *start, "--to", *goal]
 
 
 def three_paths(root):
-    """The bundled map's script and, at its end, one query for each algorithm."""
+    """Returns the bundled map's script with one query for each algorithm at its end."""
     queries = [f"path 198 360 500 261 0 {algorithm}\n" for algorithm in ("optimal", "ta", "tra")]
     return (root / MAP).read_text(encoding="utf-8") + "".join(queries)
 
@@ -49,7 +49,7 @@ class Pictures:
         subprocess.run(arguments, cwd=self.root, check=True, stdout=subprocess.DEVNULL)
 
     def draw_all(self):
-        """The SVG texts by name."""
+        """Returns the SVG texts by name."""
         script = self.folder / "paths.wws"
         script.write_text(three_paths(self.root), encoding="utf-8")
         self.waywright("demo", "path", MAP, *demo_ends(self.root), "--theme", "light")
@@ -77,7 +77,7 @@ def png_of(root, name):
 
 
 def read_hashes(root):
-    """The kept hashes by name: of the SVG text, of the PNG file."""
+    """Returns the stored hashes by name: of the SVG text and of the PNG file."""
     lines = (root / "docs/images/pictures.sha256").read_text(encoding="utf-8").splitlines()
     rows = [line.split() for line in lines if line and not line.startswith("#")]
     return {name: (svg, png) for svg, png, name in rows}
@@ -94,7 +94,7 @@ def convert(root, texts):
 
 
 def faults_of(root, texts):
-    """What is stale, a line each."""
+    """Returns a line for each picture that is out of date."""
     kept = read_hashes(root)
     faults = []
     for name in sorted(texts.keys() | kept.keys()):

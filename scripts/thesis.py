@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the experiments of Chen's thesis that measure time, and prints and draws what they say.
+"""Runs the experiments of Chen's thesis that measure time, and prints and draws their results.
 
 usage: thesis.py PROGRAM FOLDER [EXPERIMENT...]
 
-PROGRAM is waywright_thesis; each experiment's figures go to FOLDER/EXPERIMENT.json, then to a Markdown table on standard
-output (that of bench_ratios.py) and, of those that the thesis draws, to FOLDER/thesis_EXPERIMENT.svg. Without a name, all
-experiments are run:
+PROGRAM is waywright_thesis. The results of each experiment are written to FOLDER/EXPERIMENT.json, then to a Markdown table
+on standard output (by bench_ratios.py) and, for experiments that the thesis draws, to FOLDER/thesis_EXPERIMENT.svg. Without
+a name, runs all experiments:
 
   exactness    the cost of exactness: the largest sizes, nine times each, the arithmetics in turn
   location     experiment 2: where walks start, queries
@@ -13,7 +13,7 @@ experiments are run:
   points       experiment 4: points under each arithmetic
   constraints  experiment 5: constraints under each arithmetic
   moving       experiment 6: the moving square under each arithmetic
-  rationals    GMP's rationals alone beside ours, once each: they are slow
+  rationals    GMP's rationals alone beside the library's arithmetic, once each, because they are slow
 """
 
 import subprocess
@@ -27,7 +27,7 @@ LARGEST = (
 )
 ARITHMETICS = "(waywright|double|interval_exact)/"
 
-# What is run, and how often.
+# The benchmarks of each experiment, and the number of repetitions.
 EXPERIMENTS = {
     "exactness": (f"{LARGEST}/{ARITHMETICS}", 9),
     "location": ("^location/", 5),

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the figures of Chen's thesis anew, with our curves in them.
+"""Draws the figures of Chen's thesis again, with the library's curves in them.
 
 usage: thesis_figures.py FOLDER PICTURES
 
-FOLDER holds what scripts/thesis.py measured, a JSON file an experiment; PICTURES gets an SVG file for each that is there.
-A contender that failed at a size has no point there.
+FOLDER contains the results of scripts/thesis.py, one JSON file for each experiment. Writes an SVG file into PICTURES for
+each of these files. A contender that failed at a size has no point there.
 """
 
 import math
@@ -14,7 +14,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from bench_ratios import has_failed, median_time, read_runs  # noqa: E402 (it writes no cache beside the scripts)
 
-# Okabe and Ito's colours, which most eyes can tell apart.
+# Okabe and Ito's colours, which most people with colour blindness can distinguish.
 CONTENDERS = {
     "waywright": ("Waywright", "#0072b2"),
     "double": ("double", "#d55e00"),
@@ -24,7 +24,7 @@ CONTENDERS = {
     "sectors_16": ("16 × 16 sectors", "#009e73"),
 }
 
-# For each experiment its panels: the workload, the title, what is counted along and up.
+# For each experiment its panels: the workload, the title, the labels of the x axis and the y axis.
 FIGURES = {
     "location": [("location", "Experiment 2: location", "points", "µs a query")],
     "insertion": [("insertion", "Experiment 3: insertion", "points", "µs a point")],
@@ -59,7 +59,7 @@ def read_curves(file, workload):
 
 
 def round_step(span, count):
-    """The step of 1, 2 or 5 times a power of ten that cuts `span` into about `count`."""
+    """Returns the step of 1, 2 or 5 times a power of ten that divides `span` into about `count` intervals."""
     rough = span / count
     power = 10.0 ** math.floor(math.log10(rough))
     return next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough)
@@ -116,7 +116,7 @@ def legend(names, width):
 
 
 def draw(file, panels):
-    """The SVG text of a figure, or None where nothing was measured."""
+    """Returns the SVG text of a figure, or None if nothing was measured."""
     drawn = [(read_curves(file, workload), *labels) for workload, *labels in panels]
     drawn = [entry for entry in drawn if entry[0]]
     if not drawn:

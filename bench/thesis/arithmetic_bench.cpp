@@ -34,14 +34,15 @@ Run run(const Workload& workload) {
   return {time.count(), triangulated.counts(), triangulated.is_planar()};
 }
 
-/// A new process has to ask for every page of its memory; the first run pays for that, off the clock.
+/// Runs the workload twice. A new process has to request every page of its memory; the first run, which is not timed,
+/// does this.
 template <class Geometry>
 Run run_warm(const Workload& workload) {
   static_cast<void>(run<Geometry>(workload));
   return run<Geometry>(workload);
 }
 
-/// A workload, and what its mesh must have. Both are made when they are first asked for.
+/// A workload and the counts of its correct mesh. Both are computed when they are first needed.
 class Case {
  public:
   explicit Case(std::function<Workload()> make) : make_(std::move(make)) {}
@@ -50,7 +51,7 @@ class Case {
     if (!workload_) workload_ = make_();
     return *workload_;
   }
-  /// Of the exact mesh.
+  /// Returns the run with exact arithmetic.
   const Run& right() {
     if (!right_) right_ = run_warm<exact::Geometry>(workload());
     return *right_;
@@ -62,11 +63,11 @@ class Case {
   std::optional<Run> right_;
 };
 
-/// One arithmetic's runs of one workload.
+/// The runs of one workload under one arithmetic.
 template <class Geometry>
 class Contender {
  public:
-  /// `patience`: it may take that much longer than the exact mesh takes.
+  /// `patience`: how many times longer than the exact run this contender may take.
   Contender(std::shared_ptr<Case> work, double patience) : work_(std::move(work)), patience_(patience) {}
 
   void operator()(benchmark::State& state) {
@@ -84,7 +85,7 @@ class Contender {
   }
 
  private:
-  /// Once is enough for a run that fails: there is no chance in any of them.
+  /// One run is enough for an arithmetic that fails: all runs are equal.
   Run run_once(const Workload& workload) {
     const double seconds = 1.0 + patience_ * work_->right().seconds;
     const auto outcome = run_in_child(seconds, [&] { return run_warm<Geometry>(workload); });

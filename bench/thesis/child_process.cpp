@@ -31,7 +31,7 @@ std::string describe(int status) {
 }  // namespace
 
 void write_result(int pipe, const void* result, std::size_t size) {
-  // A few words fit into a pipe at once; if not, the reader misses them.
+  // A pipe accepts a few words in one write. If it does not, the reader notices the missing bytes.
   if (write(pipe, result, size) != static_cast<ssize_t>(size)) _exit(1);
 }
 

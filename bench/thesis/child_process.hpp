@@ -10,23 +10,23 @@ namespace waywright::bench {
 
 namespace detail {
 
-/// Calls `job(context, pipe)` in a child process, which ends with it, and waits. What `job` wrote into the pipe comes
-/// back in `result`, `size` bytes. Returns what went wrong, or nothing.
+/// Calls `job(context, pipe)` in a child process and waits until the process ends. `result` receives the `size` bytes
+/// that `job` wrote into the pipe. Returns what went wrong, or an empty text.
 std::string run_in_child(void (*job)(void* context, int pipe), void* context, double seconds, void* result,
                          std::size_t size);
 void write_result(int pipe, const void* result, std::size_t size);
 
 }  // namespace detail
 
-/// What a job came to in a child process: a result, or how the process ended instead.
+/// The result of a job in a child process, or how the process ended without one.
 template <class Result>
 struct Outcome {
   std::optional<Result> result;
   std::string failure;
 };
 
-/// Runs `job()` in a child process of its own with so much time of the processor and 4 GB of memory, for arithmetic
-/// that may loop, crash or fill the memory.
+/// Runs `job()` in a child process with a limit of `seconds` of processor time and 4 GB of memory, for arithmetic that
+/// may loop, crash or fill the memory.
 template <class Job, class Result = std::invoke_result_t<Job>>
 [[nodiscard]] Outcome<Result> run_in_child(double seconds, Job job) {
   static_assert(std::is_trivially_copyable_v<Result>, "a result goes through a pipe");

@@ -9,7 +9,8 @@
 
 namespace waywright::bench {
 
-/// Chen 2009's "double": plain doubles, crossings rounded, and a determinant within 1e-14 of 0 counts as 0.
+/// The arithmetic "double" of Chen 2009: plain doubles, rounded crossings, and a determinant within 1e-14 of 0 counts
+/// as 0.
 struct DoubleArithmetic {
   struct Place {
     Point rounded;

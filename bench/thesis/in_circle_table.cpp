@@ -19,7 +19,7 @@ namespace {
 
 using exact::Sign;
 
-constexpr std::int64_t kLargest = 100;  // numerators and denominators are 1 to so much
+constexpr std::int64_t kLargest = 100;  // numerators and denominators are 1 to kLargest
 constexpr int kSmallestMove = 17;       // moves are 10^-1 to 10^-17
 
 struct Fraction {
@@ -45,7 +45,7 @@ __int128 power_of_ten(int exponent) {
   return power;
 }
 
-/// A rectangle, one corner of which moves along a side by 10^-exponent, to or fro.
+/// A rectangle, one corner of which moves along a side by 10^-exponent in either direction.
 class MovedRectangle {
  public:
   MovedRectangle(Random& random, int exponent) : exponent_(exponent), grows_(random.below(2) == 0) {
@@ -60,7 +60,7 @@ class MovedRectangle {
     rotation_ = random.below(4);
   }
 
-  /// The corners in the order of the question, which starts with any of them.
+  /// Returns the corners in counter-clockwise or clockwise order, starting with any of them.
   [[nodiscard]] std::array<RationalPoint, 4> corners() const {
     const mpq_class x1 = x1_.rational();
     const mpq_class x2 = x2_.rational();
@@ -75,8 +75,9 @@ class MovedRectangle {
     return corners;
   }
 
-  /// What the in-circle test must say, by Thales: the three corners left have a diameter between them, and the moved
-  /// one lies inside the circle where it sees that diameter under an obtuse angle. A turn of the four changes the sign.
+  /// Returns the correct result of the in-circle test, by Thales' theorem: two of the three other corners are the ends
+  /// of a diameter, and the moved corner lies inside the circle if it sees that diameter under an obtuse angle. Each
+  /// rotation of the four corners by one position changes the sign.
   [[nodiscard]] Sign in_circle() const {
     const int seen = move_sign() * moved_width_sign();
     const int inside = seen < 0 ? 1 : seen > 0 ? -1 : 0;
@@ -90,7 +91,7 @@ class MovedRectangle {
   [[nodiscard]] int width_sign() const { return difference_sign(x2_, x1_); }
   [[nodiscard]] int height_sign() const { return difference_sign(y2_, y1_); }
   [[nodiscard]] int move_sign() const { return grows_ ? 1 : -1; }
-  /// Of x2 - x1 and the move together, over their common denominator: below 2^84.
+  /// Returns the sign of x2 - x1 plus the move, over their common denominator: numbers below 2^84.
   [[nodiscard]] int moved_width_sign() const {
     const __int128 width = x2_.over * x1_.under - x1_.over * x2_.under;
     return sign(width * power_of_ten(exponent_) + move_sign() * __int128{x1_.under * x2_.under});
@@ -102,7 +103,7 @@ class MovedRectangle {
   std::size_t rotation_ = 0;
 };
 
-/// The nearest double; GMP's conversion only drops digits.
+/// Returns the nearest double; GMP's conversion only truncates.
 double nearest(const mpq_class& number) {
   const double cut = number.get_d();
   if (cmp(number, mpq_class(cut)) == 0) return cut;

@@ -8,8 +8,8 @@
 namespace waywright::bench {
 namespace {
 
-/// GMP's conversion to double drops digits, which moves a number towards 0; the number lies between the result and its
-/// neighbour away from 0.
+/// GMP's conversion to double truncates towards 0. So the number lies between the result and the next double away from
+/// 0.
 Bounds bounds_of(const mpq_class& number) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double cut = number.get_d();
@@ -59,7 +59,7 @@ exact::Sign IntervalArithmetic::in_circle(const View& a, const View& b, const Vi
   return bench::in_circle(a->exact, b->exact, c->exact, d->exact);
 }
 
-/// Comparisons of bounds are no arithmetic, and are not counted.
+/// Comparisons of bounds are not arithmetic, so they are not counted.
 std::strong_ordering IntervalArithmetic::order(const View& p, const View& q) {
   const auto by_x = order_of_bounds(p->bounds.x, q->bounds.x);
   if (by_x && *by_x != 0) return *by_x;

@@ -12,14 +12,14 @@
 
 namespace waywright::bench {
 
-/// How often each kind of arithmetic was asked.
+/// How often each kind of arithmetic answered a question.
 struct Evaluations {
   std::size_t interval = 0;
   std::size_t exact = 0;
 };
 
-/// Chen 2009, section 4.3.2, "interval + exact": intervals of doubles, kept with each vertex, answer where they can;
-/// GMP's rationals answer the rest.
+/// The arithmetic "interval + exact" of Chen 2009, section 4.3.2: each vertex stores intervals of doubles, which answer
+/// a question if they can; GMP's rationals answer the rest.
 struct IntervalArithmetic {
   struct Place {
     BoundedPoint bounds;
@@ -28,7 +28,7 @@ struct IntervalArithmetic {
   };
   using View = PlaceView<Place>;
 
-  /// Of the process, since its start or since they were last set to 0.
+  /// Counts for the process, since its start or since they were last set to 0.
   static Evaluations evaluations;
 
   [[nodiscard]] static Place at(const Point& point);

@@ -1,4 +1,4 @@
-// Compiled with -frounding-math, and alone: what is inline elsewhere shall not be.
+// A separate source, because it is compiled with -frounding-math, which must not apply to inline functions elsewhere.
 #include "thesis/interval_filter.hpp"
 
 #include <boost/numeric/interval.hpp>
@@ -6,7 +6,7 @@
 namespace waywright::bench {
 namespace {
 
-// Rounding is set upwards once a question, not once an operation: the quick way that Boost has.
+// Sets the rounding mode to upwards once for each question, not once for each operation: the fast method of Boost.
 using Checked = boost::numeric::interval<double>;
 using Rounding = Checked::traits_type::rounding;
 using Interval = boost::numeric::interval_lib::unprotect<Checked>::type;

@@ -6,7 +6,7 @@
 
 namespace waywright::bench {
 
-/// Bounds of a coordinate, both included.
+/// The bounds of a coordinate, both included.
 struct Bounds {
   double low = 0.0;
   double high = 0.0;
@@ -17,7 +17,7 @@ struct BoundedPoint {
   Bounds y;
 };
 
-// The questions in interval arithmetic (Boost's). Empty where the interval holds zero and more.
+// The predicates in Boost's interval arithmetic. They return nothing if the interval contains zero and other numbers.
 [[nodiscard]] std::optional<exact::Sign> orientation(const BoundedPoint& a, const BoundedPoint& b,
                                                      const BoundedPoint& c);
 [[nodiscard]] std::optional<exact::Sign> in_circle(const BoundedPoint& a, const BoundedPoint& b, const BoundedPoint& c,

@@ -25,13 +25,13 @@ std::vector<Point> points_of(const Workload& workload) {
   return points;
 }
 
-/// Random whole places where those of thesis_points() lie, but others.
+/// Returns random whole points from the range of thesis_points(), but different ones.
 std::vector<Point> queries() {
   const std::vector<Point> points = points_of(thesis_points(2 * kQueryCount));
   return {points.end() - kQueryCount, points.end()};
 }
 
-/// The library's own way: from what updates left in its sectors.
+/// The library's own strategy: starts from the vertices that updates left in its sectors.
 class OwnSectors {
  public:
   explicit OwnSectors(const Box&) {}
@@ -39,7 +39,7 @@ class OwnSectors {
   void found(const Point&, mesh::HalfEdge) {}
 };
 
-/// One of the thesis' ways.
+/// One of the strategies of the thesis.
 template <class Strategy>
 class By {
  public:
@@ -72,7 +72,7 @@ void insert_all(Triangulation& triangulation, Way& way, const std::vector<Point>
   }
 }
 
-/// Times `job` by the clock on the wall, once.
+/// Measures the wall time of one call of `job`.
 template <class Job>
 void time_once(benchmark::State& state, std::size_t operation_count, Job job) {
   for ([[maybe_unused]] const auto iteration : state) state.SetIterationTime(job());

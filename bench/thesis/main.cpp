@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kThesisTrials = 1'000'000;
 constexpr std::size_t kScenes = 1000;
 
-/// Has what is freed stay with the process. Else a mesh would go back to the system and be asked for again, page by
-/// page, by the run that is timed; whether it does depends on the sizes of others' tables.
+/// Keeps freed memory in the process. Otherwise a mesh may return its memory to the system, and the timed run must
+/// request it again, page by page. Whether that happens depends on the sizes of other tables.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
   constexpr int kMost = 1 << 30;

@@ -22,7 +22,7 @@ struct RationalPoint {
 [[nodiscard]] RationalPoint crossing(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
                                      const RationalPoint& d);
 
-/// Chen 2009's "exact": GMP's rationals for everything.
+/// The arithmetic "exact" of Chen 2009: GMP's rationals for everything.
 struct RationalArithmetic {
   struct Place {
     RationalPoint exact;

@@ -13,11 +13,11 @@
 
 namespace waywright::bench {
 
-/// How a place too large to copy is handed to a question: a vertex's, or one made for a point that is no vertex.
+/// A reference to a point that is too large to copy: that of a vertex, or one made for a point that is not a vertex.
 template <class Place>
 class PlaceView {
  public:
-  PlaceView() = default;  // of no place yet
+  PlaceView() = default;  // refers to nothing yet
   explicit PlaceView(const Place* vertex) : place_(vertex) {}
   explicit PlaceView(Place&& point) : owned_(std::make_shared<const Place>(std::move(point))), place_(owned_.get()) {}
 
@@ -28,11 +28,11 @@ class PlaceView {
   const Place* place_ = nullptr;
 };
 
-/// A geometry (exact::AnyGeometry) over arithmetic other than the library's. What it
-/// keeps, logs and fetches ahead, and when, is what exact::Geometry does, so that a comparison compares arithmetic.
+/// A geometry (exact::AnyGeometry) over arithmetic other than the library's. It stores, logs and prefetches the same
+/// data at the same times as exact::Geometry, so that a comparison compares only arithmetic.
 ///
-/// An Arithmetic has: a `Place`, where a vertex is, with a `rounded` Point; a `View` of one; `at(point)` and
-/// `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three questions on views.
+/// An Arithmetic has: a `Place`, the coordinates of a vertex, with a `rounded` Point; a `View` of one; `at(point)` and
+/// `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three predicates on views.
 template <class Arithmetic>
 class RivalGeometry {
  public:
@@ -44,7 +44,7 @@ class RivalGeometry {
   void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     put(vertex, Arithmetic::crossing(places_[a], places_[b], places_[c], places_[d]));
   }
-  void clear(std::uint32_t) {}  // whatever comes next to the vertex's slot takes its place
+  void clear(std::uint32_t) {}  // the next vertex with this slot overwrites it
 
   void begin() { log_.clear(); }
   void roll_back() {
@@ -68,7 +68,7 @@ class RivalGeometry {
   using Place = typename Arithmetic::Place;
   struct Undo {
     std::uint32_t vertex;
-    Place place;  ///< the one before
+    Place place;  ///< the place before
   };
 
   void put(std::uint32_t vertex, Place place) {

@@ -14,8 +14,8 @@
 namespace waywright::bench {
 namespace {
 
-/// 40 random segments between the places of a 13 x 13 lattice; then every other one goes. Many run through one point,
-/// overlap, or end on another.
+/// Returns 40 random segments between the points of a 13 x 13 lattice, and then the removal of every other one. Many of
+/// them run through one point, overlap, or end on another.
 Workload lattice_scene(std::uint64_t seed) {
   constexpr std::int64_t kSide = 12;
   constexpr std::size_t kCount = 40;
@@ -58,7 +58,7 @@ Result run(const Workload& workload) {
 
 template <class Geometry>
 std::string fate(const Workload& workload, const Result& right) {
-  constexpr double kSeconds = 1.0;  // the right mesh takes less than a thousandth of that
+  constexpr double kSeconds = 1.0;  // the correct mesh takes less than a thousandth of this
   const auto outcome = run_in_child(kSeconds, [&] { return run<Geometry>(workload); });
   if (!outcome.result) return outcome.failure;
   const Result& result = *outcome.result;

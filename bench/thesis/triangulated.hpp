@@ -11,7 +11,7 @@
 
 namespace waywright::bench {
 
-/// What meshes of one workload have in common, if they are right.
+/// The counts that all correct meshes of one workload have in common.
 struct MeshCounts {
   std::size_t vertices = 0;
   std::size_t fixed_edges = 0;
@@ -19,7 +19,7 @@ struct MeshCounts {
   friend bool operator==(const MeshCounts&, const MeshCounts&) = default;
 };
 
-/// The library's triangulation over some geometry, doing a workload's updates as a World does.
+/// The library's triangulation over a given geometry. It performs a workload's updates as a World does.
 template <class Geometry>
 class Triangulated {
  public:
@@ -42,8 +42,8 @@ class Triangulated {
     return counts;
   }
 
-  /// Whether links are whole and no face is turned over. Of a mesh with rounded crossings, that of the places as
-  /// rounded.
+  /// Returns whether links are consistent and no face is inverted. For a mesh with rounded crossings, uses the rounded
+  /// points.
   [[nodiscard]] bool is_planar() const {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     if (mesh.find_fault()) return false;

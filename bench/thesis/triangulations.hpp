@@ -9,7 +9,8 @@ static_assert(waywright::exact::AnyGeometry<waywright::bench::DoubleGeometry>);
 static_assert(waywright::exact::AnyGeometry<waywright::bench::IntervalGeometry>);
 static_assert(waywright::exact::AnyGeometry<waywright::bench::RationalGeometry>);
 
-// What the library does for its own geometry in constraint/exact_triangulation.hpp.
+// The template instances for the rival geometries, as constraint/exact_triangulation.hpp declares them for the
+// library's.
 
 extern template class waywright::delaunay::Triangulation<waywright::bench::DoubleGeometry>;
 extern template class waywright::delaunay::Triangulation<waywright::bench::IntervalGeometry>;

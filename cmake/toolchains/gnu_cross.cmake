@@ -1,5 +1,5 @@
-# A cross compiler of GCC as Debian packages it. Whoever includes this sets waywright_triplet, and whatever else differs.
-# CMAKE_FIND_ROOT_PATH may name further folders with packages for the target.
+# A GCC cross compiler as Debian packages it. Requires: the file that includes this one sets waywright_triplet and all
+# other differences. CMAKE_FIND_ROOT_PATH may name further folders with packages for the target.
 
 string(REGEX MATCH "^[^-]+" CMAKE_SYSTEM_PROCESSOR ${waywright_triplet})
 if(NOT CMAKE_SYSTEM_NAME)

@@ -24,13 +24,15 @@
 #define WAYWRIGHT_TEST_WRITES
 #endif
 
-// The forms for standard libraries that lack the functions, beside the functions of a standard library that has them.
+// Compares the replacements for functions that some standard libraries lack with the standard functions. Needs a
+// standard library that has these functions.
 namespace waywright::test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Doubles of all kinds: any bits, whole numbers of any size, powers of two and ten and their neighbours, decimals.
+/// Returns doubles of all kinds: random bits, whole numbers of any size, powers of two and of ten and their neighbours,
+/// decimals.
 std::vector<double> doubles() {
   std::vector<double> values{0.0, 5e-324, std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
   for (int exponent = -1074; exponent < 1024; ++exponent) {

@@ -29,7 +29,7 @@ Point random_point(Random& random) {
   return {static_cast<double>(random.below(65)) / 2, static_cast<double>(random.below(65)) / 2};
 }
 
-/// What a place is, under one name whichever way it was found: a number of a vertex, an edge or a face.
+/// Returns the number of the vertex, edge or face of `place`. Two results with the same name are the same location.
 std::uint32_t name(const Triangulation& triangulation, const Located& place) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   if (place.spot == Spot::vertex) return number(mesh.origin(place.h));
@@ -37,7 +37,7 @@ std::uint32_t name(const Triangulation& triangulation, const Located& place) {
   return number(mesh::face(place.h));
 }
 
-/// Points come and go between the questions, so that what a strategy remembers grows old.
+/// Inserts and removes points between the searches, so that what a strategy remembers becomes out of date.
 template <class Strategy>
 void expect_what_search_of_all_faces_finds(Strategy strategy) {
   Random random(11);
@@ -73,7 +73,7 @@ TEST(Strategies, SectorsOfSearchesFindWhatIsThere) {
   expect_what_search_of_all_faces_finds(bench::SectorsOfSearches(kBox));
 }
 
-/// Two hundred points, and two faces far from each other.
+/// A triangulation of two hundred points, and two of its faces that are far from each other.
 struct World {
   World() : triangulation(kBox, {1, 2, 3, 4}) {
     Random random(12);
@@ -99,14 +99,14 @@ TEST(Strategies, SectorsRememberTheLastSearchInEach) {
   bench::SectorsOfSearches strategy(kBox);
   strategy.found({3.3, 3.1}, world.low);
   strategy.found({29.3, 29.1}, world.high);
-  // Sectors are 2 x 2: the first two share theirs with what was found, the third is in one where nothing was.
+  // Each sector is 2 x 2. The first two points share a sector with a search result; the sector of the third has none.
   EXPECT_EQ(strategy.start(ground, {2.1, 3.9}), world.low);
   EXPECT_EQ(strategy.start(ground, {28.1, 28.1}), world.high);
   EXPECT_EQ(strategy.start(ground, {2.1, 4.1}), world.high);
 }
 
-// The nearest of k random places of a square lies about 1 / (2 sqrt(k)) of its side away: here, with k = 6, about a
-// fifth; a single random place lies about half a side away.
+// The nearest of k random points of a square is about 1 / (2 sqrt(k)) of the square's width away. Here k = 6, so this
+// is about a fifth. A single random point is about half the width away.
 TEST(Strategies, CubeRootSamplingStartsNear) {
   const World world;
   const Ground ground = ground_of(world.triangulation);

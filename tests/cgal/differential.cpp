@@ -19,8 +19,8 @@
 #include "oracle/dump_text.hpp"
 #include "support/random_changes.hpp"
 
-/// The library's worlds against CGAL's constrained triangulations with exact constructions, as CGAL's manual says to
-/// use them. Nothing of CGAL is part of the library or of any program but this test.
+/// Compares the library's worlds with CGAL's constrained triangulations with exact constructions, used as CGAL's manual
+/// recommends. Only this test uses CGAL; no part of the library or another program does.
 namespace waywright::test {
 namespace {
 
@@ -28,8 +28,8 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Plain = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Exact_intersections_tag>;
 using Cdt = CGAL::Constrained_triangulation_plus_2<Plain>;
 
-/// What the two must agree on: the vertices as exact rationals, and the constrained edges by their ends, each with the
-/// items that cover it.
+/// The data on which both libraries must agree: the vertices as exact rationals, and the constrained edges by their
+/// ends, each with the items whose sides lie on it.
 struct Mesh {
   std::set<std::string> vertices;
   std::map<std::pair<std::string, std::string>, std::set<std::uint64_t>> edges;
@@ -76,7 +76,7 @@ class CgalWorld {
  private:
   static Kernel::Point_2 cgal_point(const Point& p) { return {p.x, p.y}; }
 
-  /// Reduced, as the number types behind the kernel keep it; a whole number is over 1.
+  /// Returns the fraction in lowest terms, as the kernel's number types store it. A whole number has denominator 1.
   static std::string text(const Kernel::FT& value) {
     std::ostringstream out;
     out << CGAL::exact(value);
@@ -128,7 +128,8 @@ TEST_P(CgalDifferential, InsertedItemsGiveTheSameVerticesAndEdges) {
   }
 }
 
-// CGAL's own removal leaves the crossings of what has gone, so its world is made anew of what remains.
+// When CGAL removes a constraint it keeps the crossings of that constraint. So this test builds a new CGAL world from
+// the remaining items.
 TEST_P(CgalDifferential, WhatRemainsAfterChangesHasTheSameVerticesAndEdges) {
   for (std::uint64_t seed = 0; seed < kScripts; ++seed) {
     const ChangeScript script = random_changes(GetParam(), seed, 120, 5 + seed % 50);

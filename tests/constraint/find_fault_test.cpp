@@ -9,7 +9,8 @@
 namespace waywright::test {
 namespace {
 
-/// Answers as exact::Geometry does, but for the lies that it is told to tell: so a mesh is broken behind its back.
+/// Answers as exact::Geometry does, except where a test sets one of the static members below. These wrong answers make
+/// a mesh incorrect without changing it.
 class LyingGeometry : public exact::Geometry {
  public:
   using exact::Geometry::Geometry;

@@ -36,7 +36,7 @@ Lanes hash_of_words(const std::vector<std::uint64_t>& words) {
 
 std::uint64_t bits(double value) { return value == 0.0 ? 0 : std::bit_cast<std::uint64_t>(value); }
 
-/// docs/hashes.md, from the points as they were given.
+/// Returns the words that docs/hashes.md defines for an item, computed from the points as the user gave them.
 std::vector<std::uint64_t> words_of(ItemId id, const Shape& shape) {
   std::uint64_t kind = 3;
   if (shape.kind == ItemKind::point) kind = 0;
@@ -68,7 +68,7 @@ Lanes hash_of(const Box& domain, const std::map<ItemId, Shape>& items) {
 
 constexpr Box kFour{{-4, -4}, {4, 4}};
 
-// By the published test vectors of SplitMix64 from seed 1234567.
+// The expected values are the published test vectors of SplitMix64 for seed 1234567.
 TEST(ItemHash, MixIsAStepOfSplitMix64) {
   constexpr std::array<std::uint64_t, 3> kPublished{6457827717110365317U, 3203168211198807973U, 9817491932198370423U};
   std::uint64_t state = 1234567;

@@ -49,7 +49,7 @@ Ends sides_of(const ItemTable& table, std::uint32_t item) {
   return ends;
 }
 
-/// From corner to corner, and back to the first where the rings are closed.
+/// Returns the sides between consecutive corners, and from the last corner to the first where the rings are closed.
 Ends expected_sides(const Entry& entry) {
   Ends ends;
   for (const Ring& ring : entry.rings) {
@@ -78,7 +78,7 @@ void expect_entries(const ItemTable& table, const Entries& entries) {
   ASSERT_EQ(table.size(), ids.size());
 }
 
-/// Corners that differ from those before them, and the last from the first.
+/// Returns random corners. Each differs from the corner before it, and the last differs from the first.
 Ring random_ring(std::size_t count, Random& random) {
   Ring ring;
   while (ring.size() < count) {
@@ -115,7 +115,7 @@ TEST(ItemTable, HoldsItemsOfEveryKindThroughOperationsTakenBackOrNot) {
       const Entries before = entries;
       table.begin();
       for (std::size_t changes = random.below(6); changes > 0; --changes) {
-        // Neighbours, and ids that differ in their highest bits alone.
+        // Either small consecutive ids, or ids that differ only in their highest bits.
         const std::uint64_t number = 1 + random.below(60);
         const ItemId id{random.chance(50) ? number : number << 57 | 1};
         if (const auto found = entries.find(id); found == entries.end()) {

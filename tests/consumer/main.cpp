@@ -9,7 +9,7 @@ bool fail(const char* what) {
   return false;
 }
 
-// Up and around the wall's upper end: (1, 0), (2, 2), (3, 0).
+// The path leads up and around the wall's upper end: (1, 0), (2, 2), (3, 0).
 bool finds_path() {
   waywright::World world = waywright::World::create({{0, 0}, {4, 3}}).value();
   world.insert_segment({2, 0}, {2, 2}).value();
@@ -18,7 +18,7 @@ bool finds_path() {
   return true;
 }
 
-// The library throws, the program catches: both must mean the same class.
+// The library throws and the program catches: both must use the same exception class.
 bool catches() {
   try {
     waywright::World::create({{0, 0}, {0, 0}}).value();
@@ -38,5 +38,5 @@ bool has_version() {
 
 }  // namespace
 
-// Ends with 0 only if headers, library and language standard all came along.
+// Returns 0 only if the build found the headers, the library and the language standard.
 int main() { return finds_path() && catches() && has_version() ? 0 : 1; }

@@ -25,7 +25,7 @@ namespace {
 using Rows = std::vector<std::string>;
 using Microseconds = std::chrono::duration<double, std::micro>;
 
-/// The patches of a `.patch` file of the grid-based path planning competition, each by its rows.
+/// Reads the patches of a `.patch` file of the grid-based path planning competition. Each patch is a list of rows.
 std::vector<Rows> read_patches(const std::filesystem::path& file) {
   std::vector<Rows> patches;
   std::ifstream in(file);
@@ -48,14 +48,15 @@ std::string key_of(const Shape& shape) {
   return key;
 }
 
-/// A grid of cells, and a world that holds the outlines of what is blocked there.
+/// A grid of cells, and a world that holds the outlines of the blocked cells.
 class GridWorld {
  public:
   GridWorld(std::size_t width, std::size_t height)
       : rows_(height, std::string(width, '.')),
         world_(World::create({{0, 0}, {static_cast<double>(width), static_cast<double>(height)}}).value()) {}
 
-  /// Copies a patch's cells and takes over the outlines that this changes, all at once. Returns the world's time.
+  /// Copies a patch's cells into the grid and applies all changes of outlines to the world in one operation. Returns
+  /// the time that the world took.
   Microseconds apply(const Rows& patch, std::size_t x, std::size_t y) {
     for (std::size_t row = 0; row < patch.size(); ++row) rows_.at(y + row).replace(x, patch[row].size(), patch[row]);
     std::map<std::string, ItemId> now;
@@ -107,8 +108,9 @@ void print_times(const char* what, std::vector<Microseconds> times) {
             << sum.count() / static_cast<double>(times.size()) << ", max " << times.back().count() << '\n';
 }
 
-/// Asks from the middle of a cell to the middle of another, by every algorithm, for a path no longer than one that goes
-/// from cell to cell; the one by `optimal` is no longer than any. Returns the time of the latter.
+/// Searches a path between the middles of two cells with each algorithm. The path by `optimal` must not be longer than
+/// the grid path of length `grid_length`, nor longer than the path by `ta`. Returns the time of the search by
+/// `optimal`.
 Microseconds expect_path(const World& world, Point start, Point goal, double grid_length, QueryContext& context) {
   Path path;
   PathQuery query{start, goal};
@@ -129,8 +131,8 @@ Microseconds expect_path(const World& world, Point start, Point goal, double gri
   return time;
 }
 
-// The world starts free. Lengths are those of 8-connected paths over the cells' middles, so each is one that `optimal`
-// does not exceed; there is such a path exactly when there is any.
+// The world starts without obstacles. The lengths in the file are those of 8-connected grid paths between the middles
+// of cells. A grid path exists exactly when any path exists, and the path by `optimal` is never longer.
 TEST(DynamicPaths, FollowThePatchesOfAGrid) {
   const std::filesystem::path folder = data_folder() / "dynamic";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";

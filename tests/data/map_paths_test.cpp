@@ -15,7 +15,7 @@
 namespace waywright::test {
 namespace {
 
-/// Of the lengths given: they have nine decimals or more.
+/// The precision of the lengths in the file, which have nine decimals or more.
 constexpr double kPrecision = 0.5e-9;
 
 struct Query {
@@ -24,7 +24,7 @@ struct Query {
   double shortest = 0.0;
 };
 
-/// The lines of a scenario file: bucket, map, width, height, start, goal, length.
+/// Reads the lines of a scenario file: bucket, map, width, height, start, goal, length.
 std::vector<Query> read_scenario(const std::filesystem::path& file) {
   std::vector<Query> queries;
   std::ifstream in(file);
@@ -47,7 +47,7 @@ struct MapCase {
 
 void PrintTo(const MapCase& map, std::ostream* out) { *out << map.name; }
 
-/// A map's world, its cells and its queries.
+/// The world of a map, its cells and its queries.
 struct Loaded {
   World world;
   std::vector<std::string> cells;
@@ -68,8 +68,8 @@ Loaded load(const std::filesystem::path& folder, const MapCase& map) {
   return loaded;
 }
 
-/// Whether two blocked cells touch at a lattice point and two free ones do: the scenario takes an end there to be in
-/// its own cell, to the lower right; a world takes it to be in both.
+/// Returns whether exactly two blocked and two free cells meet diagonally at the lattice point `p`. The scenario takes
+/// such an end to be in its own cell, at the lower right. A world takes it to be in both free cells.
 bool is_ambiguous(const std::vector<std::string>& cells, Point p) {
   const auto is_free = [&](double x, double y) {
     if (x < 0 || y < 0 || y >= static_cast<double>(cells.size())) return false;
@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, MapPaths,
                                          MapCase{"random512", "random/random512-20-0.map", 200}),
                          [](const auto& map) { return std::string(map.param.name); });
 
-// The lengths given are the shortest there are, each computed by two independent solvers.
+// Two independent solvers computed each length in the file, and it is the length of a shortest path.
 TEST_P(MapPaths, AreAsLongAsThoseOfOtherSolvers) {
   const std::filesystem::path folder = data_folder() / "grid";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";
@@ -132,8 +132,8 @@ TEST_P(MapPaths, AreAsLongAsThoseOfOtherSolvers) {
             << " times the shortest\n";
 }
 
-// Each edge is entered once, so `ta` may run out of ways before it has proven its path to be the shortest, which its
-// lower bound says; a path that it has proven is one.
+// `ta` enters each edge once, so it may run out of passages before it proves that its path is the shortest. The path's
+// lower bound tells whether it has proven it; a proven path must be a shortest path.
 TEST_P(MapPaths, ByTaAreTheShortestWhereProven) {
   const std::filesystem::path folder = data_folder() / "grid";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";

@@ -18,14 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The contract's range of coordinates: the one reason for which an item of a real scene may be refused.
+/// Returns whether all coordinates are in the range that the library accepts. Only this may make a world refuse an item
+/// of a real scene.
 bool is_in_range(const Shape& shape) {
   return std::all_of(shape.rings.begin(), shape.rings.end(), [](const std::vector<Point>& ring) {
     return std::all_of(ring.begin(), ring.end(), [](Point p) { return is_in_range(p); });
   });
 }
 
-/// Builds the scene's world, validating after every item where the scene is small, at the end in any case.
+/// Builds the scene's world. Validates it after every item if the scene is small, otherwise only at the end.
 void build_and_validate(const Scene& scene) {
   constexpr std::size_t kSmall = 40;
   Result<World> world = World::create(scene.domain);

@@ -36,7 +36,7 @@ Triangulation made_one_by_one(const Box& box, const std::vector<Point>& points) 
 using Place = std::pair<double, double>;
 using Edge = std::pair<Place, Place>;
 
-/// Its half-edges by the places that they join, and their labels; which is all there is to a mesh.
+/// Returns the half-edges by the positions of their ends, with their labels. Two meshes with equal sets are equal.
 std::set<std::pair<Edge, mesh::Label>> edges_of(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   std::set<std::pair<Edge, mesh::Label>> edges;
@@ -58,7 +58,7 @@ void expect_same(const Box& box, const std::vector<Point>& points) {
   ASSERT_EQ(edges_of(at_once), edges_of(made_one_by_one(box, points)));
 }
 
-/// A place in the box [0, 1] x [0, 1], of a kind that each of `kind` stands for.
+/// Returns a point in the box [0, 1] x [0, 1]; `kind` selects the distribution.
 Point random_place(std::size_t kind, Random& random) {
   const auto fraction = [&](std::size_t steps) {
     return static_cast<double>(random.below(steps + 1)) / static_cast<double>(steps);
@@ -66,13 +66,13 @@ Point random_place(std::size_t kind, Random& random) {
   switch (kind) {
     case 0:
       return {fraction(std::size_t{1} << 40), fraction(std::size_t{1} << 40)};
-    case 1:  // a lattice, full of points in a line or on a circle
+    case 1:  // a lattice: many points on one line or on one circle
       return {fraction(8), fraction(8)};
     case 2:  // in columns
       return {fraction(3), fraction(1000)};
     case 3:  // in rows
       return {fraction(1000), fraction(3)};
-    case 4:  // on the border
+    case 4:  // on the boundary of the box
       return random.chance(50) ? Point{fraction(1), fraction(50)} : Point{fraction(50), fraction(1)};
     case 5: {  // on a line
       const double t = fraction(64);
@@ -82,7 +82,7 @@ Point random_place(std::size_t kind, Random& random) {
       return {0.25 + fraction(8) * 0x1p-40, 0.75 + fraction(8) * 0x1p-40};
     case 7:  // in one of few cells
       return {0.25 + fraction(64) * 0x1p-34, 0.75 + fraction(64) * 0x1p-34};
-    default: {  // a crowd in a corner, and few elsewhere
+    default: {  // most in one corner, a few elsewhere
       const double scale = random.chance(80) ? 0x1p-12 : 1.0;
       return {fraction(1000) * scale, fraction(1000) * scale};
     }
@@ -115,7 +115,7 @@ TEST(DivideAndConquer, TakesBoxesOfAnyForm) {
   }
 }
 
-// Two vertices and the ghost are a sphere of two faces; and so on.
+// Two vertices and the ghost vertex form a sphere of two faces; each further vertex adds two faces.
 TEST(DivideAndConquer, NumbersFacesAsVertices) {
   const Triangulation triangulation = made_at_once({{0, 0}, {8, 8}}, {{3, 4}, {5, 1}, {6, 6}});
   EXPECT_EQ(triangulation.topology().vertex_slots(), 8U);

@@ -24,7 +24,8 @@ std::vector<Change> insertions(const std::vector<Point>& points) {
   return changes;
 }
 
-/// A wall that comes last, across everything, against one that was there first and had nothing to cross.
+/// Compares two worlds: one inserts a wall last, so that it crosses the whole mesh; the other inserts it first, when
+/// there is nothing to cross. Their meshes must be equal.
 void expect_the_same_mesh(const std::vector<Point>& points, const std::vector<Point>& wall) {
   const ItemId id{1'000'000};
   World wall_last = World::create(kBand).value();
@@ -62,8 +63,8 @@ TEST(LongWalls, CrossALattice) {
   expect_the_same_mesh(points, kToAndFro);
 }
 
-// The chains on both sides bulge and cave in over their whole length: the flips after the first triangles have far to
-// go.
+// The chains left and right of the wall are curved over their whole length, so the flips after the first triangulation
+// of the cavity must replace many edges.
 TEST(LongWalls, PassBetweenArcs) {
   std::vector<Point> points;
   for (int i = -500; i <= 500; ++i) {

@@ -20,8 +20,9 @@ using mesh::Vertex;
 
 constexpr std::array<mesh::Label, 4> kSides = {1, 2, 3, 4};
 
-/// The rule, by rationals and over all vertices: no vertex in the circle of a face, and of those on it the first in
-/// order is a corner of the face. Only holds of a mesh whose fixed edges are the box's sides.
+/// Checks the Delaunay rule with rationals and over all vertices: no vertex is inside the circle of a face, and of the
+/// vertices on the circle the first in order is a corner of the face. Requires: only the sides of the box are fixed
+/// edges.
 testing::AssertionResult is_delaunay(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
@@ -92,7 +93,8 @@ TEST(Triangulation, RandomLatticePointsAreDelaunayTiesIncluded) {
   }
 }
 
-/// The free edges from `u` to `w`, as force_edge takes them: walked by brute force, from face to face.
+/// Returns the free edges between `u` and `w` in the order in which force_edge takes them, found by a brute-force walk
+/// from face to face.
 std::vector<HalfEdge> edges_between(const Triangulation& triangulation, Vertex u, Vertex w) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   std::vector<HalfEdge> crossed;
@@ -113,7 +115,7 @@ std::vector<HalfEdge> edges_between(const Triangulation& triangulation, Vertex u
   }
 }
 
-/// The corners of each face that none of `crossed` is a side of, by its first half-edge.
+/// Returns the corners of each face that has no edge in `crossed`, by the face's first half-edge.
 std::map<HalfEdge, std::array<Vertex, 3>> faces_beyond(const Triangulation& triangulation,
                                                        const std::vector<HalfEdge>& crossed) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -128,9 +130,9 @@ std::map<HalfEdge, std::array<Vertex, 3>> faces_beyond(const Triangulation& tria
   return faces;
 }
 
-// Two rows of points between the ends, so that every edge between the rows is crossed; then every free edge is locally
-// Delaunay, which with the edge fixed makes the one right mesh. What lies beyond the cavity stays where it is, though
-// its border may look illegal for a while.
+// Two rows of points lie between the ends, so the forced edge crosses every edge between the rows. Afterwards every
+// free edge must be locally Delaunay; with the forced edge fixed, only one mesh is like that. The faces outside the
+// cavity must not change, though an edge on the cavity's boundary may fail the Delaunay test for a time.
 TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Triangulation triangulation({{-10, -200}, {1010, 200}}, kSides);
@@ -163,7 +165,8 @@ TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
   }
 }
 
-// A vertex near the way with an edge behind it that both neighbours of the cavity share: its edge dangles.
+// Vertex `near` lies close to the forced edge. The two faces that lie beyond the cavity on both sides of it share the
+// edge from `near` to `behind`: that edge dangles.
 TEST(Triangulation, ForcedEdgePassesDanglingEdges) {
   Triangulation triangulation({{-10, -60}, {30, 60}}, kSides);
   const auto insert = [&](double x, double y) { return triangulation.insert({x, y}).vertex; };

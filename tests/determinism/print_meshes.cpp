@@ -12,9 +12,9 @@
 #include "support/random.hpp"
 #include "support/random_changes.hpp"
 
-/// Lets the worlds of a fixed set of scripts live, always the same, and prints their hashes after every step and, at
-/// the end, their meshes and some paths: what must be equal byte for byte on every machine, compiler and optimisation
-/// level.
+/// Runs a fixed set of scripts, always the same. Prints the hashes of the worlds after every step and, at the end,
+/// their meshes and some paths. The output must be equal byte for byte on every machine, with every compiler and at
+/// every optimisation level.
 namespace waywright::test {
 namespace {
 
@@ -24,7 +24,7 @@ constexpr std::size_t kLiveItems = 25;
 
 constexpr std::size_t kPaths = 4;
 
-/// All bits of a double.
+/// Returns all bits of a double as hexadecimal digits.
 std::string bits_of(double value) {
   constexpr std::string_view kHex = "0123456789abcdef";
   const auto bits = base::bit_cast<std::uint64_t>(value);
@@ -46,7 +46,7 @@ void print_path(const World& world, const PathQuery& query) {
   std::cout << '\n';
 }
 
-/// The answers of all algorithms, between places on a grid of 64 parts of the domain.
+/// Prints the answers of all algorithms for queries between points on a grid of 64 steps over the domain.
 void print_paths(const World& world, const Box& domain, std::uint64_t seed) {
   Random random(seed);
   const auto between = [&](double low, double high) {

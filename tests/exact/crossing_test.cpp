@@ -19,7 +19,8 @@
 namespace waywright::test {
 namespace {
 
-/// Whether no double is nearer to `value` than `rounded`, and of two as near, `rounded` is the even one.
+/// Returns whether no double is nearer to `value` than `rounded`, and whether `rounded` is even where another double is
+/// equally near.
 bool is_nearest(double rounded, const Rational& value) {
   const Rational error = abs(Rational(Rational(rounded) - value));
   const auto is_even = [](double v) { return (std::bit_cast<std::uint64_t>(v) & 1) == 0; };
@@ -48,7 +49,7 @@ TEST_P(Rounding, IsToNearest) {
   }
 }
 
-// All stages must say the same to the last bit, and so must they of what is a double itself.
+// All stages must return the same bits. A result that is exactly a double must be reported as exact by all of them.
 TEST_P(Rounding, IsTheSameInEveryStage) {
   PointSource source(GetParam(), 6);
   int in_doubles = 0;
@@ -71,7 +72,8 @@ TEST_P(Rounding, IsTheSameInEveryStage) {
   EXPECT_GT(in_doubles, is_small ? 100 : -1);
 }
 
-// Offsets of 2^8 to 2^20: products on both sides of 2^53, where doubles are no longer exact.
+// Offsets from 2^8 to 2^20: some products are below 2^53 and some above, where doubles no longer represent every whole
+// number.
 TEST(Rounding, OfWholeNumbersIsTheSameInEveryStage) {
   Random random(7);
   int in_doubles = 0;
@@ -96,8 +98,8 @@ TEST(Rounding, OfWholeNumbersIsTheSameInEveryStage) {
   EXPECT_LT(in_doubles, kCalls);
 }
 
-// Coordinates of all sizes side by side, zeros, and halves among them: differences and products that are rounded, and
-// are then multiplied by nothing, or by a lot.
+// Mixes coordinates of all sizes, zeros and halves. Some differences and products are rounded, and are then multiplied
+// by zero or by a large number.
 TEST(Rounding, OfNumbersOfAllSizesIsTheSameInEveryStage) {
   Random random(8);
   int in_doubles = 0;
@@ -116,7 +118,7 @@ TEST(Rounding, OfNumbersOfAllSizesIsTheSameInEveryStage) {
     if (!rounded) continue;
     const RationalPoint a = rational(crossing.a), b = rational(crossing.b);
     const RationalPoint c = rational(crossing.c), d = rational(crossing.d);
-    if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;  // parallel, which no crossing's lines are
+    if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;  // parallel
     ++in_doubles;
     const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
     ASSERT_EQ(rounded->nearest, right.nearest) << "call " << i;
@@ -125,7 +127,8 @@ TEST(Rounding, OfNumbersOfAllSizesIsTheSameInEveryStage) {
   EXPECT_GT(in_doubles, 1000);
 }
 
-// All that is used up to the numerators is below 2^53 but for one sum, 2^54 - 3, and then but for one product.
+// In these cases all values up to the numerators are below 2^53, except one sum, 2^54 - 3, in the first case and one
+// product in the second.
 TEST(Rounding, SeesEachNumberThatWasRounded) {
   const exact::Crossing one_sum{{0, 0}, {1, 1}, {0, 1}, {-0x1p53 + 2, 0x1p53}};
   EXPECT_EQ(exact::doubles::round_to_nearest(one_sum), std::nullopt);
@@ -136,11 +139,12 @@ TEST(Rounding, SeesEachNumberThatWasRounded) {
 }
 
 TEST(Rounding, TiesGoToEven) {
-  // On the line y = 2^53 + 1 + x, at x = 0: halfway between 2^53, even in its last bit, and 2^53 + 2.
+  // On the line y = 2^53 + 1 + x, at x = 0. The crossing is halfway between 2^53, which is even in its last bit, and
+  // 2^53 + 2.
   const exact::Crossing between{{-1, 0x1p53}, {1, 0x1p53 + 2}, {0, 0}, {0, 1}};
   EXPECT_EQ(exact::round_to_nearest(between).nearest, (Point{0, 0x1p53}));
   EXPECT_FALSE(exact::round_to_nearest(between).is_exact);
-  // At 2^53 + 3, halfway between 2^53 + 2 and 2^53 + 4: now the larger is even.
+  // At 2^53 + 3, halfway between 2^53 + 2 and 2^53 + 4: now the larger one is even.
   const exact::Crossing above{{-1, 0x1p53 + 2}, {1, 0x1p53 + 4}, {0, 0}, {0, 1}};
   EXPECT_EQ(exact::round_to_nearest(above).nearest, (Point{0, 0x1p53 + 4}));
 }
@@ -155,15 +159,15 @@ TEST(Rounding, PlacesNearerToZeroThanTheRangeStayConstructed) {
 TEST(Fractions, AreReduced) {
   EXPECT_EQ(exact::to_fractions(exact::ExactPoint{0.5, -6}), "1 2 -6 1");
   EXPECT_EQ(exact::to_fractions(exact::ExactPoint{0, 0x1p60}), "0 1 1152921504606846976 1");
-  // y = x / 3 and y = 1 - x / 3 meet in (3/2, 1/2); y = x / 7 and x = 1 in (1, 1/7).
+  // y = x / 3 and y = 1 - x / 3 meet at (3/2, 1/2). y = x / 7 and x = 1 meet at (1, 1/7).
   const exact::Crossing halves{{0, 0}, {3, 1}, {0, 1}, {3, 0}};
   EXPECT_EQ(exact::to_fractions(exact::ExactPoint{1.5, 0.5, &halves}), "3 2 1 2");
   const exact::Crossing sevenths{{0, 0}, {7, 1}, {1, -1}, {1, 4}};
   EXPECT_EQ(exact::to_fractions(exact::ExactPoint{1.0, 1.0 / 7, &sevenths}), "1 1 1 7");
 }
 
-// A wall from (0, 0) to (1, 3) crosses that at y = 1 at x = 1/3, which as a double is a little less. With the corner
-// there, the rectangle right of that is one in doubles only.
+// A wall from (0, 0) to (1, 3) crosses the wall at y = 1 at x = 1/3. The nearest double is a little less than 1/3. With
+// a corner at that double, the quadrilateral to the right is a rectangle only in doubles.
 TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
   const double rounded = 1.0 / 3.0;
   ASSERT_LT(Rational(rounded), Rational(1) / 3);
@@ -197,7 +201,8 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
   EXPECT_EQ(geometry.order(geometry.view(above), geometry.view(corners[3])), std::strong_ordering::greater);
 }
 
-// Of a small lattice's points and the crossings of lines between them, all the triples: lines everywhere.
+// Tests all triples of the points of a small lattice and the crossings of lines between them. Many triples are
+// collinear.
 TEST(Geometry, TellsOrientationsAndSidesOfLines) {
   exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
   std::vector<RationalPoint> places;
@@ -235,7 +240,7 @@ TEST(Geometry, TellsOrientationsAndSidesOfLines) {
   for (const std::size_t sign : signs) EXPECT_GT(sign, 5000U);
 }
 
-// Sides parallel to the axes, and far below what the box's bound can tell.
+// Triangles with sides parallel to the axes, so small that the error bound of the box cannot decide their orientation.
 TEST(Geometry, TellsTinyTrianglesFromTies) {
   const exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
   const std::array<Point, 6> points = {{{0, 0}, {0x1p-60, 0}, {0, 0x1p-60}, {0x1p-60, 0x1p-60}, {0, 3}, {3, 0x1p-60}}};

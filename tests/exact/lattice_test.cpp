@@ -23,8 +23,8 @@ using exact::ExactPoint;
 using exact::Integer;
 using exact::Sign;
 
-/// Points on a lattice: offsets of up to 2^bits, on both sides of `centre`, in units of 2^unit. Often at the very ends
-/// of their range.
+/// Points on a lattice: offsets of up to 2^bits from `centre` in both directions, in units of 2^unit. Often at the
+/// limits of their range.
 struct LatticeKind {
   int bits;
   int unit;
@@ -65,8 +65,8 @@ class LatticeSource {
 
 class Lattice : public testing::TestWithParam<LatticeKind> {};
 
-// Differences of the points at hand have one bit more than offsets from the centre. Doubles around 2^20 leave 32 bits
-// above 2^-32, and so on; at 0 they leave all 53.
+// A difference of two of these points has one bit more than an offset from the centre. Doubles near 2^20 keep 32 bits
+// after the binary point, down to 2^-32; near 0 they keep all 53 bits.
 INSTANTIATE_TEST_SUITE_P(Kinds, Lattice,
                          testing::Values(LatticeKind{2, 0, 0}, LatticeKind{13, 0, 0}, LatticeKind{28, 0, 0},
                                          LatticeKind{28, -60, 0}, LatticeKind{28, 72, 0}, LatticeKind{28, -24, 0x1p28},
@@ -110,7 +110,7 @@ TEST_P(Lattice, RoundsCrossingsAsIntegersOfAnySizeDo) {
   }
 }
 
-// A thousand crossings on one line, and the line's ends: every answer is zero, and so is found by integers alone.
+// A thousand crossings on one line, and the line's ends. Every answer is zero, and integers alone find it.
 TEST_P(Lattice, FindsPointsOnALine) {
   LatticeSource source(GetParam(), 4);
   const Point a = source.point(), b = source.point();
@@ -127,16 +127,17 @@ TEST_P(Lattice, FindsPointsOnALine) {
 }
 
 TEST(LatticeStage, KnowsCirclesOfIntegersAndOfDecimals) {
-  // (±1, ±7), (±7, ±1), (±5, ±5) lie on one circle; one unit in the last place of 2^-40 further in or out, none does.
+  // (±1, ±7), (±7, ±1) and (±5, ±5) lie on one circle. If one point moves in or out by a unit of 2^-40, it leaves the
+  // circle.
   const ExactPoint a{7, 1}, b{-5, 5}, c{-1, -7}, d{5, -5};
   EXPECT_EQ(exact::lattice::in_circle(a, b, c, d), Sign::zero);
   EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPoint{5 - 0x1p-40, -5}), Sign::positive);
   EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPoint{5 + 0x1p-40, -5}), Sign::negative);
-  // As doubles 0.1, 0.2 and 0.3 are none of them what they are called; still the square's corners lie on a circle.
+  // The doubles nearest to 0.1, 0.2 and 0.3 are not these numbers. Still the corners of the square lie on one circle.
   const ExactPoint low{0.1, 0.2}, right{0.3, 0.2}, high{0.3, 0.7}, left{0.1, 0.7};
   EXPECT_EQ(exact::lattice::in_circle(low, right, high, left), Sign::zero);
   EXPECT_EQ(exact::lattice::orientation(ExactPoint{0.1, 0.1}, ExactPoint{0.2, 0.2}, ExactPoint{0.3, 0.3}), Sign::zero);
-  // 0.3 is below 3 times 0.1, so (0.3, 0.1 + 0.2) lies above the line on which x is y.
+  // The double 0.3 is below 3 times the double 0.1, so (0.3, 0.1 + 0.2) lies above the line x = y.
   EXPECT_EQ(exact::lattice::orientation(ExactPoint{0.1, 0.1}, ExactPoint{0.2, 0.2}, ExactPoint{0.3, 0.1 + 0.2}),
             Sign::positive);
 }
@@ -168,7 +169,7 @@ TEST(Offsets, FindTheCoarsestLattice) {
 TEST(Offsets, AreExactWhereTheDifferenceOfDoublesIsNot) {
   exact::Offsets<1> offsets({0.1, 0});
   offsets.add({1024, 0});
-  // 0.1 is 3602879701896397 / 2^55; 1024 is 2^65 of those.
+  // 0.1 is 3602879701896397 / 2^55, and 1024 is 2^65 / 2^55.
   ASSERT_FALSE(offsets.find_lattice());
   exact::Offsets<1> nearer({0.1, 0});
   nearer.add({16, 0});
@@ -186,7 +187,7 @@ TEST(Offsets, OfOnePlaceAreZero) {
   EXPECT_EQ(offsets[1].y, 0);
 }
 
-/// The widest numbers that the determinants of constructed points take, in bits, over extreme draws.
+/// The largest sizes, in bits, of the determinants of constructed points over extreme draws.
 struct Widths {
   unsigned denominator = 0, coordinate = 0, orientation = 0, in_circle = 0;
 };
@@ -220,8 +221,8 @@ Widths worst_widths(int bits) {
   return worst;
 }
 
-// For differences of up to 2^b, lattice.hpp allows denominators of 2 b + 1 bits, coordinates of 3 b + 2, and
-// determinants of 8 b + 8 and 20 b + 18.
+// For differences of up to 2^b, lattice.hpp allows denominators of 2 b + 1 bits, coordinates of 3 b + 2 bits, and
+// determinants of 8 b + 8 and 20 b + 18 bits.
 TEST(LatticeStage, KeepsWithinItsBits) {
   for (const int bits : {30, 53}) {
     const Widths worst = worst_widths(bits);
@@ -230,7 +231,7 @@ TEST(LatticeStage, KeepsWithinItsBits) {
     EXPECT_LE(worst.coordinate, 3 * b + 2);
     EXPECT_LE(worst.orientation, 8 * b + 8);
     EXPECT_LE(worst.in_circle, 20 * b + 18);
-    // The draws are extreme: they come near to what is allowed.
+    // The draws are extreme: the largest sizes come near to the limits.
     EXPECT_GE(worst.denominator, 2 * b);
     EXPECT_GE(worst.coordinate, 3 * b - 2);
     EXPECT_GE(worst.orientation, 8 * b - 2);

@@ -13,7 +13,7 @@
 
 namespace waywright::test {
 
-/// Random points, explicit and constructed, of several kinds; keeps the crossings that its points refer to.
+/// Returns random points, explicit and constructed, of several kinds. Stores the crossings that its points refer to.
 class PointSource {
  public:
   enum class Kind { small_lattice, large_integers, doubles, mixed_sizes };
@@ -39,7 +39,8 @@ class PointSource {
 
   Point point() { return {coordinate(), coordinate()}; }
 
-  /// Half the points are crossings; of those, many of segments that share an end or a line with an earlier one.
+  /// Returns a random point. Half of the points are crossings; many of these have segments that share an end or a line
+  /// with an earlier crossing.
   exact::ExactPoint any() {
     if (random_.chance(50)) return exact::explicit_point(point());
     for (;;) {
@@ -72,7 +73,7 @@ class PointSource {
   std::deque<exact::Crossing> crossings_;
 };
 
-/// The name of a kind in the names of tests.
+/// Returns the name of a kind for the names of tests.
 inline std::string kind_name(const testing::TestParamInfo<PointSource::Kind>& kind) {
   switch (kind.param) {
     case PointSource::Kind::small_lattice:

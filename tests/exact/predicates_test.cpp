@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Predicates,
                                          PointSource::Kind::doubles, PointSource::Kind::mixed_sizes),
                          kind_name);
 
-/// A bound leaves a sign open by saying zero.
+/// Returns whether `bounded` is the sign `expected`, or zero, which says that the bound cannot decide the sign.
 bool is_open_or(Sign expected, Sign bounded) { return bounded == Sign::zero || bounded == expected; }
 
 TEST_P(Predicates, OrientationAgreesWithRationals) {
@@ -75,7 +75,8 @@ TEST_P(Predicates, OrderAgreesWithRationals) {
   }
 }
 
-// Points within a few ulps of a line and of a circle: the filter has to let most of these go, and may be wrong on none.
+// Points within a few ulps of a line and of a circle. The filter cannot decide most of these, and must never give a
+// wrong sign.
 TEST(Filter, IsNeverWrongNextToZero) {
   Random random(4);
   int undecided = 0;
@@ -122,7 +123,7 @@ TEST(Filter, TellsPlainCasesByItsCoarseBounds) {
   EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{4, 4}), Sign::zero);
 }
 
-// A metre apart, thousands of kilometres from the origin, as surveyors have them.
+// Points a metre apart, thousands of kilometres from the origin, as in survey data.
 TEST(Filter, TellsPointsFarFromTheOriginByItsCoarseBounds) {
   const ExactPoint a{4500000.25, 5300000.5}, b{4500001.25, 5300000.5}, c{4500000.25, 5300001.75};
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
@@ -146,7 +147,7 @@ TEST(Rectangle, IsToldByItsCornersInAnyOrder) {
 }
 
 TEST(WholeNumbers, TellOnlyWhatFits) {
-  // Corners of squares: on the circle. The offsets' squares make 4 s^2 for a side of s.
+  // The corners of a square lie on one circle. For a side of s, the squares of the offsets add up to 4 s^2.
   const auto corner = [](double side, double x, double y) { return ExactPoint{side * x, side * y}; };
   const auto ask = [&](double side) {
     return exact::lattice::whole_in_circle(corner(side, 0, 0), corner(side, 1, 0), corner(side, 1, 1),
@@ -166,7 +167,7 @@ TEST(WholeNumbers, TellOnlyWhatFits) {
 }
 
 TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {
-  // The lines y = x / 3 and y = 2 - 2 x / 7 meet in (42/13, 14/13).
+  // The lines y = x / 3 and y = 2 - 2 x / 7 meet at (42/13, 14/13).
   const Point a{0, 0}, b{9, 3}, c{0, 2}, d{7, 0};
   const exact::Crossing crossing{a, b, c, d};
   const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
@@ -178,7 +179,7 @@ TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {
 }
 
 TEST(Constructed, OnePlaceHasOneValueWhateverPairMadeIt) {
-  // (42/13, 14/13) again, now from the line through it and the origin's mirror image about it, and a vertical twist.
+  // (42/13, 14/13) again, as the crossing of two other segments.
   const exact::Crossing first{{0, 0}, {9, 3}, {0, 2}, {7, 0}};
   const exact::Crossing second{{3, 1}, {-6, -2}, {14, -2}, {-7, 4}};
   const exact::RoundedCrossing p = exact::round_to_nearest(first);
@@ -191,7 +192,8 @@ TEST(Constructed, OnePlaceHasOneValueWhateverPairMadeIt) {
   EXPECT_EQ(exact::to_fractions(other), "42 13 14 13");
 }
 
-// 1,000 lines each of Shewchuk-style near-degenerate input; skipped where the real data is absent.
+// 1,000 lines each of input that is nearly degenerate, as in Shewchuk's examples. Skipped where the real data is
+// absent.
 TEST(RealData, SignsOfNastyPredicates) {
   const std::filesystem::path folder = data_folder() / "nasty" / "predicates";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";

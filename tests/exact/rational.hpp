@@ -5,7 +5,7 @@
 #include "exact/exact_point.hpp"
 #include "exact/sign.hpp"
 
-/// Plain rationals and the textbook formulas, for the predicates to be held against.
+/// Plain rationals and the textbook formulas. Tests compare the predicates with them.
 namespace waywright::test {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -18,7 +18,7 @@ inline RationalPoint rational(const Point& p) { return {Rational(p.x), Rational(
 
 inline RationalPoint rational(const exact::ExactPoint& p) {
   if (p.is_explicit()) return rational(Point{p.x, p.y});
-  // Cramer's rule on the two lines' equations n . p = k.
+  // Cramer's rule on the equations n . p = k of the two lines.
   const auto [a, b, c, d] = *p.crossing;
   const RationalPoint pa = rational(a), pb = rational(b), pc = rational(c), pd = rational(d);
   const Rational n1x = pa.y - pb.y, n1y = pb.x - pa.x, k1 = n1x * pa.x + n1y * pa.y;
@@ -35,7 +35,7 @@ inline exact::Sign rational_orientation(const RationalPoint& a, const RationalPo
   return sign_of_rational((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-/// The 4 x 4 determinant of (x, y, x^2 + y^2, 1), expanded along its lifted column.
+/// The 4 x 4 determinant of (x, y, x^2 + y^2, 1), expanded along the column of x^2 + y^2.
 inline exact::Sign rational_in_circle(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
                                       const RationalPoint& d) {
   const auto lift = [](const RationalPoint& p) -> Rational { return p.x * p.x + p.y * p.y; };

@@ -17,14 +17,14 @@
 
 namespace waywright::test {
 
-/// Kinds of points that make determinants vanish, or all but vanish.
+/// Kinds of points whose determinants are often zero or nearly zero.
 enum class NearMiss : unsigned char {
-  small_lattice,   ///< of integers up to 8: lines and circles everywhere
+  small_lattice,   ///< integers up to 8: many collinear and cocircular points
   decimals,        ///< multiples of 0.1
   on_a_line,       ///< doubles next to a line
   on_a_circle,     ///< doubles next to a circle
-  crossings,       ///< of walls between points of a small lattice, and such points
-  fine_crossings,  ///< of walls between doubles that are nearly parallel
+  crossings,       ///< crossings of walls between points of a small lattice, and such points
+  fine_crossings,  ///< crossings of nearly parallel walls between doubles
   far_crossings    ///< the same, a thousand times nearer to one another than to the origin
 };
 inline constexpr std::array kNearMisses = {NearMiss::small_lattice, NearMiss::decimals,  NearMiss::on_a_line,
@@ -104,10 +104,10 @@ class NearMisses {
 };
 
 struct Agreement {
-  std::uint64_t calls = 0;             ///< of orientation, and as many of in-circle and of order
-  std::uint64_t doubles = 0;           ///< of 3 calls: those of which the first stage decided all
-  std::uint64_t on_lattice = 0;        ///< of 3 calls: those of which the second stage could have decided all
-  std::uint64_t against_integers = 0;  ///< calls held against the last stage too
+  std::uint64_t calls = 0;             ///< rounds: one call each of orientation, in-circle and order
+  std::uint64_t doubles = 0;           ///< rounds in which the first stage decided both signs
+  std::uint64_t on_lattice = 0;        ///< rounds in which the second stage could decide all three
+  std::uint64_t against_integers = 0;  ///< rounds that the last stage checked too
   std::string fault;                   ///< the first disagreement, or empty
 
   Agreement& operator+=(const Agreement& other) {
@@ -119,7 +119,7 @@ struct Agreement {
   }
 };
 
-/// What the bounds of a box that holds just these points say.
+/// Returns the sign that the bounds give for a box that holds just these points.
 inline exact::Sign orientation_in_box(const exact::ExactPoint& a, const exact::ExactPoint& b,
                                       const exact::ExactPoint& c) {
   const Box box = {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
@@ -134,14 +134,14 @@ inline exact::Sign in_circle_in_box(const exact::ExactPoint& a, const exact::Exa
                    {std::max({a.x, b.x, c.x, d.x}), std::max({a.y, b.y, c.y, d.y})}};
   return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_place(box));
 }
-/// The coarse bound by the last point's place alone.
+/// Returns the sign that the coarse bound gives from the position of the last point alone.
 inline exact::Sign coarse_in_circle(const exact::ExactPoint& a, const exact::ExactPoint& b, const exact::ExactPoint& c,
                                     const exact::ExactPoint& d) {
   return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_place(d));
 }
 
-/// Holds the first stage, with each of its bounds, against the second in all calls, and both against the last in every
-/// n-th, and checks that swapped arguments give swapped signs.
+/// Compares the first stage, with each of its bounds, with the second stage in all calls. Compares both with the last
+/// stage in every n-th call. Checks that swapped arguments give the opposite sign.
 inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t calls, std::uint64_t every_nth) {
   NearMisses source(kind, seed);
   Agreement result;
@@ -177,7 +177,7 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
     if (order && *order != exact::compare(a, b)) result.fault = "order: doubles against lattice";
     const auto swapped_turn = exact::lattice::orientation(b, a, c);
     const auto swapped_circle = exact::lattice::in_circle(a, b, d, c);
-    // Which of the points is the origin may decide whether there is a lattice that will do.
+    // Which of the points is the origin may decide whether a suitable lattice exists.
     if (lattice_turn && swapped_turn && *lattice_turn != -*swapped_turn) result.fault = "orientation: swapped";
     if (lattice_circle && swapped_circle && *lattice_circle != -*swapped_circle) result.fault = "in-circle: swapped";
     if (result.calls % every_nth != 0) continue;

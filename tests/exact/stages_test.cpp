@@ -13,7 +13,7 @@ namespace {
 using exact::Crossing;
 using exact::ExactPoint;
 
-/// What a call adds to the counts of one question.
+/// Returns how many decisions of each stage `call` adds to the counts of one question.
 template <class Call>
 StageCounts added(StageCounts PredicateCounts::*question, Call&& call) {
   const StageCounts before = predicate_counts().*question;
@@ -26,9 +26,9 @@ constexpr StageCounts kDoubles{1, 0, 0};
 constexpr StageCounts kLattice{0, 1, 0};
 constexpr StageCounts kIntegers{0, 0, 1};
 
-// The lines y = x / 3 and y = 2 - 2 x / 7 meet in (42/13, 14/13).
+// The lines y = x / 3 and y = 2 - 2 x / 7 meet at (42/13, 14/13).
 const Crossing kPlain{{0, 0}, {9, 3}, {0, 2}, {7, 0}};
-// As before, but for an end that no common lattice has within 2^62.
+// As `kPlain`, but one end does not lie on a common lattice with the others within 2^62.
 const Crossing kFine{{0x1p-60, 0}, {9, 3}, {0, 2}, {7, 0}};
 
 ExactPoint at(const Crossing& crossing) {
@@ -41,7 +41,7 @@ TEST(Stages, OfOrientations) {
     return added(&PredicateCounts::orientation, [&] { static_cast<void>(exact::orientation(a, b, c)); });
   };
   EXPECT_EQ(asks({0, 0}, {4, 0}, {0, 4}), kDoubles);
-  EXPECT_EQ(asks({0, 0}, {4, 0}, {9, 0}), kDoubles);  // along an axis: nothing is rounded
+  EXPECT_EQ(asks({0, 0}, {4, 0}, {9, 0}), kDoubles);  // on an axis: nothing is rounded
   EXPECT_EQ(asks({0, 0}, {4, 4}, {9, 9}), kLattice);
   EXPECT_EQ(asks({0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}), kLattice);
   EXPECT_EQ(asks({0, 0}, {0x1p-60, 0x1p-60}, {9, 9}), kIntegers);
@@ -80,7 +80,7 @@ TEST(Stages, OfOrders) {
   const ExactPoint p = at(kPlain);
   EXPECT_EQ(asks({0, 0}, {0, 4}), kDoubles);
   EXPECT_EQ(asks({1, 0}, p), kDoubles);
-  EXPECT_EQ(asks({p.x, 0}, p), kLattice);  // nearest doubles agree, which leaves open what is nearer to the left
+  EXPECT_EQ(asks({p.x, 0}, p), kLattice);  // the nearest doubles agree, so the exact order of x is open
   EXPECT_EQ(asks(p, p), kLattice);
   EXPECT_EQ(asks(at(kFine), at(kFine)), kIntegers);
 }
@@ -91,19 +91,20 @@ TEST(Stages, OfCrossings) {
   };
   EXPECT_EQ(asks({{0.1, 0}, {0.1, 3}, {0, 0x1p-60}, {7, 0x1p-60}}), kDoubles);
   EXPECT_EQ(asks({{0, 0.3}, {1, 0.3}, {0.7, 0}, {0.7, 1}}), kDoubles);
-  EXPECT_EQ(asks(kPlain), kDoubles);  // whole numbers, of which only the quotient is rounded
+  EXPECT_EQ(asks(kPlain), kDoubles);  // whole numbers; only the quotient is rounded
   EXPECT_EQ(asks({{0, 0}, {9, 3.5}, {0, 2}, {7, 0}}), kLattice);
   EXPECT_EQ(asks({{0, 0}, {0x1p27, 3}, {0, 0x1p27}, {7, -0x1p27}}), kLattice);  // products beyond 2^53
   EXPECT_EQ(asks(kFine), kIntegers);
 }
 
-// A walk over a few of what `waywright_soak --predicates` goes through by the hundred million.
+// Runs a small sample of the comparisons that `waywright_soak --predicates` makes by the hundred million.
 TEST(Stages, AgreeWithEachOther) {
   for (const NearMiss kind : kNearMisses) {
     const Agreement agreement = compare_stages(kind, 7, 20000, 20);
     EXPECT_EQ(agreement.fault, "") << to_string(kind);
     EXPECT_EQ(agreement.calls, 20000U);
-    // Draws near to zero are there for the later stages: most kinds leave many calls to them.
+    // The draws are near zero so that later stages must decide: for most kinds the first stage leaves many calls to
+    // them.
     EXPECT_LT(agreement.doubles, agreement.calls) << to_string(kind);
     EXPECT_GT(agreement.against_integers, 0U);
   }

@@ -14,7 +14,7 @@ TEST(Whole, NumbersAreTold) {
   }
 }
 
-// Just beside each power of two, where the distance between doubles changes.
+// Values next to powers of two, where the distance between doubles changes.
 TEST(Whole, NoOtherNumberPassesForOne) {
   for (const double value : {0.5, 0x1p-1074, 0x1p-52, 1.0 - 0x1p-53, 1.0 + 0x1p-52, 0x1p50 + 0.25, 0x1p51 - 0.25,
                              0x1p51 + 0.5, 0x1p51 + 1.5, 0x1p52 - 0.5}) {

@@ -21,7 +21,7 @@ Integer value_of(const WideInteger<kLimbs>& number) {
   return value;
 }
 
-/// Any number of `bits` bits and a sign; more often than by chance next to a power of two, where carries run far.
+/// Returns a random number of `bits` bits and a sign. It is often next to a power of two, where carries run far.
 template <std::size_t kLimbs>
 WideInteger<kLimbs> random_number(Random& random, std::size_t bits) {
   WideInteger<kLimbs> number = random.chance(30) ? WideInteger<kLimbs>(1) : WideInteger<kLimbs>(0);
@@ -89,7 +89,7 @@ TEST(WideInteger, TellsItsWidthAndAboutItsSize) {
   }
 }
 
-// Both ways to a product of 64-bit numbers, of which a compiler only ever uses one.
+// Tests both implementations of the product of 64-bit numbers; a compiler uses only one of them.
 TEST(WideInteger, MultipliesByHalvesAsTheCompilerDoes) {
   Random random(4);
   for (int i = 0; i < 100000; ++i) {

@@ -15,12 +15,14 @@
 #include "support/live_items.hpp"
 #include "support/random_changes.hpp"
 
-/// What must hold of any life of a world, for the fuzz target and for the test that replays its corpus.
+/// The checks that every sequence of operations on a world must pass. The fuzz target uses them, and so does the test
+/// that replays its corpus.
 namespace waywright::test {
 
-/// Reads any bytes as a script. The first says where points lie: on a lattice of 8 x 8, on one of 16 x 16 that fills
-/// its domain, or at odd doubles; and whether every other polygon has the fill rule nonzero (64 to 95) or none. Each
-/// later point is a byte, x and y a half of it. Past the end all bytes are 0.
+/// Reads any bytes as a script. The first byte selects where points lie: on a lattice of 8 x 8, on a lattice of 16 x 16
+/// that fills its domain, or at doubles with many digits. It also selects the fill rule: from 64 to 95, every other
+/// polygon has the fill rule nonzero; otherwise no polygon has it. Each later point is one byte: half of its bits for
+/// x, half for y. After the end all bytes are 0.
 class BytesReader {
  public:
   explicit BytesReader(std::string_view bytes) : bytes_(bytes) {
@@ -72,7 +74,7 @@ class BytesReader {
       result.rings.start_ring();
       for (std::size_t j = 0; j < count; ++j) result.rings.add_point(point());
     }
-    // One in eight leaves the domain with its last point.
+    // The last point of one shape in eight is outside the domain.
     if (!is_one_or_two && byte / 32 == 7) result.rings.back().back().x = script_.domain.max.x * 2;
     return result;
   }
@@ -91,7 +93,7 @@ class BytesReader {
     }
     if (choice < 11) return {Change::Kind::remove, living(), {}};
     if (choice < 14 || count >= kMostItems) return {Change::Kind::replace, living(), shape()};
-    // Whatever the id: it may be in use, unknown or null.
+    // The id may be in use, unknown or null.
     if (choice == 14) return {Change::Kind::insert, id, shape()};
     return {Change::Kind::remove, id, {}};
   }
@@ -116,7 +118,7 @@ class BytesReader {
   ChangeScript script_;
 };
 
-/// What is wrong with a world after a step, if not with the step's answer.
+/// Returns what is wrong with a world after a step, or what is wrong with the step's result. Empty if nothing is.
 inline std::string fault_of_step(World& world, LiveItems& live, const Step& step) {
   const Result<std::vector<ItemId>> expected = live.apply(step);
   const std::string before = expected ? std::string() : world.dump();
@@ -130,7 +132,8 @@ inline std::string fault_of_step(World& world, LiveItems& live, const Step& step
   return validation.ok ? "" : "validate: " + validation.fault;
 }
 
-/// Every step does what it should and leaves a sound mesh; in the end it is that of a fresh world.
+/// Checks that every step gives the expected result and leaves a valid mesh, and that the last mesh equals the mesh of
+/// a new world. Returns the first fault.
 inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
   Result<World> world = World::create(script.domain);

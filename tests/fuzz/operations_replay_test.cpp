@@ -14,7 +14,7 @@
 namespace waywright::test {
 namespace {
 
-/// The inputs in the fuzz target's corpus, ordered by file name.
+/// Returns the inputs in the fuzz target's corpus, ordered by file name.
 std::vector<std::string> corpus() {
   const std::filesystem::path folder = std::filesystem::path(WAYWRIGHT_SOURCE_DIR) / "tests/fuzz/corpus/operations";
   std::vector<std::filesystem::path> paths;
@@ -28,7 +28,7 @@ std::vector<std::string> corpus() {
   return inputs;
 }
 
-/// A message that lets a fault be seen again: the operations as a world script.
+/// Returns the operations as a world script, for a message from which a reader can reproduce a fault.
 std::string script_of(std::string_view bytes) { return to_script(BytesReader(bytes).read()); }
 
 TEST(FuzzReplay, Operations) {
@@ -49,7 +49,7 @@ TEST(FuzzReplay, Operations) {
   }
 }
 
-// Two walls that cross, in one batch with the removal of the first; an id that is unknown.
+// Two walls that cross. The second comes in one batch with the removal of the first and with an unknown id.
 TEST(FuzzReplay, BytesAreReadAsOperations) {
   const std::string bytes("\x00\x3f\x00\x01\x11\x77\x00\x01\x17\x71\x06", 11);
   EXPECT_EQ(script_of(bytes),

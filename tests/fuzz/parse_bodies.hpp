@@ -13,13 +13,13 @@
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 
-/// What must hold of any text at all, for the fuzz targets and for the tests that replay their corpus. Each body
-/// returns what is wrong, nothing when nothing is.
+/// The checks that hold for every text. The fuzz targets use them, and so do the tests that replay their corpora. Each
+/// function returns what is wrong, or an empty text if nothing is.
 namespace waywright::test {
 
 inline constexpr std::string_view kFuzzName = "fuzz";
 
-/// An error names the text and a line that the text has.
+/// Checks that an error names the text and a line that exists in the text.
 inline std::string fault_of_error(const Error& error, std::string_view text) {
   if (error.code != ErrorCode::malformed && error.code != ErrorCode::coordinate_range)
     return "an error of another code";
@@ -29,7 +29,7 @@ inline std::string fault_of_error(const Error& error, std::string_view text) {
   return error.message().rfind(start, 0) == 0 ? "" : "an error without name and line: " + error.message();
 }
 
-/// A scene printed as a script reads back as the same scene.
+/// Checks that a scene written as a script reads back as the same scene.
 inline std::string fault_of_scene(Scene scene) {
   scene.y_down = false;
   const Result<Script> script = parse_script(to_script(scene), kFuzzName);
@@ -46,7 +46,7 @@ inline std::string fault_of_script(std::string_view text) {
   return fault_of_scene(scene_of(*script));
 }
 
-/// Twice the area that the rings enclose, holes taken off.
+/// Returns twice the area that the rings enclose, without the holes.
 inline double doubled_area(const std::vector<std::vector<Point>>& rings) {
   double doubled = 0.0;
   for (const std::vector<Point>& ring : rings) {
@@ -59,7 +59,8 @@ inline double doubled_area(const std::vector<std::vector<Point>>& rings) {
   return doubled;
 }
 
-/// The polygons of a map have the area of its blocked cells, whose letters occur nowhere else in an accepted map.
+/// Checks that the polygons of a map have the area of its blocked cells. In an accepted map the letters of blocked
+/// cells occur only in cells.
 inline std::string fault_of_map(std::string_view text) {
   const Result<Scene> scene = parse_movingai_map(text, kFuzzName);
   if (!scene.ok()) return fault_of_error(scene.error(), text);
@@ -71,8 +72,8 @@ inline std::string fault_of_map(std::string_view text) {
   return fault_of_scene(*scene);
 }
 
-/// The text is a `.poly` file and, after a line `%` if there is one, the `.node` file beside it; all of it is read as a
-/// `.node` file too.
+/// Reads the text as a `.poly` file. If the text has a line `%`, the text after that line is the `.node` file that
+/// belongs to it. Reads the whole text as a `.node` file too.
 inline std::string fault_of_poly(std::string_view text) {
   constexpr std::string_view kSeparator = "\n%\n";
   const std::size_t separator = text.find(kSeparator);
@@ -87,7 +88,8 @@ inline std::string fault_of_poly(std::string_view text) {
   return {};
 }
 
-/// The queries of a scenario stand on ascending lines that the text has, and all their numbers are finite.
+/// Checks that the queries of a scenario have ascending line numbers that exist in the text, and that all their numbers
+/// are finite.
 inline std::string fault_of_scenario(std::string_view text) {
   const Result<std::vector<ScenarioQuery>> queries = parse_movingai_scenario(text, kFuzzName);
   if (!queries.ok()) return fault_of_error(queries.error(), text);
@@ -105,7 +107,7 @@ inline std::string fault_of_scenario(std::string_view text) {
   return queries->empty() ? "no query" : "";
 }
 
-/// Ends the process with a message where there is a fault: what a fuzzer notices.
+/// Ends the process with a message if there is a fault, so that the fuzzer reports it.
 inline void stop_at(const std::string& fault) {
   if (fault.empty()) return;
   std::fprintf(stderr, "%s\n", fault.c_str());

@@ -17,7 +17,7 @@ namespace {
 
 using Body = std::string (*)(std::string_view);
 
-/// The texts in a fuzz target's corpus, ordered by file name.
+/// Returns the texts in a fuzz target's corpus, ordered by file name.
 std::vector<std::string> corpus(const std::string& target) {
   const std::filesystem::path folder = std::filesystem::path(WAYWRIGHT_SOURCE_DIR) / "tests/fuzz/corpus" / target;
   std::vector<std::filesystem::path> paths;
@@ -33,7 +33,7 @@ std::vector<std::string> corpus(const std::string& target) {
 
 class Mutator {
  public:
-  /// Changes a text in a few places.
+  /// Makes one to four random changes to a text.
   std::string mutate(std::string text) {
     for (std::size_t changes = 1 + below(4); changes > 0; --changes) change(text);
     return text;

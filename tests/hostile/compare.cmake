@@ -1,5 +1,5 @@
-# Builds tests/hostile with the flags FLAGS by the compiler COMPILER in the folder BINARY, and fails unless its program
-# prints for the scripts in the folders SCRIPTS and RANDOM_SCRIPTS what the program REFERENCE prints, byte for byte.
+# Builds tests/hostile with the flags FLAGS by the compiler COMPILER in the folder BINARY. Fails unless its program
+# prints the same bytes as the program REFERENCE for the scripts in the folders SCRIPTS and RANDOM_SCRIPTS.
 
 include(${CMAKE_CURRENT_LIST_DIR}/../project/run.cmake)
 

@@ -11,8 +11,8 @@
 #include <waywright/waywright.hpp>
 
 /// usage: run_scripts FOLDER...
-/// Runs the world scripts in the folders and prints all that comes of them, numbers by their bits. A build with hostile
-/// flags must print what an ordinary one prints. This file itself is compiled with the hostile flags.
+/// Runs the world scripts in the folders and prints all results, with the bits of each number. A build with hostile
+/// flags must print the same as an ordinary build. This file itself is compiled with the hostile flags.
 namespace {
 
 using namespace waywright;

@@ -9,7 +9,7 @@
 #include "support/random_changes.hpp"
 
 /// usage: write_scripts FOLDER COUNT
-/// Writes so many random world scripts of each flavour, paths among them, for run_scripts.
+/// Writes COUNT random world scripts of each flavour for run_scripts. The scripts contain path queries.
 namespace waywright::test {
 namespace {
 

@@ -13,10 +13,10 @@
 namespace waywright {
 namespace {
 
-/// A reader of texts: what is wrong with a text, empty where nothing is.
+/// A reader of texts. Returns what is wrong with a text, or an empty text if nothing is.
 struct Reader {
   std::string name;
-  std::string good;  ///< a text that it takes
+  std::string good;  ///< a text that the reader accepts
   std::string (*fault)(std::string_view text);
 };
 
@@ -40,7 +40,7 @@ const std::vector<Reader> kReaders{
      [](std::string_view text) { return message_of(parse_movingai_scenario(text, "t")); }},
 };
 
-/// ASCII text in units of `size` bytes.
+/// Returns an ASCII text encoded in units of `size` bytes.
 std::string widened(std::string_view text, std::size_t size, bool is_big_endian) {
   std::string out;
   for (const char c : text) {

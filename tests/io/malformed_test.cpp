@@ -10,7 +10,7 @@
 namespace waywright {
 namespace {
 
-/// A text that its parser refuses, the line that is to blame, and what the message goes on with.
+/// A text that its parser refuses, the line that the error must name, and how the message continues.
 struct Malformed {
   std::string_view text;
   std::uint64_t line;
@@ -69,7 +69,7 @@ TEST(MalformedScript, HeaderAndDomain) {
   for (const Malformed& each : kHeaders) expect_malformed(parse_script(each.text, kName), each);
 }
 
-/// Each stands on line 3 after a header and a domain.
+/// Each of these is line 3, after a header and a domain.
 constexpr Malformed kOperations[] = {
     {"domain 0 0 9 9", 3, "expected no second domain, found 'domain'"},
     {"foo", 3, "expected an operation, found 'foo'"},
@@ -262,7 +262,7 @@ TEST(MalformedNode, Everything) {
   for (const Malformed& each : kNodes) expect_malformed(parse_triangle_node(each.text, kName), each);
 }
 
-/// Each follows three vertices, which take lines 1 to 4.
+/// Each of these follows three vertices, which are lines 1 to 4.
 constexpr Malformed kPolys[] = {
     {"", 4, "expected the number of segments, found the end of the text"},
     {"many\n", 5, "expected the number of segments, found 'many'"},

@@ -38,7 +38,7 @@ Scene parsed(const Rows& rows) {
   return scene.ok() ? *scene : Scene{};
 }
 
-/// The rings of each polygon.
+/// Returns the rings of each polygon.
 std::vector<Rings> rings_of(const Rows& rows) {
   std::vector<Rings> all;
   for (const Item& item : parsed(rows).items) all.push_back(item.shape.rings);
@@ -114,8 +114,8 @@ TEST(ParseMovingaiMap, PartsTheRingsWhereAGroupTouchesItself) {
 
 bool is_blocked(char cell) { return std::string_view(".GS").find(cell) == std::string_view::npos; }
 
-/// Which cells' centres an odd number of the rings' turns enclose. Each vertical side turns the parity of all centres
-/// to its right.
+/// Returns which cells' centres lie inside an odd number of turns of the rings. Each vertical side changes the parity
+/// of all centres to its right.
 std::vector<std::vector<bool>> covered_cells(const Rings& rings, std::size_t height, std::size_t width) {
   std::vector<std::vector<bool>> covered(height, std::vector<bool>(width + 1));
   for (const Ring& ring : rings) {
@@ -145,7 +145,7 @@ double signed_area(const Ring& ring) {
   return doubled / 2.0;
 }
 
-/// Whether each corner joins a horizontal and a vertical side of some length.
+/// Returns whether each corner connects a horizontal and a vertical side, and no side has length 0.
 bool has_true_corners_alone(const Ring& ring) {
   if (ring.size() < 4) return false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -159,7 +159,7 @@ bool has_true_corners_alone(const Ring& ring) {
   return true;
 }
 
-/// Whether the ring passes no lattice point twice.
+/// Returns whether the ring visits no lattice point twice.
 bool is_simple(const Ring& ring) {
   std::set<std::pair<double, double>> passed;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -173,7 +173,7 @@ bool is_simple(const Ring& ring) {
   return true;
 }
 
-/// What is wrong with the polygons of a map, taken together; empty when nothing is.
+/// Returns what is wrong with all polygons of a map together, or an empty text if nothing is.
 std::string fault_of(const Scene& scene, const Rows& rows) {
   Rings all;
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
@@ -199,7 +199,7 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
   return {};
 }
 
-/// Which polygon covers each cell, counted from 1; 0 where none does. Every cell may be covered once.
+/// Returns which polygon covers each cell, counted from 1, or 0 where none does. At most one polygon may cover a cell.
 std::vector<std::vector<std::size_t>> owners(const Scene& scene, const Rows& rows) {
   std::vector<std::vector<std::size_t>> owner(rows.size(), std::vector<std::size_t>(rows.front().size()));
   for (const Item& item : scene.items) {
@@ -215,8 +215,8 @@ std::vector<std::vector<std::size_t>> owners(const Scene& scene, const Rows& row
   return owner;
 }
 
-/// The groups of blocked cells, numbered from 1 in scan order; found by letting the smallest number win until none
-/// does.
+/// Returns the groups of blocked cells, numbered from 1 in scan order. Replaces each number by the smallest number of
+/// its neighbours until nothing changes.
 std::vector<std::vector<std::size_t>> groups_of(const Rows& rows) {
   const std::size_t width = rows.front().size();
   std::vector<std::vector<std::size_t>> group(rows.size(), std::vector<std::size_t>(width));

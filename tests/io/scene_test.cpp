@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files in a folder of the test's own, which goes with it.
+/// A test that writes files into its own folder. The folder is deleted with the test.
 class ReadScene : public testing::Test {
  protected:
   void SetUp() override {

@@ -15,7 +15,7 @@ namespace {
 using Ring = std::vector<Point>;
 using Rings = std::vector<Ring>;
 
-/// What the lines give after a header and a domain of [0, 10] x [0, 10], which are lines 1 and 2.
+/// Returns the script of the lines, which follow a header and a domain of [0, 10] x [0, 10] on lines 1 and 2.
 Script parsed(std::string_view lines) {
   const Result<Script> script = parse_script("waywright 1\ndomain 0 0 10 10\n" + std::string(lines), "test.wws");
   EXPECT_TRUE(script.ok()) << script.error().message();
@@ -183,7 +183,7 @@ TEST(SceneOf, DropsAReplacementWithItsItem) {
 }
 
 TEST(SceneOf, KnowsTheEndsOfTheRange) {
-  // 2^100 = 1267650600228229401496703205376 is in range, the next double is not.
+  // 2^100 = 1267650600228229401496703205376 is in range; the next larger double is not.
   const Result<Script> script = parse_script(
       "waywright 1\ndomain 0 0 1267650600228229401496703205376 1267650600228229401496703205376\npoint 1 "
       "1267650600228229401496703205376 0\npoint 2 "

@@ -26,7 +26,7 @@ TEST(ClipSegment, CutsWhatCrossesTheBox) {
   EXPECT_EQ(a, (Point{0, 3}));
   EXPECT_EQ(b, (Point{10, 3}));
 
-  a = {-2, 4};  // falls by 1 for 1 to the right: enters at (0, 2), leaves at (2, 0)
+  a = {-2, 4};  // falls by 1 for each 1 to the right: enters at (0, 2), leaves at (2, 0)
   b = {4, -2};
   EXPECT_TRUE(clip_segment(kBox, a, b));
   EXPECT_EQ(a, (Point{0, 2}));
@@ -46,7 +46,7 @@ TEST(ClipSegment, RefusesWhatMissesTheBox) {
   const std::vector<std::vector<Point>> misses{{{-1, 0}, {-1, 6}},         {{11, -3}, {30, 9}},
                                                {{-4, 3}, {3, -4}},  // the last passes a corner
                                                {{7, 7}, {7, 7}},           {{0, NAN}, {1, 1}},
-                                               {{1, 1}, {infinity, 1}},  // a point; no places
+                                               {{1, 1}, {infinity, 1}},  // a point, and coordinates that are not finite
                                                {{1, 1}, {1, NAN}},         {{-infinity, 3}, {infinity, 3}},
                                                {{-1e308, 3}, {1e308, NAN}}};
   for (const auto& ends : misses) {
@@ -67,7 +67,7 @@ TEST(ClipSegment, KeepsThePointsThatAreInTheBox) {
     Point b = to;
     const bool meets = clip_segment(kBox, a, b);
     cut += meets && a != from ? 1 : 0;
-    // Samples of the segment lie in the box exactly where its part does, but for a little at the ends.
+    // Samples of the segment lie in the box exactly where the clipped piece lies, except close to its ends.
     for (int k = 0; k <= 100; ++k) {
       const double part = k / 100.0;
       const Point p{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
@@ -80,7 +80,7 @@ TEST(ClipSegment, KeepsThePointsThatAreInTheBox) {
   EXPECT_GT(cut, 100);
 }
 
-/// How often the rings turn around the place: by the sides that a ray from there to the right crosses.
+/// Returns the winding number of the rings around `p`, from the sides that a ray from `p` to the right crosses.
 int winding_number(const std::vector<std::vector<Point>>& rings, const Point& p) {
   int winding = 0;
   for (const std::vector<Point>& ring : rings) {

@@ -39,7 +39,7 @@ TEST(TicksBetween, AreInScientificNotationWhereThatIsShorter) {
 }
 
 TEST(TicksBetween, LeaveRoomBetweenLabels) {
-  // A label of 10 characters at 7 pixels is as long as the step of 70 pixels, so that every second one stays.
+  // A label of 10 characters of 7 pixels each is as long as the step of 70 pixels, so only every second label remains.
   EXPECT_EQ(labels_between(1e9, 1e9 + 4, 70),
             (Labels{"1000000000", "1000000001", "1000000002", "1000000003", "1000000004"}));
   EXPECT_EQ(labels_between(1e9, 1e9 + 4, 70, 7.0), (Labels{"1000000000", "1000000002", "1000000004"}));
@@ -58,7 +58,7 @@ TEST(TicksBetween, ArePlacedWhereTheirLabelsSayAndEvenlySpaced) {
     const std::vector<Tick> ticks = ticks_between(min, max, {scale, 70.0, 7.0});
     with_ticks += ticks.size() >= 2 ? 1 : 0;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
-      // The C library reads labels on its own.
+      // Checks the labels with the C library's own conversion.
       ASSERT_EQ(std::strtod(ticks[k].label.c_str(), nullptr), ticks[k].place) << ticks[k].label;
       ASSERT_TRUE(ticks[k].place >= min && ticks[k].place <= max);
       if (k == 0) continue;

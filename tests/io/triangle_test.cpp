@@ -40,7 +40,7 @@ TEST(ParseTriangleNode, ReadsVerticesAsPoints) {
 }
 
 TEST(ParseTriangleNode, GrowsTheBoundingBoxToADomain) {
-  // An eighth of 8 is 1, of 100 it is 12.5: then the bounds are multiples of 4.
+  // An eighth of 8 is 1. An eighth of 100 is 12.5, and the bounds are rounded to multiples of 4.
   EXPECT_EQ(parsed_node("2\n1 0 0\n2 8 4\n").domain, (Box{{-1, -1}, {9, 5}}));
   EXPECT_EQ(parsed_node("2\n1 0 0\n2 100 50\n").domain, (Box{{-16, -16}, {116, 64}}));
   EXPECT_EQ(parsed_node("1\n1 3 4\n").domain, (Box{{2, 3}, {4, 5}}));

@@ -52,7 +52,7 @@ std::vector<Point> any_ring(ItemKind kind) {
 }
 
 RC_GTEST_PROP(ToScript, ReadsBackAsTheSameScene, ()) {
-  // Every coordinate above is below 2^93 in size.
+  // Every coordinate above is smaller than 2^93 in absolute value.
   Scene scene{.domain = {{-0x1p93, -0x1p93}, {0x1p93, 0x1p93}}, .items = {}};
   const auto ids = *rc::gen::unique<std::vector<std::uint64_t>>(
       rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t id) { return id % ItemId::kLargest + 1; }));

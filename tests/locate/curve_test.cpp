@@ -14,7 +14,8 @@ using locate::Curve;
 using locate::sort_along_curve;
 using locate::SortedPoints;
 
-// Bit by bit: x in the left or right half, y in the lower or upper half of that, and so on.
+// Each bit of a key selects a half: first the left or right half in x, then the lower or upper half of that in y, and
+// so on.
 TEST(Curve, KeysTellHalvesOfHalves) {
   const Curve curve({{-8, 0}, {8, 16}});
   EXPECT_EQ(curve.key({-8, 0}), 0U);
@@ -57,7 +58,7 @@ void expect_sorted(const Box& box, const std::vector<Point>& points, std::size_t
   }
 }
 
-// Few and many, spread out, in one spot that few bits tell apart, in one cell, and repeated.
+// Few and many points: spread out, so close together that few bits separate them, in one cell, and repeated.
 TEST(Curve, SortsByKeyThenByPlaceEachPointOnce) {
   Random random(3);
   for (const std::size_t count : {0U, 1U, 2U, 50U, 5000U}) {

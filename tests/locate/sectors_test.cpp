@@ -55,7 +55,7 @@ TEST(Sectors, QuartersRememberWhatTheirSectorDid) {
   EXPECT_EQ(near(sectors, {0.3, 0.1}), Vertex{1});
 }
 
-// Sectors at several depths, then ever more vertices: what was remembered at a place still is.
+// Divides sectors to several depths, then increases the number of vertices. Each sector must still remember its vertex.
 TEST(Sectors, GrowingLosesNothing) {
   Sectors sectors(kUnit);
   const Point crowd{0.01, 0.02};
@@ -73,7 +73,7 @@ TEST(Sectors, GrowingLosesNothing) {
   EXPECT_FALSE(sectors.are_in_one({0.3, 0.3}, {0.31, 0.3}));
 }
 
-// A place that is divided over and over while there are few vertices: in the end its sectors are whole again.
+// Divides sectors again and again while there are few vertices. In the end the sectors are undivided again.
 TEST(Sectors, NeverGrowFarBeyondTheVertices) {
   Sectors sectors(kUnit);
   Random random(9);
@@ -88,7 +88,7 @@ TEST(Sectors, NeverGrowFarBeyondTheVertices) {
   EXPECT_TRUE(was_whole_again);
 }
 
-// Down to single points, where nothing is left to divide.
+// Divides until a sector holds a single point and cannot be divided further.
 TEST(Sectors, DividesNoPoint) {
   Sectors sectors(kUnit);
   for (int i = 0; i < 100; ++i) sectors.divide({0.3, 0.3}, 1000);
@@ -99,7 +99,7 @@ TEST(Sectors, DividesNoPoint) {
 
 using Triangulation = delaunay::Triangulation<exact::Geometry>;
 
-/// A crowd of 3 in 4 points in a thousandth of the box, the rest anywhere.
+/// Returns points of which 3 in 4 are crowded in a thousandth of the box and the rest lie anywhere.
 std::vector<Point> uneven_points(std::size_t count) {
   Random random(21);
   std::vector<Point> points;
@@ -117,7 +117,7 @@ double mean_steps(const Triangulation& triangulation, const std::vector<Point>& 
   return steps / static_cast<double>(targets.size());
 }
 
-// 8 x 8 sectors, an eighth wide: the blocks are the square's quarters. One of the sectors is divided once.
+// 8 x 8 sectors, each an eighth wide. The blocks are the quarters of the square. One of the sectors is divided once.
 TEST(Sectors, OnesAroundKnowWhatIsNear) {
   Sectors sectors(kUnit);
   sectors.remember({0.9, 0.9}, Vertex{1}, 13);
@@ -140,7 +140,7 @@ TEST(Sectors, OnesAroundKnowWhatIsNear) {
   EXPECT_TRUE(sectors.is_far(quarter, 0.19 * 0.19));
 }
 
-// However many vertices and wherever they are, and whether they came at once or not.
+// For several numbers and distributions of vertices, inserted in one operation or one by one.
 TEST(Sectors, WalksAreShortInTheCrowdAndOutside) {
   for (const std::size_t count : {2000U, 20000U}) {
     const std::vector<Point> points = uneven_points(count);
@@ -155,7 +155,8 @@ TEST(Sectors, WalksAreShortInTheCrowdAndOutside) {
   }
 }
 
-// Crowds come and go, and vertices' slots are used anew, so that what a sector remembers may be anywhere by now.
+// Inserts and removes crowds of vertices, and reuses the slots of vertices. So the vertex that a sector remembers may
+// be anywhere.
 TEST(Sectors, WalksStayShortWhenCrowdsMove) {
   Triangulation triangulation(kUnit, {1, 2, 3, 4});
   Random random(8);

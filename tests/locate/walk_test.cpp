@@ -23,7 +23,7 @@ Triangulation lattice_world(std::uint64_t seed) {
   return triangulation;
 }
 
-/// What `place` claims of `point`, checked by orientation tests on the face, edge or vertex it names.
+/// Checks that `place` is the location of `point`, by orientation tests on the face, edge or vertex that it names.
 void expect_true(const Triangulation& triangulation, const Located& place, const Point& point) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto view = exact::Geometry::view(point);

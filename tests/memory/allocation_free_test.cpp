@@ -15,7 +15,7 @@
 namespace waywright::test {
 namespace {
 
-/// How many allocations the call makes.
+/// Returns how many allocations the call makes.
 template <class Call>
 std::size_t allocations_of(Call&& call) {
   const std::size_t before = allocation_count();
@@ -69,7 +69,7 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   EXPECT_EQ(allocations_of(ask_all), 0U);
 }
 
-// The two forms of a query give one answer, whatever the kept objects held before.
+// Both forms of a query give the same answer, whatever the reused objects contained before.
 TEST(AllocationFree, FormsOfAQueryAgree) {
   const World world = world_of_things();
   QueryContext context;

@@ -2,16 +2,16 @@
 
 #include <cstddef>
 
-/// Every allocation of a program that links allocations.cpp is counted there, and any one can be made to fail.
+/// A program that links allocations.cpp counts each of its allocations and can make any one of them fail.
 namespace waywright::test {
 
-/// Allocations so far.
+/// Returns the number of allocations since the program started.
 [[nodiscard]] std::size_t allocation_count();
-/// Allocations that have not been given back.
+/// Returns the number of allocations that have not been freed.
 [[nodiscard]] std::ptrdiff_t live_allocations();
-/// Bytes that have not been given back, as the allocator rounds them.
+/// Returns the number of bytes that have not been freed, rounded up as the allocator does.
 [[nodiscard]] std::ptrdiff_t live_bytes();
-/// Makes the n-th allocation of the program fail, counted from 1; 0 for none.
+/// Makes the n-th allocation of the program fail, counted from 1. With 0, none fails.
 void fail_allocation(std::size_t n);
 
 }  // namespace waywright::test

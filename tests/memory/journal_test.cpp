@@ -15,7 +15,7 @@ namespace {
 
 TEST(Journal, UndoesTheNewestChangeFirst) {
   memory::Journal<int> journal;
-  journal.add(7);  // of an operation before
+  journal.add(7);  // belongs to an earlier operation
   journal.begin();
   journal.add(1);
   journal.add(2);
@@ -29,7 +29,7 @@ TEST(Journal, UndoesTheNewestChangeFirst) {
   journal.roll_back([&](int) { FAIL() << "there is nothing left to undo"; });
 }
 
-// Random operations, of which some are taken back, against copies of a plain vector.
+// Random operations, some of which are rolled back, compared with copies of a plain vector.
 TEST(JournaledArray, IsAsBeforeAfterRollBack) {
   Random random(3);
   memory::JournaledArray<int> array;

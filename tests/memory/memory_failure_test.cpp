@@ -17,7 +17,8 @@
 namespace waywright::test {
 namespace {
 
-/// A hard script: a random scene's items come, some of them move or go in between, several at once, until few are left.
+/// A difficult script: inserts the items of a random scene, moves or removes some of them in between, several in one
+/// operation, until few are left.
 struct Script {
   Box domain;
   std::vector<std::vector<Change>> operations;
@@ -53,11 +54,11 @@ Script random_script(Flavour flavour, std::uint64_t seed) {
 }
 
 struct Reference {
-  std::vector<std::string> dumps;  ///< before the first operation and after each
+  std::vector<std::string> dumps;  ///< before the first operation and after each operation
   std::size_t allocations = 0;
 };
 
-/// What comes before each operation.
+/// What the test does before each operation.
 enum class Before { nothing, shrink_to_fit };
 
 Reference undisturbed(const Script& script, Before before_each = Before::nothing) {
@@ -74,7 +75,7 @@ Reference undisturbed(const Script& script, Before before_each = Before::nothing
   return reference;
 }
 
-/// Whether `run` got through although the n-th allocation from here on was to fail; with 0, none.
+/// Runs `run` while the n-th allocation from now on fails; with 0, none fails. Returns whether `run` finished.
 template <class Run>
 bool gets_through(std::size_t n, Run&& run) {
   bool is_done = true;
@@ -88,7 +89,8 @@ bool gets_through(std::size_t n, Run&& run) {
   return is_done;
 }
 
-/// Whether the operation got through. The n-th allocation from here on fails; what is left of n is returned in it.
+/// Applies the operation while the n-th allocation from now on fails. Returns whether the operation succeeded. Reduces
+/// n by the number of allocations made, down to 0.
 bool apply_with_failure(World& world, const std::vector<Change>& changes, std::size_t& n) {
   const std::size_t before = allocation_count();
   bool is_accepted = false;
@@ -98,8 +100,8 @@ bool apply_with_failure(World& world, const std::vector<Change>& changes, std::s
   return is_through && is_accepted;
 }
 
-/// Run again for every n, the n-th allocation failing: that operation has then changed nothing, and the same operation
-/// asked for once more, and all later ones, do what they do undisturbed.
+/// Runs the script once for every n, with the n-th allocation failing. The operation that fails must change nothing.
+/// When repeated, that operation and all later ones must have the same results as without a failure.
 void expect_nothing_changes_on_failure(Flavour flavour, std::uint64_t seed, Before before_each) {
   const Script script = random_script(flavour, seed);
   const Reference reference = undisturbed(script, before_each);
@@ -136,7 +138,7 @@ TEST_P(MemoryFailure, AfterShrinkingChangesNothing) {
   expect_nothing_changes_on_failure(GetParam(), 4, Before::shrink_to_fit);
 }
 
-// Nothing that a search through the components had written down comes in the way of another, much later one.
+// A search through the components that failed must not affect a later search with what it wrote to its scratch.
 TEST(MemoryFailureOf, SeveralObstaclesLeavesTheComponentsToTheNext) {
   std::vector<Change> obstacles;
   for (int i = 0; i < 16; ++i) {
@@ -164,7 +166,7 @@ TEST(MemoryFailureOf, SeveralObstaclesLeavesTheComponentsToTheNext) {
   EXPECT_GT(failures, 100U);
 }
 
-// What a dump doesn't tell is as it was too: which id is given next, and that there are polygons at all.
+// Checks state that a dump does not contain: the next id, and whether there are polygons at all.
 TEST(MemoryFailureOf, AnInsertionGivesItsIdToTheNext) {
   const std::vector<Change> insertion = {{Change::Kind::insert, {1000}, {ItemKind::point, {{{3, 4}}}}}};
   std::size_t failures = 0;
@@ -224,7 +226,7 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, MemoryFailureBy,
                          testing::Values(PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal),
                          [](const auto& algorithm) { return std::string(to_string(algorithm.param)); });
 
-// What a search had not done yet when memory ran out is no part of the next one.
+// The unfinished work of a search that ran out of memory must not affect the next search.
 TEST_P(MemoryFailureBy, AQueryLeavesNothingToTheNext) {
   const World world = world_of_triangles();
   const PathQuery across = query_by(GetParam(), {1, 1}, {999, 999});
@@ -280,7 +282,7 @@ TEST(MemoryFailureOf, ASearchForManyGoalsLeavesNothingToTheNext) {
   EXPECT_GT(failures, 20U);
 }
 
-// What fails in a job fails in the call that the job is part of, which then changes nothing.
+// If an allocation fails in a job, the call that the job belongs to fails and changes nothing.
 TEST(MemoryFailureOf, AJobLeavesTheWorldEmpty) {
   Random random(12);
   std::vector<Point> points;

@@ -19,7 +19,8 @@ constexpr int kOperations = 1'000'000;
 constexpr int kObstacles = 20;
 constexpr int kStepsARound = 100;
 
-/// Obstacle `i` on its way round, crossing walls and other obstacles; after a round it is back where it was.
+/// Returns the shape of obstacle `i` after `step` steps on a circle. It crosses walls and other obstacles. After a full
+/// circle it is where it started.
 Shape obstacle(int i, int step) {
   const double angle = 2 * 3.14159265358979 * (step % kStepsARound) / kStepsARound + i;
   const double x = std::round((200 + 35 * i) * std::cos(angle));
@@ -61,7 +62,8 @@ TEST(MemoryGrowth, MillionInsertionsAndRemovalsOfMovingObstaclesLeaveNothingBehi
   EXPECT_LE(bytes_late, bytes_early) << "memory still grows";
 }
 
-// Where a crossing goes, the two pieces of the edge under several items become one, with one list.
+// When the last wall across several items is removed, the crossing is removed too. The two pieces of the edge become
+// one edge with one list of items.
 TEST(MemoryGrowth, AWallThatComesAndGoesAcrossSeveralLeavesNoListBehind) {
   World world = World::create({{0, 0}, {100, 100}}).value();
   for (std::uint64_t id = 1; id <= 3; ++id) world.insert_segment({10, 50}, {90, 50}, {id}).value();
@@ -87,7 +89,7 @@ TEST(MemoryGrowth, AWorldGivesEverythingBack) {
   EXPECT_EQ(live_allocations(), before);
 }
 
-// What a context has once seen, it has memory for.
+// Once a context has served a query, it has the memory for the same query.
 TEST(MemoryGrowth, WarmQueriesAllocateNothing) {
   World world = World::create({{-1000, -1000}, {1000, 1000}}).value();
   for (int i = 0; i < kObstacles; ++i) world.insert(obstacle(i, 3 * i)).value();

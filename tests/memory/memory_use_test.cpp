@@ -24,7 +24,7 @@ std::vector<Point> random_points(std::size_t count) {
   return points;
 }
 
-/// Walls from point to point, under ids that leave gaps.
+/// Returns walls from point to point, under ids with gaps.
 std::vector<Item> random_walls(std::size_t count) {
   const std::vector<Point> points = random_points(count);
   std::vector<Item> items;
@@ -36,7 +36,8 @@ std::vector<Item> random_walls(std::size_t count) {
   return items;
 }
 
-/// What a world says against what it was given, the latter with what the allocator rounds up.
+/// Compares the memory that a world reports with the memory that it allocated. The latter contains what the allocator
+/// rounds up.
 void expect_all_told(const World& world, std::ptrdiff_t bytes_before) {
   const auto given = static_cast<double>(live_bytes() - bytes_before);
   const auto told = static_cast<double>(world.memory().total());
@@ -59,7 +60,8 @@ TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
   }
 }
 
-// What stays is the world itself, and the boxes of the last changes: 2,048 of 40 bytes and as many again at most.
+// What remains is the world itself, and the boxes of the last changes: 2,048 boxes of 40 bytes, and at most as many
+// again.
 TEST(MemoryUse, ShrinkingLeavesLittleSpare) {
   const std::vector<Item> walls = random_walls(kCount / 10);
   const std::ptrdiff_t before = live_bytes();
@@ -77,8 +79,9 @@ TEST(MemoryUse, ShrinkingLeavesLittleSpare) {
   EXPECT_TRUE(world.validate().ok);
 }
 
-// A vertex takes its place (16), a half-edge (4) and a list of items (4), its two faces 48, its item 8, and sectors
-// from 4 to 8 and a little where they are crowded; ids that count up take nothing, and nor do labels.
+// Bytes for each vertex: 16 for its point, 4 for a half-edge, 4 for a list of items, 48 for its two faces, 8 for its
+// item, and 4 to 8 for sectors, a little more where vertices are crowded. Ids that count up take no memory, and neither
+// do labels.
 TEST(MemoryUse, APointOfManyTakesLessThanNinetyTwoBytes) {
   const std::vector<Point> points = random_points(kCount);
   World world = World::create(kBox, {.keep_abstraction = false}).value();
@@ -86,7 +89,8 @@ TEST(MemoryUse, APointOfManyTakesLessThanNinetyTwoBytes) {
   EXPECT_LE(world.memory().total(), 92 * kCount);
 }
 
-// Two faces a vertex, each of a component and a byte; and pages of marks once there is something to search.
+// There are two faces for each vertex; each face has a component and a byte. Pages of marks are allocated once there is
+// something to search.
 TEST(MemoryUse, PathsTakeLessThanElevenBytesMore) {
   const std::vector<Point> points = random_points(kCount);
   World world = World::create(kBox).value();
@@ -97,8 +101,8 @@ TEST(MemoryUse, PathsTakeLessThanElevenBytesMore) {
   EXPECT_LE(world.memory().abstraction, 12 * kCount);
 }
 
-// The arrays of a context have room for each half-edge of the mesh. A world keeps one context, so that a query which
-// brings none neither makes these arrays nor clears them.
+// The arrays of a context have room for each half-edge of the mesh. A world keeps one context, so a query without a
+// context neither allocates nor clears these arrays.
 TEST(MemoryUse, AQueryWithoutAContextAllocatesOnlyItsAnswer) {
   World world = World::create(kBox).value();
   world.insert_points(random_points(kCount)).value();
@@ -112,7 +116,7 @@ TEST(MemoryUse, AQueryWithoutAContextAllocatesOnlyItsAnswer) {
     ASSERT_GE(path.points.size(), 3U);
     const std::size_t before = allocation_count();
     path = world.find_path(query).value();
-    EXPECT_LE(allocation_count() - before, 6U) << to_string(algorithm);  // the answer's points, as they grow
+    EXPECT_LE(allocation_count() - before, 6U) << to_string(algorithm);  // the answer's points, while the vector grows
   }
 }
 

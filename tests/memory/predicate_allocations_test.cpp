@@ -11,7 +11,7 @@
 namespace waywright::test {
 namespace {
 
-// Integers and decimals, places of their own and crossings: every question is answered without the heap.
+// Integers and decimals, explicit points and crossings: the predicates answer every question without the heap.
 TEST(PredicateAllocations, OnALatticeThereAreNone) {
   for (const double unit : {1.0, 0.1, 0x1p-40}) {
     Random random(1);

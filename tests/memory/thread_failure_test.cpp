@@ -13,7 +13,7 @@
 namespace waywright::test {
 namespace {
 
-/// What the calling thread has to do alone is all the same.
+/// Without new threads, the calling thread does all the work alone. The results must be the same.
 class ThreadFailure : public testing::Test {
  protected:
   ThreadFailure() { refuse_threads(true); }

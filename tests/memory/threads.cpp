@@ -11,7 +11,7 @@ std::atomic<bool> are_refused = false;
 
 }  // namespace
 
-// Stands in for the system's, which it calls.
+// Replaces the system's pthread_create, and calls it.
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
                               void* argument) {
   if (are_refused) return EAGAIN;

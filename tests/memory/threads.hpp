@@ -2,7 +2,8 @@
 
 namespace waywright::test {
 
-/// Whether a program that links threads.cpp gets no threads from now on, as from a system that has none left.
+/// Sets whether the creation of threads fails from now on, as on a system that has no threads left. Requires: the
+/// program links threads.cpp.
 void refuse_threads(bool refuse);
 
 }  // namespace waywright::test

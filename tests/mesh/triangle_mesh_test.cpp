@@ -50,7 +50,7 @@ TEST(TriangleMesh, FlipTurnsTheDiagonal) {
   EXPECT_EQ(mesh.find(square.a, square.c), kNoHalfEdge);
   EXPECT_EQ(mesh.origin(flipped.diagonal), right);
   EXPECT_EQ(mesh.target(flipped.diagonal), left);
-  // Both sides that face the old apex, as an insertion's legalisation needs them.
+  // Both edges opposite the old apex. The legalisation of an insertion needs them.
   EXPECT_EQ(mesh.apex(ac), left);
   EXPECT_EQ(mesh.apex(flipped.opposite), left);
   EXPECT_NE(mesh::face(ac), mesh::face(flipped.opposite));
@@ -111,7 +111,8 @@ TEST(TriangleMesh, FreedSlotsAreReusedLastFirst) {
   EXPECT_EQ(mesh.add_vertex(), v);
 }
 
-// Splits and flips at random: the mesh stays a sphere, and labels stay on the edges between the same vertices.
+// Random splits and flips. The mesh must stay a sphere, and the label of each edge must stay between the same two
+// vertices.
 TEST(TriangleMesh, RandomSplitsAndFlipsKeepItASphere) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Square square;

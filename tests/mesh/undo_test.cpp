@@ -25,7 +25,7 @@ struct EdgeState {
   bool operator==(const EdgeState&) const = default;
 };
 
-/// All that can be seen of a mesh but which half-edge a vertex has at hand.
+/// All visible state of a mesh, except which half-edge a vertex stores.
 struct State {
   std::map<HalfEdge, EdgeState> edges;
   std::set<Vertex> vertices;
@@ -48,7 +48,7 @@ State state_of(const TriangleMesh& mesh) {
   return state;
 }
 
-/// Frees the faces around a vertex that has `h` opposite to it and builds others over the hole: a fan from one corner.
+/// Frees the faces around `v` and fills the hole with new faces: a fan from one corner.
 void remove_vertex(TriangleMesh& mesh, Vertex v) {
   std::vector<HalfEdge> outer;
   std::vector<mesh::Label> labels;
@@ -78,7 +78,7 @@ void remove_vertex(TriangleMesh& mesh, Vertex v) {
 
 using Triangles = std::vector<TriangleMesh::Triangle>;
 
-/// A random triangulation of a polygon, each triangle before those on its sides.
+/// Returns a random triangulation of a polygon. Each triangle comes before the triangles that share its edges.
 Triangles random_triangles(std::uint32_t corner_count, Random& random) {
   const auto over = [&](std::uint32_t from, std::uint32_t to) {
     return TriangleMesh::Triangle{from, from + 1 + static_cast<std::uint32_t>(random.below(to - from - 1)), to};
@@ -92,7 +92,7 @@ Triangles random_triangles(std::uint32_t corner_count, Random& random) {
   return triangles;
 }
 
-/// Refills the hole of a vertex in a random way, if that makes no edge that is there already.
+/// Fills the hole of a vertex with a random triangulation, unless that would create an edge that already exists.
 void refill(TriangleMesh& mesh, Vertex v, Random& random) {
   std::vector<Vertex> link;
   std::vector<HalfEdge> sides;
@@ -115,7 +115,7 @@ void refill(TriangleMesh& mesh, Vertex v, Random& random) {
   mesh.free_vertex(v);
 }
 
-/// One change of a random kind, where it is possible.
+/// Makes one change of a random kind, if it is possible.
 void change(TriangleMesh& mesh, Random& random) {
   HalfEdge h{};
   do {
@@ -139,7 +139,7 @@ void change(TriangleMesh& mesh, Random& random) {
       refill(mesh, mesh.origin(h), random);
       break;
     default: {
-      // Only where the fan makes no edge that is there already.
+      // Only where the fan creates no edge that already exists.
       const Vertex v = mesh.origin(h);
       std::vector<Vertex> link;
       mesh.for_each_outgoing(v, [&](HalfEdge g) { link.push_back(mesh.target(mesh.twin(mesh::next(g)))); });
@@ -167,7 +167,7 @@ TEST(Undo, RollingBackRestoresEveryHalfEdgeLabelAndVertex) {
       mesh.roll_back();
       ASSERT_EQ(mesh.find_fault(), std::nullopt) << "seed " << seed << ", round " << round;
       ASSERT_EQ(state_of(mesh), before) << "seed " << seed << ", round " << round;
-      // What was taken back leaves room: the same number of changes again, for good.
+      // The roll back must leave free room: makes the same number of changes again and commits them.
       mesh.begin();
       for (std::size_t i = 0; i < changes / 4; ++i) change(mesh, random);
     }

@@ -23,7 +23,7 @@ using mesh::HalfEdge;
 using nav::Abstraction;
 using Fault = std::optional<std::string>;
 
-/// A mesh with its abstraction, changed as a world changes its own.
+/// A mesh with its abstraction. Changes them in the same order as a world does.
 class Reduced {
  public:
   explicit Reduced(const Box& domain) : mesh_(domain), abstraction_(mesh_) {}
@@ -55,7 +55,7 @@ class Reduced {
 
   [[nodiscard]] const constraint::ExactTriangulation& mesh() const { return mesh_; }
   [[nodiscard]] const Abstraction& abstraction() const { return abstraction_; }
-  /// The face at a place that lies inside one.
+  /// Returns the face that contains the point. Requires: the point lies inside a face.
   [[nodiscard]] Face face_at(const Point& point) const { return mesh::face(mesh_.triangulation().locate(point).h); }
 
  private:
@@ -63,7 +63,7 @@ class Reduced {
   Abstraction abstraction_;
 };
 
-/// The same, worked out from the mesh by the plainest means.
+/// The same abstraction, computed from the mesh by the simplest methods.
 class Expected {
  public:
   explicit Expected(const constraint::ExactTriangulation& triangulation)
@@ -157,8 +157,8 @@ class Expected {
     return std::nullopt;
   }
 
-  /// Every tree face leads to the core or, where there is none, to the component's root. In a tree there is one way to
-  /// the core, so that it leads there at all is proof enough.
+  /// Checks that every tree face leads to the core or, where there is no core, to the component's root. In a tree only
+  /// one path leads to the core, so it is enough that the face leads there at all.
   [[nodiscard]] Fault tree_fault(const nav::TwoCore& core) const {
     std::map<std::uint32_t, std::uint32_t> root_of;
     std::set<std::uint32_t> sets_with_core;
@@ -184,11 +184,11 @@ class Expected {
   const constraint::ExactTriangulation& triangulation_;
   const mesh::TriangleMesh& mesh_;
   std::vector<std::uint32_t> faces_;
-  std::vector<std::uint32_t> set_;  ///< a face of the same component, or itself
+  std::vector<std::uint32_t> set_;  ///< a face of the same component, or the face itself
   std::set<std::uint32_t> core_;
 };
 
-/// Of the abstraction as it was kept up, and as it is built from nothing.
+/// Compares the maintained abstraction, and one built from the mesh anew, with the expected one.
 Fault fault_of(const Reduced& reduced) {
   const Expected expected(reduced.mesh());
   if (auto fault = expected.fault_of(reduced.abstraction())) return fault;
@@ -262,7 +262,7 @@ TEST(Abstraction, SolidsInSolidsAreCoveredByAll) {
   EXPECT_EQ(fault_of(reduced), std::nullopt);
 }
 
-// A ring that is run along twice encloses nothing.
+// A ring that visits all its corners twice encloses nothing under the even-odd rule.
 TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
   Reduced reduced(kTen);
   const Shape once = rectangle(4, 4, 6, 6);
@@ -308,7 +308,8 @@ TEST(Abstraction, RingsComeAndGoInATree) {
   }
 }
 
-// No wall has a part in such changes, so they are looked at only briefly; but each place has a component of its own.
+// These changes do not touch a wall, so the abstraction checks them only briefly. But the area inside the polygon and
+// the area outside are different components.
 TEST(Abstraction, KeepsComponentsApartWherePointsComeAndGoInTheOpen) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<Change> lattice{

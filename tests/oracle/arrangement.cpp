@@ -67,7 +67,7 @@ void Arrangement::collect_walls(const OracleScene& scene) {
   }
 }
 
-// Walls are sorted by the x of their left ends: a wall meets none that starts beyond its right end.
+// Walls are sorted by the x of their left ends, so a wall meets no wall that starts to the right of its right end.
 std::vector<Arrangement::Crossing> Arrangement::find_crossings() const {
   std::vector<Crossing> crossings;
   for (std::uint32_t i = 0; i < walls.size(); ++i) {
@@ -111,7 +111,8 @@ void Arrangement::merge_vertices(const std::vector<OraclePoint>& corners, std::v
 }
 
 std::pair<std::size_t, std::size_t> Arrangement::vertices_between(double min_x, double max_x) const {
-  // Rounding keeps order, so the nearest doubles are sorted by x too; a place beside the range may round into it.
+  // Rounding keeps the order, so the nearest doubles are sorted by x too. A vertex just outside the range may round
+  // into it.
   const auto first = std::lower_bound(near_vertices.begin(), near_vertices.end(), min_x,
                                       [](const OraclePoint& p, double x) { return p.x < x; });
   const auto last = std::upper_bound(near_vertices.begin(), near_vertices.end(), max_x,
@@ -140,7 +141,7 @@ void Arrangement::collect_constraints() {
   using Piece = std::tuple<std::uint32_t, std::uint32_t, std::uint64_t>;
   std::vector<Piece> pieces;
   for (const Wall& wall : walls) {
-    // Along a segment, vertices come in (x, y) order, which is that of their indices.
+    // Along a segment, the vertices come in (x, y) order, which is the order of their indices.
     for (std::size_t i = 1; i < wall.vertices.size(); ++i) {
       for (const std::uint64_t id : wall.ids) pieces.push_back({wall.vertices[i - 1], wall.vertices[i], id});
     }

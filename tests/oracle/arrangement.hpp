@@ -11,18 +11,18 @@
 
 namespace waywright::oracle {
 
-/// A constrained segment of some length, a before b in (x, y) order, and the items with just this side.
+/// A constrained segment with length above 0, a before b in (x, y) order, and the items that have exactly this side.
 struct Wall {
   OraclePoint a;
   OraclePoint b;
   ExactPoint exact_a;
   ExactPoint exact_b;
   std::vector<std::uint64_t> ids;
-  /// All vertices on it, from a to b.
+  /// All vertices on the segment, from a to b.
   std::vector<std::uint32_t> vertices;
 };
 
-/// All places where a scene's walls, corners and points are.
+/// All positions of a scene's walls, corners and points.
 struct Arrangement {
   explicit Arrangement(const OracleScene& scene);
 
@@ -31,9 +31,9 @@ struct Arrangement {
   std::vector<ExactPoint> vertices;        ///< in (x, y) order
   std::vector<OraclePoint> near_vertices;  ///< correctly rounded
   std::vector<OracleConstraint> constraints;
-  std::size_t crossing_count = 0;  ///< vertices that are no item's corner or point
+  std::size_t crossing_count = 0;  ///< vertices that are not the corner or point of an item
 
-  /// The vertices whose x may lie in a range: their first index and one past their last.
+  /// Returns the vertices whose x may lie in a range: the first index and one past the last index.
   [[nodiscard]] std::pair<std::size_t, std::size_t> vertices_between(double min_x, double max_x) const;
 
  private:
@@ -50,10 +50,10 @@ struct Arrangement {
   void collect_constraints();
 };
 
-/// The domain's corners, counter-clockwise from its lower left.
+/// Returns the domain's corners, counter-clockwise from the lower left.
 [[nodiscard]] std::array<OraclePoint, 4> corners_of(const OracleBox& domain);
 
-/// -0.0 becomes 0.0, so that equal points have equal bits.
+/// Replaces -0.0 by 0.0, so that equal points have equal bits.
 [[nodiscard]] OraclePoint without_negative_zero(OraclePoint p);
 
 }  // namespace waywright::oracle

@@ -19,9 +19,8 @@ std::vector<Solid> solids_of(const OracleScene& scene, const Grid& grid) {
 
 namespace {
 
-// A ring that turns counter-clockwise comes back to smaller x above what it surrounds, and goes to larger y on its
-// right. A side that runs along the ray is crossed by no ray beside it; of such a side the answer is of no use, and any
-// will do.
+// Above its inside, a counter-clockwise ring runs towards smaller x; to the right of its inside, it runs towards larger
+// y. No ray next to a side that is parallel to the ray crosses that side, so for such a side any result is correct.
 int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
   const int way = across_x ? compare_y(q, p) : compare_x(p, q);
   return way > 0 ? 1 : way < 0 ? -1 : 0;
@@ -29,9 +28,10 @@ int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
 
 }  // namespace
 
-// The winding number along a ray from the place up (or right). A side counts if its ends part at the ray's line; an end
-// on the line belongs to the lesser side, so a ray through a corner counts right. Sides through the place itself lie
-// behind the ray's start as seen from one side, and are crossed as seen from the other.
+// Computes the winding number along a ray from the position upwards (or to the right). A side counts if one of its ends
+// lies beyond the ray's line and the other does not. An end on the line does not lie beyond it, so a ray through a
+// corner counts correctly. A side through the position itself does not cross the ray that starts just after the
+// position; it crosses the ray that starts just before.
 Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x) {
   Cover cover;
   int turns_ahead = 0;

@@ -8,26 +8,26 @@
 
 namespace waywright::oracle {
 
-/// A polygon's rings, exact.
+/// The exact rings of a polygon.
 struct Solid {
   std::uint64_t id = 0;
   std::vector<std::vector<ExactPoint>> rings;
-  bool is_nonzero = false;  ///< by the fill rule nonzero, not even-odd
+  bool is_nonzero = false;  ///< whether the fill rule is nonzero, not even-odd
 };
 
-/// The polygons of a scene.
+/// Returns the polygons of a scene.
 [[nodiscard]] std::vector<Solid> solids_of(const OracleScene& scene, const Grid& grid);
 
-/// How a place lies to the rings of a polygon.
+/// The relation of a position to the rings of a polygon.
 struct Cover {
-  bool on_boundary = false;   ///< on a side or corner
-  bool inside_after = false;  ///< by the fill rule, just beside the place: towards larger y, or larger x where so asked
-  bool inside_before = false;  ///< the same on the other side
+  bool on_boundary = false;    ///< on a side or corner
+  bool inside_after = false;   ///< inside just after the position: towards larger y, or towards larger x if `across_x`
+  bool inside_before = false;  ///< inside just before the position
 };
 
-/// Away from corners, and with all sides through the place on one line, the answers for the two sides of that line are
-/// right; off the boundary they agree. `across_x` asks for the sides to the left and right instead of those below and
-/// above.
+/// Returns the relation of `place` to the polygon. `inside_after` and `inside_before` are correct if the position is
+/// not a corner and all sides through it lie on one line. If the position is not on the boundary, both are equal. With
+/// `across_x`, they describe the left and the right instead of below and above.
 [[nodiscard]] Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x = false);
 
 }  // namespace waywright::oracle

@@ -23,7 +23,7 @@ std::string words(std::initializer_list<std::uint32_t> indices) {
   return text;
 }
 
-/// The first difference between the lines of a section and those expected.
+/// Returns the first difference between the lines of a section and the expected lines.
 template <class Expected>
 Fault compare_lines(std::string_view name, const std::vector<std::string_view>& lines,
                     const std::vector<Expected>& expected) {
@@ -64,11 +64,11 @@ Fault check_constraints(const DumpText& dump, const Arrangement& arrangement) {
   return compare_lines("constraint", dump.constraints, expected);
 }
 
-/// A side of a triangle as an undirected edge; `apex` is the corner across.
+/// An edge of a triangle without direction; `apex` is the opposite corner.
 struct Edge {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  bool forward = true;  ///< the triangle has it from `from` to `to`, so it lies on the left
+  bool forward = true;  ///< whether the triangle has it from `from` to `to`, so that it lies to the left
   std::uint32_t apex = 0;
 
   [[nodiscard]] bool same_place(const Edge& other) const { return from == other.from && to == other.to; }
@@ -120,9 +120,10 @@ Fault check_empty_circle(const Edge& right, const Edge& left, const Arrangement&
   return std::nullopt;
 }
 
-// Every triangle is counter-clockwise. If all sides pair up, one from each direction, but for the pieces of the
-// domain's own sides, then the triangles' signed areas and turns around any point add up to those of the domain's
-// outline: in the sum of cross products the paired sides cancel. So each place of the domain is covered once.
+// Every triangle is counter-clockwise. Requires for the argument: apart from the pieces of the domain's sides, each
+// edge occurs twice, once in each direction. Then in the sum of cross products these pairs cancel, so the triangles'
+// signed areas, and their turns around any point, add up to those of the domain's outline. So the triangles cover each
+// point of the domain once.
 Fault check_edges(const std::vector<Edge>& edges, const Arrangement& arrangement) {
   auto constraint = arrangement.constraints.begin();
   const auto last_constraint = arrangement.constraints.end();

@@ -16,7 +16,8 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// On which sides of a triangle a place lies: 1 inside of, 0 on, -1 outside of the side from corner k to the next.
+/// Returns, for the edge from each corner k of a triangle to the next corner, where the position lies: 1 inside, 0 on
+/// the edge's line, -1 outside.
 std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPoint& place) {
   const auto& v = arrangement.vertices;
   std::array<int, 3> sides{};
@@ -32,7 +33,7 @@ OraclePlace place_of(const Arrangement& arrangement, const std::vector<Triangle>
     if (!touches(sides)) continue;
     std::vector<std::uint32_t> corners(t.begin(), t.end());
     for (std::size_t k = 0; k < 3; ++k) {
-      // A place on a side is not at the corner across from it.
+      // A position on an edge is not at the opposite corner.
       if (sides[k] == 0) std::erase(corners, t[(k + 2) % 3]);
     }
     if (corners.size() == 2) std::sort(corners.begin(), corners.end());
@@ -50,7 +51,7 @@ bool is_free(const std::vector<Solid>& solids, const Arrangement& arrangement, c
                       [&](const Solid& solid) { return cover_of(solid, inner).inside_after; });
 }
 
-/// The triangles across the sides of each, -1 across walls.
+/// Returns the triangles across the edges of each triangle, -1 across walls.
 std::vector<std::array<int, 3>> neighbours_of(const Arrangement& arrangement, const std::vector<Triangle>& triangles) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> across;
   for (std::size_t i = 0; i < triangles.size(); ++i) {

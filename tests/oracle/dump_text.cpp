@@ -50,7 +50,7 @@ class Lines {
     return line;
   }
 
-  /// The lines of a section with its heading, `NAME COUNT`.
+  /// Returns the lines of a section after its heading `NAME COUNT`.
   std::optional<std::vector<std::string_view>> section(std::string_view name, std::string& fault) {
     const auto heading = next();
     const auto words = heading ? words_of(*heading) : std::vector<std::string_view>{};

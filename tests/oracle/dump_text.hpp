@@ -9,18 +9,18 @@
 
 namespace waywright::oracle {
 
-/// The three sections of a dump as written, the lines of the first and the last still text.
+/// The three sections of a dump. The lines of the first and the last section are unparsed text.
 struct DumpText {
   std::vector<std::string_view> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::string_view> constraints;
 };
 
-/// Reads a dump; on a fault says which and returns nothing. Views into `dump`.
+/// Reads a dump. If it is malformed, returns nothing and sets `fault`. The result contains views into `dump`.
 [[nodiscard]] std::optional<DumpText> read_dump(std::string_view dump, std::string& fault);
 
-/// What is wrong with a vertex's line on its own: words that are no integers, denominators not positive, a fraction
-/// not reduced. Nothing if it is well formed.
+/// Returns what is wrong with a single vertex line: words that are not integers, a denominator that is not positive, or
+/// a fraction that is not in lowest terms. Returns nothing if the line is well formed.
 [[nodiscard]] std::optional<std::string> vertex_line_fault(std::string_view line);
 
 }  // namespace waywright::oracle

@@ -8,7 +8,7 @@
 namespace waywright::oracle {
 namespace {
 
-/// mantissa * 2^exponent, the mantissa odd or, for zero, 0.
+/// mantissa * 2^exponent. The mantissa is odd, or 0 for the number 0.
 struct Binary {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -107,7 +107,7 @@ double Grid::nearest_double(const Integer& numerator, const Integer& denominator
   if (numerator.is_zero()) return 0.0;
   Integer top = abs(numerator);
   Integer bottom = denominator;
-  // A quotient of 55 or 56 bits: two or three more than a double has, so that a sticky bit decides every tie.
+  // Computes a quotient of 55 or 56 bits. A double has two or three bits less, so a sticky bit decides every tie.
   const int shift = 55 - bit_length(top) + bit_length(bottom);
   if (shift > 0) top = shifted(top, shift);
   if (shift < 0) bottom = shifted(bottom, -shift);
@@ -164,7 +164,8 @@ int in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, con
     return certain_sign(az * (bx * cy - cx * by) - bz * (ax * cy - cx * ay) + cz * (ax * by - bx * ay));
   }();
   if (filtered != 0) return filtered;
-  // A point's offset from d is (dx, dy) / (w * d.w). Its row times (w * d.w)^2, two columns less a common factor d.w.
+  // A point's offset from d is (dx, dy) / (w * d.w). Its row is multiplied by (w * d.w)^2, and two columns are divided
+  // by their common factor d.w.
   const auto row = [&](const ExactPoint& p) {
     const Integer dx = p.x * d.w - d.x * p.w;
     const Integer dy = p.y * d.w - d.y * p.w;

@@ -8,7 +8,8 @@
 namespace waywright::oracle {
 namespace {
 
-/// The places where a segment meets a wall, or between which it runs along it.
+/// Returns the points where a segment meets a wall. If the segment overlaps the wall, returns the two ends of the
+/// overlap.
 std::vector<ExactPoint> meetings(const Grid& grid, const Wall& wall, const ExactPoint& from, const ExactPoint& to) {
   const ExactPoint& a = wall.exact_a;
   const ExactPoint& b = wall.exact_b;
@@ -48,7 +49,7 @@ OracleHit first_wall(const Arrangement& arrangement, const OracleRay& ray) {
 }  // namespace
 
 std::vector<OracleHit> first_walls(OracleScene scene, const std::vector<OracleRay>& rays) {
-  // With their ends among its points, the grid has them all.
+  // The scene contains the ends of the rays as points, so the grid contains them all.
   for (const OracleRay& ray : rays) scene.items.push_back({0, OracleKind::polyline, {{ray.from}, {ray.to}}});
   const Arrangement arrangement(scene);
   std::vector<OracleHit> hits;

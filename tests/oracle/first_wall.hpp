@@ -18,7 +18,7 @@ struct OracleHit {
   std::vector<std::uint64_t> ids;  ///< of the items with a side there, ascending; 0 is the domain
 };
 
-/// Where each segment first touches a wall of the scene: the least of all places where it meets any of them.
+/// Returns where each segment first touches a wall of the scene: the first of all points where it meets any wall.
 [[nodiscard]] std::vector<OracleHit> first_walls(OracleScene scene, const std::vector<OracleRay>& rays);
 
 }  // namespace waywright::oracle

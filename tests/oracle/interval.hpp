@@ -6,13 +6,15 @@
 
 namespace waywright::oracle {
 
-/// A closed interval of doubles that holds a number not known exactly; sums and products hold theirs.
+/// A closed interval of doubles that contains a number which is not known exactly. The sum and the product of intervals
+/// contain the exact sum and product.
 struct Interval {
   double lo = 0.0;
   double hi = 0.0;
 };
 
-// Four times the error of a rounding, and the smallest subnormal where the relative error is lost.
+// Four times the rounding error, and the smallest subnormal number for results so small that the relative error says
+// nothing.
 inline double below(double x) { return x - (std::fabs(x) * 0x1p-51 + 0x1p-1074); }
 inline double above(double x) { return x + (std::fabs(x) * 0x1p-51 + 0x1p-1074); }
 
@@ -23,7 +25,7 @@ inline Interval operator*(Interval a, Interval b) {
   return {below(least), above(most)};
 }
 
-/// The sign of every number in the interval; 0 where they differ or may be 0.
+/// Returns the common sign of all numbers in the interval, or 0 if they differ or may be 0.
 inline int certain_sign(Interval a) { return a.lo > 0.0 ? 1 : (a.hi < 0.0 ? -1 : 0); }
 
 }  // namespace waywright::oracle

@@ -9,7 +9,7 @@
 
 namespace waywright::oracle {
 
-/// A scene, and what the answers are computed from.
+/// A scene, and the data from which the answers are computed.
 struct OracleParts {
   explicit OracleParts(OracleScene given) : scene(std::move(given)), arrangement(scene) {
     solids = solids_of(scene, arrangement.grid);
@@ -21,7 +21,7 @@ struct OracleParts {
   OracleScene scene;
   Arrangement arrangement;
   std::vector<Solid> solids;
-  Solid domain;  ///< the domain's box as if it were a polygon of id 0
+  Solid domain;  ///< the domain's box as a polygon of id 0
 };
 
 struct Oracle::Impl : OracleParts {

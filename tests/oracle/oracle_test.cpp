@@ -21,8 +21,8 @@ OracleScene square(double side, std::vector<OracleItem> items = {}) {
 
 OracleItem segment(std::uint64_t id, OraclePoint a, OraclePoint b) { return {id, OracleKind::segment, {{a, b}}}; }
 
-// Two walls cross at (3/4, 3/4); one ends inside the domain's left side. In the quadrilateral left of the crossing the
-// circle through (0, 1), (0, 3) and the crossing has its centre at (3/4, 2), so (3, 3) is outside.
+// Two walls cross at (3/4, 3/4); one ends inside the domain's left side. In the quadrilateral left of the crossing, the
+// circle through (0, 1), (0, 3) and the crossing has its centre at (3/4, 2), so (3, 3) lies outside the circle.
 const OracleScene kCrossing = square(3, {segment(5, {3, 3}, {0, 0}), segment(9, {0, 1}, {3, 0})});
 const std::string kCrossingDump =
     "vertices 6\n"
@@ -57,7 +57,8 @@ TEST(OracleExpected, CrossingIsReducedAndCutsBothWalls) {
 }
 
 TEST(OracleExpected, OverlapsShareTheirPieces) {
-  // On y = 0: the domain from 0 to 8, item 3 from 2 to 6, item 4 (a polygon's side) from 4 to 8, item 5 a point at 7.
+  // On y = 0: the domain from 0 to 8, item 3 from 2 to 6, item 4 (a side of a polygon) from 4 to 8, item 5 a point at
+  // 7.
   const OracleScene scene = square(8, {segment(3, {2, 0}, {6, 0}),
                                        {4, OracleKind::polygon, {{{4, 0}, {8, 0}, {8, 4}}}},
                                        {5, OracleKind::point, {{{7, 0}}}}});
@@ -71,7 +72,7 @@ TEST(OracleExpected, OverlapsShareTheirPieces) {
 }
 
 TEST(OracleExpected, CrossingsThatCoincideAreOneVertex) {
-  // Four walls through (2, 2), one of them twice, one in two halves of a polyline, and one that ends there.
+  // Four walls through (2, 2): one of them occurs twice, one consists of two sides of a polyline, and one ends there.
   const OracleScene scene = square(4, {segment(1, {1, 1}, {3, 3}),
                                        segment(2, {1, 3}, {3, 1}),
                                        segment(3, {3, 1}, {1, 3}),
@@ -181,18 +182,18 @@ TEST(OracleDump, RefusesHolesAndOverlaps) {
   const auto fault = [](const std::string& old_part, const std::string& new_part) {
     return fault_of(kCrossing, with(kCrossingDump, old_part, new_part));
   };
-  // A triangle too few: its inner sides have one triangle, off the boundary.
+  // A triangle is missing: its inner edges belong to one triangle only, off the boundary.
   EXPECT_THAT(fault("triangles 5\n0 3 1\n0 4 3\n1 3 2\n2 3 5\n3 4 5\n", "triangles 4\n0 3 1\n0 4 3\n1 3 2\n3 4 5\n"),
               HasSubstr("is in 1 triangles, off the domain's boundary"));
-  // One that covers others again.
+  // A triangle that overlaps others.
   EXPECT_THAT(fault("triangles 5\n0 3 1\n", "triangles 6\n0 3 1\n0 3 2\n"), HasSubstr("is in"));
-  // A corner of the domain that no triangle has.
+  // A corner of the domain that belongs to no triangle.
   EXPECT_THAT(fault("triangles 5\n0 3 1\n0 4 3\n1 3 2\n2 3 5\n3 4 5\n", "triangles 3\n0 3 1\n0 4 3\n3 4 5\n"),
               HasSubstr("vertex 2 is in no triangle"));
 }
 
 TEST(OracleDump, RefusesAConstrainedEdgeThatIsNoSide) {
-  // The wall 7 is the square's other diagonal, the triangles keep the first.
+  // The wall 7 is one diagonal of the square; the triangles have the other one.
   const OracleScene scene = square(4, {segment(7, {0, 4}, {4, 0})});
   const std::string right = with(with(kEmptySquareDump, "0 2 3\n0 3 1\n", "0 2 1\n1 2 3\n"),
                                  "constraints 4\n0 1 0\n0 2 0\n", "constraints 5\n0 1 0\n0 2 0\n1 2 7\n");
@@ -226,7 +227,7 @@ TEST(OraclePlaces, NamesVertexEdgeAndFace) {
 }
 
 TEST(OracleConnected, GoesThroughFreeEdgesOnly) {
-  // The walls 5 and 9 part the square in four: left, bottom, right and the rest above.
+  // The walls 5 and 9 divide the square into four pieces: left, bottom, right and the rest above.
   const Oracle oracle(kCrossing);
   EXPECT_TRUE(oracle.connected(kCrossingDump, {0.125, 2}, {2, 2.5}));
   EXPECT_FALSE(oracle.connected(kCrossingDump, {0.125, 2}, {2.5, 1}));
@@ -252,7 +253,8 @@ TEST(OracleConnected, KeepsOutOfSolids) {
 }
 
 TEST(OracleCover, EvenOddWithItsBoundary) {
-  // 1: a square with a square hole that has an island; 2: a bow tie; 3: a ring run twice; 4: a point; 5: a flat one.
+  // 1: a square with a square hole that contains an island. 2: a bow tie. 3: a ring that visits its corners twice. 4: a
+  // point. 5: a polygon without area.
   const OracleScene scene = square(
       20, {{1,
             OracleKind::polygon,
@@ -280,13 +282,14 @@ TEST(OracleCover, EvenOddWithItsBoundary) {
   EXPECT_THAT(oracle.covering_polygons({14, 12}), ElementsAre(3));
   EXPECT_FALSE(oracle.strictly_inside({14, 12}));
   EXPECT_THAT(oracle.covering_polygons({12, 12}), ElementsAre(3));
-  // Just beside the slanted side of 3, by the least that a double can say.
+  // Just beside the slanted side of 3, by the smallest step of a double.
   EXPECT_THAT(oracle.covering_polygons({12, 0x1.8000000000001p3}), IsEmpty());
 }
 
 TEST(OracleCover, NonzeroWithItsBoundary) {
-  // 1: a square with a square in it that turns the same way, and one in that which turns back twice; 2: a bow tie; 3: a
-  // ring run twice; 4: two squares that overlap and turn opposite ways.
+  // 1: a square that contains a square with the same direction, which contains a ring that turns twice in the opposite
+  // direction. 2: a bow tie. 3: a ring that visits its corners twice. 4: two squares that overlap and have opposite
+  // directions.
   const OracleScene scene = square(
       20,
       {{1,

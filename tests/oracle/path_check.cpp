@@ -13,7 +13,8 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-/// On which sides of a bare line an agent may be, as seen along its way. Off the walls both sides are one.
+/// On which sides of a line without width an agent may be, seen in its direction. Away from walls, both sides are
+/// equivalent.
 struct Sides {
   bool left = true;
   bool right = true;
@@ -21,7 +22,8 @@ struct Sides {
   [[nodiscard]] bool none() const { return !left && !right; }
 };
 
-/// An agent at a place: where it came from in a straight line, null at the start, and on which sides of that line.
+/// An agent at a point: the point from which it came in a straight line (null at the start), and on which sides of that
+/// line it may be.
 struct State {
   const ExactPoint* from = nullptr;
   const ExactPoint* at = nullptr;
@@ -41,7 +43,8 @@ class PathCheck {
   PathCheck(const Arrangement& arrangement, const std::vector<Solid>& solids, const Solid& domain)
       : arrangement_(arrangement), solids_(solids), domain_(domain) {}
 
-  /// The state at the end of a straight piece, on no side where the agent cannot go it; then `fault` says why.
+  /// Returns the state at the end of a straight piece. If the agent cannot walk the piece, the state has no side and
+  /// `fault` says why.
   State advance(State state, const ExactPoint& to, std::string& fault) const {
     if (compare_xy(*state.at, to) == 0) return state;
     for (const Wall& wall : arrangement_.walls) {
@@ -68,7 +71,7 @@ class PathCheck {
   }
 
  private:
-  /// The vertices strictly inside a piece, in its order, and its end.
+  /// Returns the vertices strictly inside a piece, in its order, and then its end.
   [[nodiscard]] std::vector<const ExactPoint*> stops_on(const ExactPoint& from, const ExactPoint& to) const {
     std::vector<const ExactPoint*> stops;
     const auto [first, last] =
@@ -90,8 +93,9 @@ class PathCheck {
     return walls;
   }
 
-  /// What is left of the sides where the agent turns at a place towards another: seen from the place, what lies left
-  /// of its way is the sector from the way out counter-clockwise to the way in, and no wall may stand in it.
+  /// Returns the sides that remain possible when the agent turns at a point towards another point. Seen from the point,
+  /// the area to the left of the agent is the sector counter-clockwise from the outgoing to the incoming direction. No
+  /// wall may lie in that sector.
   static Sides turn(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) {
     const ExactPoint& at = *state.at;
     const ExactPoint& in = *state.from;
@@ -112,17 +116,17 @@ class PathCheck {
     }
     const Sides before = state.sides;
     const Sides kept{before.left && left_open, before.right && right_open};
-    // Back the same way, left and right change their names; going round the end, the agent changes sides.
+    // If the agent turns back, left and right are exchanged. If it goes around the end, it changes sides.
     return back ? Sides{before.right || kept.left, before.left || kept.right} : kept;
   }
 
-  /// The sides of a piece between two stops on which the agent can be.
+  /// Returns the sides on which the agent can be between two stops of a piece.
   [[nodiscard]] Sides along(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) const {
     const bool walled = std::any_of(walls.begin(), walls.end(),
                                     [&](const Wall* wall) { return on_segment(wall->exact_a, wall->exact_b, next); });
     const bool vertical = compare_x(*state.at, next) == 0;
     const ExactPoint middle = Grid::midpoint(*state.at, next);
-    // After is up or, where the piece is vertical, right.
+    // "After" is above or, if the piece is vertical, to the right.
     bool free_after = cover_of(domain_, middle, vertical).inside_after;
     bool free_before = cover_of(domain_, middle, vertical).inside_before;
     for (const Solid& solid : solids_) {
@@ -141,7 +145,8 @@ class PathCheck {
   const Solid& domain_;
 };
 
-/// The exact places that a path's point may stand for: itself, or crossing points that have no doubles of their own.
+/// Returns the exact points that a point of a path may stand for: the point itself, or crossings that are not pairs of
+/// doubles and round to it.
 std::vector<const ExactPoint*> meanings(const Arrangement& arrangement, const OraclePoint& p, const ExactPoint& exact,
                                         bool is_end) {
   std::vector<const ExactPoint*> result{&exact};
@@ -177,7 +182,7 @@ Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
         std::string reason;
         const State next = check.advance(state, *place, reason);
         if (!next.sides.none()) next_states.push_back(next);
-        // The last meaning is the likeliest, so is its reason.
+        // The last meaning is the likeliest, so its reason is the best one.
         if (next.sides.none()) fault = reason;
       }
     }

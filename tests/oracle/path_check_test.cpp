@@ -90,7 +90,7 @@ TEST(OraclePath, MayNotPassADoubleCorner) {
 }
 
 TEST(OraclePath, MaySlideBetweenASolidAndAWallOnlyWhereThereIsRoom) {
-  // Two boxes side by side have no way between them; the inner side of a hole has one.
+  // No path runs between two boxes side by side. A path runs along the inner side of a hole.
   const OracleScene boxes = square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 2}, {6, 4})});
   EXPECT_THAT(fault_of(boxes, {{4, 2}, {4, 4}}), HasSubstr("inside of a solid after (4 2)"));
   EXPECT_THAT(fault_of(boxes, {{4, 1}, {4, 5}}), HasSubstr("where walls meet, (4 2)"));
@@ -106,7 +106,7 @@ TEST(OraclePath, PointsAndZeroLengthItemsAreNoWalls) {
   EXPECT_EQ(fault_of(scene, {{1, 1}, {4, 4}}), "no fault");
 }
 
-// The walls cross at (1, 2/3), which no double can name.
+// The walls cross at (1, 2/3), which is not a pair of doubles.
 const OracleScene kCross{{{-1, -1}, {4, 4}}, {segment(1, {0, 0}, {3, 2}), segment(2, {0, 1}, {3, 0})}};
 const OraclePoint kCrossCorner{1, 2.0 / 3.0};
 
@@ -120,10 +120,11 @@ TEST(OraclePath, ARoundedCornerStandsForItsCrossing) {
 }
 
 TEST(OraclePath, OtherCornersAndEndsAreExact) {
-  // One unit in the last place further on, the point is none of the crossing's names.
+  // The point is one unit in the last place away, so it does not stand for the crossing.
   const OraclePoint beside{1, 0x1.5555555555557p-1};
   EXPECT_THAT(fault_of(kCross, {{0, 1}, beside, {3, 0}}), HasSubstr("wall of item"));
-  // As a goal it is where it is: 2/3 rounded lies below the walls' crossing, that is on the other side.
+  // As a goal the point stands for itself: the double nearest to 2/3 lies below the crossing of the walls, that is
+  // beyond the wall.
   EXPECT_THAT(fault_of(kCross, {{1, 2}, kCrossCorner}), HasSubstr("wall of item 1"));
 }
 

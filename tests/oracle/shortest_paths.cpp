@@ -14,17 +14,17 @@
 namespace waywright::oracle {
 namespace {
 
-/// A wall's piece as seen from one of its ends.
+/// A piece of a wall, seen from one of its ends.
 struct Spoke {
   std::uint32_t far = 0;  ///< the vertex at its other end
   bool left_free = false;
   bool right_free = false;
 };
 
-/// A vertex's walls, counter-clockwise. Wedge i lies between spoke i and the one after it.
+/// The walls at a vertex, counter-clockwise. Wedge i lies between spoke i and the next spoke.
 struct Hub {
   std::vector<Spoke> spokes;
-  bool is_end = false;  ///< paths may be asked for from or to here
+  bool is_end = false;  ///< whether a path may start or end here
 };
 
 struct Node {
@@ -32,7 +32,7 @@ struct Node {
   std::uint32_t wedge = 0;
 };
 
-/// 0 for rays towards larger y, and towards larger x on the line itself; 1 for the others.
+/// Returns 0 for rays towards larger y, and for rays along the horizontal line towards larger x; 1 for the others.
 int half_of(const ExactPoint& at, const ExactPoint& p) {
   const int above = compare_y(p, at);
   return above > 0 || (above == 0 && compare_x(p, at) > 0) ? 0 : 1;
@@ -49,7 +49,7 @@ struct ShortestPaths::Impl {
     collect_nodes();
   }
 
-  /// The scene with the ends as points: these are no walls, but make vertices where there are none.
+  /// Returns the scene with the ends as points. They are not walls, but make vertices where there are none.
   static OracleScene with_points(OracleScene scene, const std::vector<OraclePoint>& ends) {
     for (const OraclePoint& p : ends) scene.items.push_back({0, OracleKind::point, {{p}}});
     return scene;
@@ -69,7 +69,7 @@ struct ShortestPaths::Impl {
     });
   }
 
-  /// Which sides of a wall's piece are free, as seen on the way along it.
+  /// Returns which sides of a piece of a wall are free: left and right of it, seen along it.
   [[nodiscard]] std::pair<bool, bool> free_sides(std::uint32_t from, std::uint32_t to) const {
     const bool vertical = compare_x(vertices[from], vertices[to]) == 0;
     const ExactPoint middle = Grid::midpoint(vertices[from], vertices[to]);
@@ -81,8 +81,7 @@ struct ShortestPaths::Impl {
       after = after && !cover.inside_after;
       before = before && !cover.inside_before;
     }
-    // From the lesser end to the greater, what lies after is to the left of a piece, but to the right of a vertical
-    // one.
+    // Seen from the smaller end to the larger, "after" is to the left of a piece, but to the right of a vertical one.
     return vertical ? std::pair{before, after} : std::pair{after, before};
   }
 
@@ -102,8 +101,8 @@ struct ShortestPaths::Impl {
     }
   }
 
-  /// A node for every free wedge where a shortest path may begin, end, bend or go straight on: of half a turn at least,
-  /// unless it is an end.
+  /// Makes a node for every free wedge where a shortest path may start, end, bend or continue straight. If the vertex
+  /// is not an end, the wedge must be at least half a turn wide.
   void collect_nodes() {
     for (std::uint32_t v = 0; v < hubs.size(); ++v) {
       const auto& [spokes, is_end] = hubs[v];
@@ -118,7 +117,7 @@ struct ShortestPaths::Impl {
     known.assign(nodes.size() * nodes.size(), std::nullopt);
   }
 
-  /// The piece of wall that leads to another vertex, if there is one, as its position among the spokes.
+  /// Returns the position, among the spokes of `vertex`, of the piece of wall that leads to `far`, if there is one.
   [[nodiscard]] std::optional<std::uint32_t> spoke_to(std::uint32_t vertex, std::uint32_t far) const {
     const auto& spokes = hubs[vertex].spokes;
     const auto found = std::find_if(spokes.begin(), spokes.end(), [&](const Spoke& s) { return s.far == far; });
@@ -126,7 +125,7 @@ struct ShortestPaths::Impl {
     return static_cast<std::uint32_t>(found - spokes.begin());
   }
 
-  /// Whether one of the two sides of a wall's piece leads from a node's wedge into another's.
+  /// Returns whether one of the two sides of a piece of a wall leads from a node's wedge into another node's wedge.
   [[nodiscard]] bool joined_along_wall(const Node& u, std::uint32_t spoke_u, const Node& v,
                                        std::uint32_t spoke_v) const {
     const auto before = [&](const Node& node, std::uint32_t spoke) {
@@ -142,8 +141,9 @@ struct ShortestPaths::Impl {
     return vertices[spokes[(node.wedge + which) % spokes.size()].far];
   }
 
-  /// Whether a straight way towards a vertex that no wall leads to lies in a node's wedge, and may be part of a
-  /// shortest path that goes on there: it would be pulled tight round walls that stand on both sides of its line.
+  /// Returns whether a straight line towards a vertex lies in the node's wedge and may belong to a shortest path that
+  /// passes through the node. It cannot if the two walls of the wedge lie left and right of the line: then the path
+  /// could be pulled tighter at the node. An end of a path always may. Requires: no wall leads to the vertex.
   [[nodiscard]] bool may_leave(const Node& node, std::uint32_t towards) const {
     const auto& [spokes, is_end] = hubs[node.vertex];
     if (spokes.size() < 2) return true;
@@ -154,7 +154,7 @@ struct ShortestPaths::Impl {
     return is_end || orientation(at, vertices[towards], first) * orientation(at, vertices[towards], last) >= 0;
   }
 
-  /// Whether no wall crosses or touches the open segment between two vertices.
+  /// Returns whether no wall crosses or touches the open segment between two vertices.
   [[nodiscard]] bool is_clear(std::uint32_t u, std::uint32_t v) const {
     const ExactPoint& p = vertices[u];
     const ExactPoint& q = vertices[v];
@@ -215,7 +215,7 @@ struct ShortestPaths::Impl {
   const std::vector<ExactPoint>& vertices;
   std::vector<Hub> hubs;  ///< by vertex
   std::vector<Node> nodes;
-  std::vector<std::optional<bool>> known;  ///< for two nodes, the lesser first, whether one sees the other
+  std::vector<std::optional<bool>> known;  ///< for two nodes, the smaller first: whether one sees the other
 };
 
 ShortestPaths::ShortestPaths(OracleScene scene, const std::vector<OraclePoint>& ends)

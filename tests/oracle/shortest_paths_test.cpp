@@ -18,7 +18,8 @@ OracleItem box(std::uint64_t id, OraclePoint low, OraclePoint high) {
   return {id, OracleKind::polygon, {{low, {high.x, low.y}, high, {low.x, high.y}}}};
 }
 
-/// The length from one place to another and, the same, back; or why there is none.
+/// Returns the length from one point to another, which must be equal in the opposite direction, or why there is no
+/// path.
 std::string length(const OracleScene& scene, OraclePoint start, OraclePoint goal) {
   ShortestPaths paths(scene, {start, goal});
   const ShortestPath there = paths.between(start, goal);
@@ -48,7 +49,7 @@ TEST(ShortestPaths, BendRoundTheEndsOfWalls) {
 }
 
 TEST(ShortestPaths, TouchCornersOnAStraightWay) {
-  // The way from (1, 1) to (7, 7) touches the corners of two boxes, one on each side.
+  // The straight path from (1, 1) to (7, 7) touches the corners of two boxes, one to its left and one to its right.
   const OracleScene scene = square(8, {box(1, {2, 3}, {3, 4}), box(2, {5, 4}, {6, 5})});
   EXPECT_EQ(length(scene, {1, 1}, {7, 7}), text(6 * std::sqrt(2)));
 }
@@ -70,7 +71,7 @@ TEST(ShortestPaths, EndOnEitherSideOfAWall) {
 }
 
 TEST(ShortestPaths, NeverPassWhereWallsMeet) {
-  // Two walls that meet shut a corner off; a wall that ends on another does so too.
+  // Two walls that meet enclose a corner of the domain; so does a wall that ends on another.
   const OracleScene corner = square(8, {wall(1, {0, 4}, {4, 4}), wall(2, {4, 4}, {4, 0})});
   EXPECT_EQ(length(corner, {1, 1}, {7, 7}), "no path");
   EXPECT_EQ(length(corner, {4, 4}, {1, 1}), text(3 * std::sqrt(2)));
@@ -86,7 +87,7 @@ TEST(ShortestPaths, GoRoundADoubleCorner) {
   const OracleScene boxes = square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 4}, {6, 6})});
   EXPECT_EQ(length(boxes, {3, 5}, {5, 3}), text(std::sqrt(2) + 2 + 2 + std::sqrt(2)));
   const OracleItem pinched{1, OracleKind::polygon, {{{2, 2}, {4, 2}, {4, 6}, {6, 6}, {6, 4}, {2, 4}}}};
-  // Its sides cross at (4, 4); the way round leads over a corner of either square.
+  // The polygon's sides cross at (4, 4). The path around it touches a corner of either square.
   EXPECT_EQ(length(square(8, {pinched}), {3, 5}, {5, 3}), text(std::sqrt(2) + 2 + 2 + std::sqrt(2)));
   EXPECT_EQ(length(square(8, {pinched}), {4, 4}, {4, 3}), text(1));
 }
@@ -96,7 +97,7 @@ TEST(ShortestPaths, KnowWhatIsSolid) {
   EXPECT_EQ(length(scene, {3, 3}, {1, 1}), "start blocked");
   EXPECT_EQ(length(scene, {1, 1}, {5, 3}), "goal blocked");
   EXPECT_EQ(length(scene, {4, 1}, {4, 5}), text(2 * std::sqrt(5) + 2));
-  // On both boxes' sides, inside of none, and yet nowhere to go.
+  // The point lies on the sides of both boxes and inside neither. Still no path leads away from it.
   EXPECT_EQ(length(scene, {4, 3}, {1, 1}), "no path");
   EXPECT_EQ(length(scene, {4, 3}, {4, 3}), text(0));
   OracleItem ring = box(1, {1, 1}, {7, 7});
@@ -106,14 +107,15 @@ TEST(ShortestPaths, KnowWhatIsSolid) {
 }
 
 TEST(ShortestPaths, NeedNoDoubleToNameACrossing) {
-  // The walls cross at (1, 2/3) and leave four wedges there, each less than half a turn: the way from the upper one
-  // into that on the right leads round the end (3, 2).
+  // The walls cross at (1, 2/3) and leave four wedges there, each less than half a turn. The path from the upper wedge
+  // to the right one leads around the end (3, 2).
   const OracleScene scene{{{-1, -1}, {4, 4}}, {wall(1, {0, 0}, {3, 2}), wall(2, {0, 1}, {3, 0})}};
   EXPECT_EQ(length(scene, {1, 2}, {3, 1}), text(2 + 1));
 }
 
 TEST(ShortestPaths, SeeThroughNoGapThatIsNone) {
-  // Off by the least there is: with the wall's end on the other wall there is no way, one unit short of it there is.
+  // The smallest difference decides: if the wall's end lies on the other wall there is no path; if it is one unit short
+  // there is.
   const double less = std::nextafter(4.0, 0.0);
   EXPECT_EQ(length(square(8, {wall(1, {0, 4}, {8, 4}), wall(2, {4, 0}, {4, 4})}), {3, 3}, {5, 3}), "no path");
   EXPECT_EQ(length(square(8, {wall(1, {0, 4}, {8, 4}), wall(2, {4, 0}, {4, less})}), {3, 3}, {5, 3}),

@@ -77,7 +77,8 @@ TEST(BlockedEnds, AreMovedAsFarAsTheQueryAllows) {
   }
 }
 
-// Of two places that are equally near, the first in (x, y) order is taken; which is nearer is decided exactly.
+// Of two points that are equally near, the library takes the first in (x, y) order. It decides exactly which point is
+// nearer.
 TEST(BlockedEnds, TiesAreBrokenByOrder) {
   World world = world_with_square();
   PathQuery query{{6, 5}, {1, 1}};
@@ -109,7 +110,7 @@ TEST(BlockedEnds, GoWhereTheOtherEndCanBeReached) {
   EXPECT_EQ(paths[2].moved_goal->to, (Point{6, 8}));
 }
 
-// A place on a closed chain of walls, rounded to its inner side.
+// A point on a closed chain of walls that was rounded to the inner side of the chain.
 TEST(BlockedEnds, BesideAThinWallChangeSidesOnlyByRounding) {
   World world = World::create({{0, 0}, {16, 16}}).value();
   world.insert_polyline(std::vector<Point>{{4, 4}, {8, 4}, {8, 8}, {4, 8}, {4, 4}}).value();
@@ -125,8 +126,8 @@ TEST(BlockedEnds, BesideAThinWallChangeSidesOnlyByRounding) {
   EXPECT_EQ(world.find_path(query).value().status, PathStatus::no_path);
 }
 
-/// The distance from `p` to the nearest place next to which no polygon covers: the feet on all sides, all corners and
-/// all crossings are looked at, in doubles.
+/// Returns the distance from `p` to the nearest point next to which no polygon covers. Checks the feet of `p` on all
+/// sides, all corners and all crossings, in doubles.
 double distance_to_free(const Scene& scene, const oracle::Oracle& oracle, const Point& p) {
   std::vector<std::array<Point, 2>> sides;
   for (const Item& item : scene.items) {

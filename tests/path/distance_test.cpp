@@ -20,7 +20,8 @@ TEST(Distance, FootsAreSquareToTheLine) {
   EXPECT_EQ(path::foot({0, 2}, {0, 0}, {4, 4}), (Point{1, 1}));
 }
 
-// Two vertices may round to one place, and next to 0 to two whose distance has no square.
+// Two vertices may round to the same point or, near 0, to two points that are too close for a square of their distance.
+// The library takes both edges as a point.
 TEST(Distance, AnEdgeWithoutLengthIsAPlace) {
   for (const Point& edge : {Point{0, 0}, Point{1e-200, 0}, Point{0, -1e-160}, Point{1e-140, 1e-140}}) {
     EXPECT_EQ(path::foot({3, 4}, {1, 2}, edge), (Point{1, 2}));

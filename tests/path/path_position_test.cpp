@@ -58,8 +58,8 @@ TEST(PathPosition, IsFoundNearAPlace) {
   expect_position(path_of({{3, 3}}).nearest({9, 9}), {3, 3}, {0, 0}, 0, 0);
 }
 
-/// On which side of the line from (0, 0) to `way` the place lies: 1 on the left, -1 on the right. Exact for whole
-/// numbers in `way`: two products that round alike are told apart by their remainders.
+/// Returns 1 if the point is left of the line from (0, 0) to `way`, -1 if it is right of it. Exact if `way` is whole
+/// numbers: where both products round to the same double, their rounding errors decide.
 int side_of(Point way, Point p) {
   const double one = way.x * p.y;
   const double other = way.y * p.x;
@@ -67,7 +67,7 @@ int side_of(Point way, Point p) {
   return difference > 0 ? 1 : difference < 0 ? -1 : 0;
 }
 
-// The path turns left around a wall, so the wall is on its left.
+// The path turns left around a wall, so the wall is to its left.
 TEST(PathPosition, LiesOnTheSideThatTurnsKeepFree) {
   const Path left = path_of({{0, 0}, {7, 3}, {8, 9}});
   const Path right = path_of({{0, 0}, {3, 7}, {9, 8}});
@@ -88,7 +88,7 @@ TEST(PathPosition, LiesOnTheSideThatTurnsKeepFree) {
   }
 }
 
-// Next to 0 the doubles lie far closer together than the error of a place on a long piece.
+// Near 0 the distance between doubles is far smaller than the error of a position on a long piece.
 TEST(PathPosition, IsFoundNextToTheOriginAtOnce) {
   World world = World::create({{-50, -50}, {50, 50}}).value();
   world.insert_segment({-50, 20.1}, {10.3, 20.1}).value();
@@ -112,7 +112,7 @@ TEST(PathPosition, AtADistanceThatIsNoNumberIsTheStart) {
   expect_position(kCorner.advance(kCorner.at(5), nan, Precision::float32), {0, 0}, {1, 0}, 0, 0);
 }
 
-// The wall has no thickness, reaches from border to border, and its other side holds no way to the goal.
+// The wall has no thickness and reaches from boundary to boundary. No path leads from its other side to the goal.
 TEST(PathPosition, StaysOnItsSideOfAThinWall) {
   World world = World::create({{0, 0}, {64, 64}}).value();
   world.insert_polyline(std::vector<Point>{{20, 0}, {23, 7}, {29, 8}, {64, 8}}).value();

@@ -69,7 +69,7 @@ TEST(PathSearch, InSlicesAnswersAsInOneGo) {
   EXPECT_GT(slices, 2 * setting.queries.size());
 }
 
-// Without components it takes a search to know that there is no way, and a walk to know what covers an end.
+// Without components only a search can tell that there is no path, and only a walk can tell what covers an end.
 TEST(PathSearch, FindsTheSameInAWorldThatKeepsNoAbstraction) {
   std::map<PathStatus, std::size_t> counts;
   for (std::uint64_t seed = 30; seed < 45; ++seed) {
@@ -99,7 +99,7 @@ TEST(PathSearch, FindsTheSameInAWorldThatKeepsNoAbstraction) {
   EXPECT_GT(counts[PathStatus::no_path], 20U);
 }
 
-/// Walls with doors at their lower and upper ends in turn.
+/// Returns a world of walls with doors at their lower and upper ends in turn.
 World world_of_doors() {
   World world = World::create({{0, 0}, {100, 10}}).value();
   for (int i = 1; i < 9; ++i) {
@@ -150,7 +150,7 @@ TEST(PathSearch, BeginsAgainWhenAChangeConcernsIt) {
   EXPECT_EQ(search.restarts(), 0U);
 }
 
-// No wall comes near what the search has looked at, and yet the ends are covered now.
+// No wall comes near the faces that the search has visited, but now a polygon covers the ends.
 TEST(PathSearch, SeesThatAPolygonHasComeToCoverItsEnds) {
   World world = World::create({{-1000, -1000}, {1000, 1000}}).value();
   for (int i = 1; i < 9; ++i) {
@@ -181,7 +181,7 @@ TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
   EXPECT_EQ(search.path().points.size(), 3U);
 }
 
-// The search has not looked at the faces beside the wall that parts its ends; only the straight way has come there.
+// The search has not visited the faces beside the wall between its ends. The change only makes the straight path free.
 TEST(PathSearch, NoticesThatTheStraightWayHasBecomeFree) {
   for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
     World world = World::create({{0, 0}, {100, 100}}).value();
@@ -197,7 +197,7 @@ TEST(PathSearch, NoticesThatTheStraightWayHasBecomeFree) {
   }
 }
 
-// What an end was moved by has gone, so another free place is nearer now.
+// The polygon that moved an end has been removed, so another free point is nearer now.
 TEST(PathSearch, NoticesThatAnEndWouldBeMovedElsewhere) {
   World world = World::create({{-100, -100}, {1100, 1100}}, {.keep_abstraction = false}).value();
   const std::vector<std::vector<Point>> ring = {{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}},
@@ -238,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(Worlds, SlicedSearch,
                                   "By" + std::string(to_string(std::get<1>(setting.param)));
                          });
 
-// Whatever changes between the slices, the answer is that of the world at the last one, to the bit.
+// Whatever changes between the slices, the answer has the same bits as find_path in the world at the last slice.
 TEST_P(SlicedSearch, AnswersAsFindPathDoesInTheWorldOfItsLastSlice) {
   const auto [keeps_abstraction, algorithm] = GetParam();
   std::size_t restarts = 0;
@@ -315,7 +315,7 @@ TEST(PathSearch, RefusesWhatFindPathRefusesAndCanBeGivenUp) {
   EXPECT_FALSE(search.is_running());
 }
 
-// An edge of the channel must be met between its ends by the piece of the path that crosses it.
+// The piece of the path that crosses an edge of the channel must meet that edge between its ends.
 TEST(PathChannels, AreCrossedByTheirPathInOrder) {
   std::size_t portals = 0;
   for (const std::uint64_t seed : {3U, 4U, 5U, 6U, 7U, 8U}) {
@@ -360,7 +360,7 @@ TEST(ManyPaths, OnManyThreadsAreThoseFoundAlone) {
 
 class FromOneStart : public testing::TestWithParam<std::size_t> {};
 
-// Few goals are searched for one by one, many all at once.
+// With few goals the library searches for each goal alone, with many it searches for all at once.
 INSTANTIATE_TEST_SUITE_P(GoalCounts, FromOneStart, testing::Values(60, 600));
 
 TEST_P(FromOneStart, PathsAreAsLongAsThoseFoundAlone) {
@@ -390,7 +390,7 @@ TEST_P(FromOneStart, PathsAreAsLongAsThoseFoundAlone) {
   }
 }
 
-/// Walls that cross, and a point at the rounded place of each crossing.
+/// Returns a world of walls that cross, with a point at the rounded position of each crossing.
 World world_with_edges_without_length(Random& random) {
   const auto fraction = [&] { return static_cast<double>(random.below(1U << 27)) * 0x1p-27; };
   World world = World::create({{0, 0}, {40, 40}}).value();
@@ -403,7 +403,7 @@ World world_with_edges_without_length(Random& random) {
   return world;
 }
 
-// An edge between a crossing and a point at its rounded place has two ends but, in doubles, no length.
+// An edge between a crossing and a point at its rounded position has two different ends, but no length in doubles.
 TEST(ManyPaths, FromOneStartCrossEdgesWithoutLength) {
   Random random(17);
   const auto place = [&] { return static_cast<double>(random.below(1U << 27)) * 0x1p-27 * 30; };

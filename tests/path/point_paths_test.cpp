@@ -26,7 +26,7 @@ Shape wall(Point a, Point b) { return {ItemKind::segment, {{a, b}}}; }
 
 constexpr Box kTen = {{0, 0}, {10, 10}};
 
-/// What every algorithm finds, on scenes so simple that none misses the shortest path.
+/// Tests each algorithm on scenes so simple that every algorithm finds a shortest path.
 class PointPaths : public testing::TestWithParam<PathAlgorithm> {
  protected:
   [[nodiscard]] static Path path_of(const World& world, Point start, Point goal) {
@@ -46,7 +46,7 @@ TEST_P(PointPaths, StraightThroughEmptySpace) {
   EXPECT_DOUBLE_EQ(path.length, 10.0);
 }
 
-// The box's diagonal is the one through its first corner.
+// The diagonal of the box starts at its first corner.
 TEST_P(PointPaths, AStraightWayCrossesTheEdgesOnIt) {
   const World world = world_of(kTen, {});
   PathQuery query{{1, 2}, {9, 7}, 0.0, GetParam()};
@@ -69,11 +69,11 @@ TEST_P(PointPaths, StraightFromWallToWall) {
   };
   expect_straight({3, 5}, {7, 5});   // from side to side
   expect_straight({3, 6}, {7, 4});   // from end to end
-  expect_straight({3, 6}, {7, 10});  // from an end to the border
+  expect_straight({3, 6}, {7, 10});  // from an end to the boundary
   expect_straight({3, 2}, {3, 6});   // along a wall
   expect_straight({8, 1.5}, {3, 6});
   expect_straight({8, 2}, {9, 2});
-  // Seen through a wall, or through a solid's inside, nothing is near.
+  // A point behind a wall or behind the inside of a solid is not near.
   EXPECT_EQ(path_of(world, {1, 5}, {3, 5}).length, 2.0) << "the wall's near side is its far side too";
   EXPECT_DOUBLE_EQ(path_of(world, {2, 5}, {4, 5}).length, 2 * std::numbers::sqrt2);
   EXPECT_DOUBLE_EQ(path_of(world, {8, 1}, {9, 2}).length, 2.0);
@@ -94,8 +94,8 @@ TEST_P(PointPaths, AroundTheNearerSideOfASolid) {
   EXPECT_DOUBLE_EQ(path.length, 2 + 4 * std::numbers::sqrt2);
 }
 
-// Around a wedge that stands on its tip, on the border: its tip can be reached on both sides, and the ways there are
-// all tree. Which of its faces is the root, the guest that came and went may have changed.
+// Around a wedge whose tip touches the boundary. A path can reach the tip from both sides, and all faces there belong
+// to dead-end trees. The item that was inserted and removed may have changed which face is the root.
 TEST_P(PointPaths, OnTheNearerSideToATipThatPartsTheGround) {
   const double length = 2 * std::numbers::sqrt2 + std::sqrt(45.0);
   for (int guest = 0; guest < 10; ++guest) {
@@ -138,7 +138,7 @@ TEST_P(PointPaths, EndsInsideSolidsAreBlockedOnTheirSidesFree) {
   const Path along = path_of(world, {4, 4}, {6, 4});
   EXPECT_EQ(along.status, PathStatus::found);
   EXPECT_DOUBLE_EQ(along.length, 2.0);
-  // From side to side of the solid: around it, not through it.
+  // From one side of the solid to the opposite side: around it, not through it.
   const Path around = path_of(world, {4, 5}, {6, 5});
   EXPECT_EQ(around.status, PathStatus::found);
   EXPECT_DOUBLE_EQ(around.length, 4.0);
@@ -155,7 +155,7 @@ TEST_P(PointPaths, HolesAreRoomsOfTheirOwn) {
 
 TEST_P(PointPaths, NoWayAlongASideThatTwoSolidsShare) {
   const World world = world_of(kTen, {rectangle(2, 2, 5, 8), rectangle(5, 2, 8, 8)});
-  // Strictly inside neither, yet with solids on both sides.
+  // The point is strictly inside neither solid, but has a solid on each side.
   EXPECT_EQ(path_of(world, {5, 5}, {1, 1}).status, PathStatus::no_path);
   EXPECT_EQ(path_of(world, {5, 5}, {5, 5}).status, PathStatus::found);
   EXPECT_EQ(path_of(world, {5, 2}, {5, 8}).points.size(), 4U) << "around one of the solids";
@@ -176,7 +176,7 @@ double length_of(const std::vector<Point>& points) {
   return length;
 }
 
-// A wall that begins 10^-20 above another, as exact arithmetic tells: the shortest way leads through between them.
+// One wall begins 10^-20 above another, which only exact arithmetic can tell. The shortest path leads through the gap.
 TEST(ShortestPaths, ThroughAGapBetweenWallsThatSeemToTouch) {
   const Point end{-0.7959918567436949, -0.00013992622587844495};
   const Point tip{-0.8163014956418463, -0.0040801744508494105};
@@ -200,7 +200,8 @@ TEST(ShortestPaths, AroundATipThatAlmostTouchesAWall) {
   EXPECT_NEAR(path.length, length_of({query.start, end, corner, tip, query.goal}), 1e-12);
 }
 
-// On one side of a bent wall the corner is known to be near; on the other, where it is far, that says nothing.
+// On one side of a bent wall the search knows that the corner is near. On the other side the corner is far, and that
+// knowledge does not apply.
 TEST(ShortestPaths, WhatIsNearOnOneSideOfAWallIsNotOnTheOther) {
   const World world = world_of(kTen, {{ItemKind::polyline, {{{0, 6}, {6, 6}, {6, 1}}}}});
   const Path path = world.find_path({{9, 7}, {1, 5}}).value();

@@ -70,7 +70,7 @@ TEST(Clear, ItTellsWhichPointIsOutside) {
   EXPECT_EQ(world.is_clear({1, 1}, {11, 1}).error().index, 1U);
 }
 
-/// A place of the scene: a corner of an item, the rounded place of a vertex, or any.
+/// Returns a point of the scene: a corner of an item, the rounded position of a vertex, or any point.
 Point random_place(const PathCase& path_case, const std::vector<oracle::OraclePoint>& vertices, Random& random) {
   if (random.chance(40)) {
     const oracle::OraclePoint& v = vertices[random.below(vertices.size())];
@@ -80,7 +80,8 @@ Point random_place(const PathCase& path_case, const std::vector<oracle::OraclePo
   return random.chance(50) ? ends.start : ends.goal;
 }
 
-/// Compares answers about random polylines and about found paths with the oracle. Returns how many were clear.
+/// Compares answers about random polylines and about found paths with the oracle. Returns how many polylines were
+/// clear.
 std::size_t check_against_oracle(const PathCase& path_case, const WorldOptions& options, Random& random) {
   const World world = world_of(path_case.scene, options);
   const oracle::Oracle oracle(oracle::to_oracle(path_case.scene));
@@ -165,7 +166,7 @@ TEST(Affected, AreThePathsThatAChangedItemsBoxMeets) {
   EXPECT_FALSE(is_clear(world, high));
 }
 
-// The log forgets old boxes. A path that it does not know about counts as affected.
+// The log forgets old boxes. A path from before the oldest box in the log counts as affected.
 TEST(Affected, IsEverythingThatTheLogHasForgotten) {
   World world = World::create({{0, 0}, {100, 100}}).value();
   const std::vector<Point> way = {{0, 90}, {100, 90}};
@@ -188,7 +189,7 @@ TEST(Affected, IsEverythingThatTheLogHasForgotten) {
   EXPECT_TRUE(world.is_affected(std::vector<Point>{{0.5, 0}, {0.5, 5}}, recent)) << "the box of many items is one";
 }
 
-// Whatever comes and goes, a clear path that is not affected stays clear.
+// A clear path that no operation affects stays clear.
 TEST(Affected, APathThatIsNotAffectedStaysClear) {
   Random random(99);
   std::size_t unaffected = 0;

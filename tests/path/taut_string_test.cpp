@@ -21,22 +21,23 @@ using Triangulation = delaunay::Triangulation<exact::Geometry>;
 using mesh::HalfEdge;
 using mesh::Vertex;
 
-/// A channel through a mesh, by the edges it crosses in the faces before them, and the points at its two ends.
+/// A channel through a mesh: the edges that it crosses, each as a half-edge of the face before it, and its two end
+/// points.
 struct Channel {
   Point start;
   Point goal;
   std::vector<HalfEdge> exits;
 };
 
-/// Twice the signed area, exact: coordinates are small whole numbers.
+/// Returns twice the signed area. It is exact, as the coordinates are small whole numbers.
 std::int64_t turn(const Point& a, const Point& b, const Point& c) {
   return static_cast<std::int64_t>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
 double hypotenuse(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// The length of the shortest way through a channel, by trying all: from each portal's ends, the start and the goal to
-/// all later ones that the straight way through the portals between leads to.
+/// Returns the length of the shortest path through a channel by brute force: connects the start, the goal and the ends
+/// of all portals to all later ones that a straight line through the portals between them reaches.
 double shortest_by_trying_all(const Triangulation& triangulation, const Channel& channel) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto place = [&](Vertex v) { return triangulation.geometry().rounded(number(v)); };
@@ -59,9 +60,9 @@ double shortest_by_trying_all(const Triangulation& triangulation, const Channel&
   const auto has_end = [&](std::size_t portal, const Point& p) { return p == left[portal] || p == right[portal]; };
   const auto is_free = [&](const Point& from, std::size_t first, const Stop& to) {
     std::size_t last = to.portal;
-    while (first < last && has_end(first, from)) ++first;     // crossed where the way starts
+    while (first < last && has_end(first, from)) ++first;     // the line crosses these where it starts
     while (first < last && has_end(last - 1, to.at)) --last;  // or ends
-    if (first < last && from == to.at) return false;          // the channel goes round the point
+    if (first < last && from == to.at) return false;          // the channel goes around the point
     for (std::size_t i = first; i < last; ++i) {
       if (turn(from, to.at, left[i]) < 0 || turn(from, to.at, right[i]) > 0) return false;
     }
@@ -80,7 +81,7 @@ double shortest_by_trying_all(const Triangulation& triangulation, const Channel&
 
 class TautStrings : public testing::Test {
  protected:
-  // Multiples of 3, so that the middle of a face is a whole number.
+  // Multiples of 3, so that the coordinates of the middle of a face are whole numbers.
   static constexpr std::int64_t kWidth = 20;
 
   static Triangulation random_mesh(Random& random, std::size_t count) {
@@ -92,7 +93,8 @@ class TautStrings : public testing::Test {
     return result;
   }
 
-  /// From a corner or the middle of a face, never into one face twice, to a corner or the middle of another.
+  /// Returns a channel from a corner or the middle of a face to a corner or the middle of another face. It never enters
+  /// a face twice.
   static Channel random_channel(Random& random, const Triangulation& triangulation) {
     const mesh::TriangleMesh& mesh = triangulation.topology();
     mesh::Face f{};
@@ -142,7 +144,7 @@ std::vector<Point> corners_of(const path::TautTree& tree, std::uint32_t last) {
   return corners;
 }
 
-/// Calls one of the two for each portal after the first.
+/// Calls one of the two functions for each portal after the first: the one for the end that changed.
 template <class Left, class Right>
 void for_each_move(const mesh::TriangleMesh& mesh, const Channel& channel, Left&& move_left, Right&& move_right) {
   for (std::size_t i = 1; i < channel.exits.size(); ++i) {

@@ -1,4 +1,4 @@
-"""What scripts/check_docs.py refuses."""
+"""Tests which pages scripts/check_docs.py refuses."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Made-up source trees, good and bad, before scripts/check_layers.py."""
+"""Tests scripts/check_layers.py with small source trees, valid and invalid."""
 
 import subprocess
 import sys
@@ -46,7 +46,7 @@ GOOD = {
     "tests/oracle/oracle.cpp": '#include "oracle/oracle.hpp"\n',
 }
 
-# A file, an include that must be refused there.
+# Each entry: a file, and an include that the script must refuse there.
 BAD = [
     ("src/base/compiler.hpp", '"mesh/mesh.hpp"'),
     ("src/base/compiler.hpp", '"waywright/id.hpp"'),

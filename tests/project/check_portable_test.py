@@ -1,4 +1,4 @@
-"""Made-up sources, portable and not, before scripts/check_portable.py."""
+"""Tests scripts/check_portable.py with small source trees, portable and not."""
 
 import subprocess
 import sys
@@ -11,7 +11,7 @@ sys.path.insert(0, str(SCRIPT.parent))
 sys.dont_write_bytecode = True
 from check_portable import faults_of  # noqa: E402 (found by the line above)
 
-# A file, a line that must be refused there.
+# Each entry: a file, and a line that the script must refuse there.
 BAD = [
     ("src/mesh/mesh.hpp", "void fetch(int* p) { __builtin_prefetch(p); }"),
     ("src/mesh/mesh.hpp", "[[gnu::always_inline]] inline void f() {}"),
@@ -33,7 +33,7 @@ BAD = [
     ("tests/determinism/print_meshes.cpp", "#include <sys/resource.h>"),
     ("src/base/bit_cast.hpp", "__builtin_bit_cast(To, from);"),
 ]
-# And one that must not.
+# Each entry: a file, and a line that the script must accept there.
 GOOD = [
     ("src/base/compiler.hpp", "__builtin_prefetch(address);"),
     ("include/waywright/export.hpp", "#define WAYWRIGHT_API __attribute__((visibility(\"default\")))"),

@@ -1,4 +1,4 @@
-# Runs PROGRAM and fails unless it prints what the file EXPECTED holds.
+# Runs PROGRAM and fails unless its output equals the contents of the file EXPECTED.
 
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE actual RESULT_VARIABLE status)
 file(READ ${EXPECTED} expected)

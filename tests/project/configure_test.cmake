@@ -1,4 +1,4 @@
-# What configuring the project from the sources SOURCE does and says, in the folder BINARY.
+# Configures the project from the sources SOURCE in the folder BINARY, and checks the results and messages.
 
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
@@ -12,13 +12,13 @@ function(expect text pattern)
   endif()
 endfunction()
 
-# A build without a type would not be optimised, so there is a default, and CMake says so.
+# A build without a type would not be optimised, so the project sets a default and prints a message.
 run(${configure} -B ${BINARY}/default ${library_only})
 expect("${run_output}" "CMAKE_BUILD_TYPE is not set; building type Release")
 file(STRINGS ${BINARY}/default/CMakeCache.txt build_type REGEX "^CMAKE_BUILD_TYPE:")
 expect("${build_type}" "=Release$")
 
-# A package that is missing: what needs it, and what to do.
+# If a package is missing, the message names the option that needs it and says what to do.
 execute_process(COMMAND ${configure} -B ${BINARY}/missing -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON
                 OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
 if(status EQUAL 0)
@@ -27,7 +27,7 @@ endif()
 string(REGEX REPLACE "[ \n]+" " " output "${output}")
 expect("${output}" "The command waywright needs the package CLI11 2.1.*-DWAYWRIGHT_BUILD_TOOLS=OFF")
 
-# Users build with this preset, maybe with a compiler that warns of more than ours.
+# Users build with this preset, perhaps with a compiler that has more warnings than the project's compilers.
 run(${CMAKE_COMMAND} -S ${SOURCE} --preset release -B ${BINARY}/release ${library_only})
 file(STRINGS ${BINARY}/release/CMakeCache.txt warnings REGEX "^WAYWRIGHT_WARNINGS_AS_ERRORS:")
 expect("${warnings}" "=OFF$")

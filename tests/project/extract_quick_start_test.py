@@ -1,4 +1,4 @@
-"""What scripts/extract_quick_start.py takes out of a README."""
+"""Tests what scripts/extract_quick_start.py extracts from a README."""
 
 import subprocess
 import sys

@@ -1,5 +1,5 @@
-# Uses the library in the way WAY, as another project does, from the sources SOURCE, in the folder BINARY. Builds are
-# not optimised, to be quick, and CMake is told that nothing is installed but what the library itself needs.
+# Uses the library in the method WAY, as another project does, from the sources SOURCE, in the folder BINARY. Builds
+# without optimisation, to be quick, and hides from CMake all packages except those that the library itself needs.
 
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
@@ -17,7 +17,7 @@ function(use name)
   run(${BINARY}/${name}/consumer)
 endfunction()
 
-# Compiles, links and runs the consumer by what pkg-config says of the library in `prefix`.
+# Compiles, links and runs the consumer with the flags that pkg-config prints for the library in `prefix`.
 function(use_pkg_config prefix)
   file(GLOB_RECURSE files ${prefix}/*/waywright.pc)
   get_filename_component(folder ${files} DIRECTORY)
@@ -34,7 +34,7 @@ function(use_pkg_config prefix)
   run(${prefix}/consumer)
 endfunction()
 
-# An installed tree can be moved, so this one is.
+# Users can move an installed tree, so this test moves it.
 function(install_shared prefix)
   run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY}/build ${options} -DBUILD_SHARED_LIBS=ON -DWAYWRIGHT_BUILD_TESTS=OFF
       -DWAYWRIGHT_BUILD_TOOLS=OFF -DWAYWRIGHT_BUILD_EXAMPLES=OFF)
@@ -48,8 +48,8 @@ function(install_shared prefix)
   endforeach()
 endfunction()
 
-# Nobody can come to depend on what is not public. Weak symbols, W, are of templates and inline functions of the standard
-# library and of Boost, which programs have themselves.
+# The library exports only public names, so that no program can depend on other names. Weak symbols, W, belong to
+# templates and inline functions of the standard library and of Boost; programs that use these have them too.
 function(check_exported_names prefix)
   file(GLOB_RECURSE library ${prefix}/*/libwaywright.so)
   run(${NM} -DC --defined-only ${library})
@@ -82,7 +82,7 @@ elseif(WAY STREQUAL "pkg_config_static")
 elseif(WAY STREQUAL "add_subdirectory")
   use(consumer -DWAYWRIGHT_BY=add_subdirectory -DWAYWRIGHT_SOURCE=${SOURCE})
 elseif(WAY STREQUAL "FetchContent")
-  # From an archive, as a release is fetched.
+  # Builds from an archive, as a user who downloads a release does.
   set(archive ${BINARY}/waywright.tar.gz)
   file(MAKE_DIRECTORY ${BINARY})
   run(${CMAKE_COMMAND} -E chdir ${SOURCE} ${CMAKE_COMMAND} -E tar czf ${archive} CMakeLists.txt cmake src include LICENSE)

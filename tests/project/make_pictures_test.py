@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Copies of the docs with one thing wrong in each, before scripts/make_pictures.py.
+"""Tests scripts/make_pictures.py with copies of the docs; each copy has one fault.
 
 usage: make_pictures_test.py COMMAND DRAW_UNITS
 """

@@ -1,7 +1,7 @@
-"""The recipes in packaging/ before the project that they build: neither vcpkg nor Conan need be here.
+"""Tests the recipes in packaging/ without vcpkg and without Conan.
 
-The vcpkg port is carried out by CMake as far as it goes without vcpkg: its functions are replaced by small ones that
-write down what they were asked for. The Conan recipe is carried out with a made-up module conan.
+CMake runs the vcpkg port with simple replacements for vcpkg's functions, which record their arguments. The Conan recipe runs
+with a replacement for the module conan.
 """
 
 import json
@@ -95,7 +95,7 @@ def copy(recipe, pattern, src, dst):
 
 
 def load_recipe():
-    """The class of the recipe, and of what Conan 2 has only as much as the recipe asks for."""
+    """Returns the class of the recipe. The replaced module contains only those names of Conan 2 that the recipe uses."""
     modules = {
         "conan": {"ConanFile": type("ConanFile", (), {})},
         "conan.tools": {},

@@ -1,4 +1,4 @@
-# run(COMMAND...): runs it, and fails with what it printed if it fails.
+# run(COMMAND...): runs the command. If it fails, prints its output and stops.
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
   if(NOT status EQUAL 0)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Runs the experiments of Chen's thesis in small.
+"""Runs the experiments of Chen's thesis with small sizes.
 
 usage: thesis_test.py PROGRAM
 
-PROGRAM is waywright_thesis. What exact arithmetic must get right is known without it: all of the in-circle tests and all
-of the meshes. Doubles must be seen to fail, or the experiments would not be hard enough to tell.
+PROGRAM is waywright_thesis. Exact arithmetic must give the right answer in all in-circle tests and for all meshes. Doubles
+must fail in some, otherwise the experiments would be too easy to show a difference.
 """
 
 import json
@@ -21,7 +21,7 @@ def run(*arguments):
 
 
 def rows(*arguments):
-    """The table's rows below its head, as lists of what the cells hold."""
+    """Returns the table's rows below its head, as lists of cell texts."""
     lines = [line for line in run(*arguments).splitlines() if line.startswith("|")]
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
 

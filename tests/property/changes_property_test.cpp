@@ -20,8 +20,8 @@ struct Lengths {
   std::size_t live_count = 0;
 };
 
-/// RapidCheck chooses scripts, the same in each run, and lessens the lengths of one that fails; what is left is shrunk
-/// step by step and printed as a world script.
+/// RapidCheck chooses scripts, the same in each run, and reduces the lengths of a script that fails. Then the test
+/// shrinks the script step by step and prints it as a world script.
 void check_flavour(Flavour flavour, const std::string& what, const Lengths& largest, const Comparisons& comparisons) {
   std::optional<std::uint64_t> failed_seed;
   ChangeScript failed;

@@ -22,14 +22,14 @@ constexpr std::size_t kLiveItems = 25;
 constexpr std::size_t kStepsBetween = 8;
 constexpr int kQueries = 12;
 
-/// A world that had nothing but these items, from the last to the first.
+/// Returns a new world with only these items, inserted from the last to the first.
 World fresh_world(const LiveItems& live) {
   World world = World::create(live.domain()).value();
   for (auto at = live.items().rbegin(); at != live.items().rend(); ++at) world.insert(at->second, at->first).value();
   return world;
 }
 
-/// Returns the number of paths found.
+/// Compares paths in both worlds. Returns the number of paths found.
 std::size_t compare(const World& world, const World& fresh, Flavour flavour, Random& random, QueryContext& context) {
   std::size_t found = 0;
   Path path;
@@ -55,8 +55,8 @@ std::size_t compare(const World& world, const World& fresh, Flavour flavour, Ran
 
 class PathHistory : public ::testing::TestWithParam<Flavour> {};
 
-// The same items, whatever came and went before: the same paths, found by as many expansions, by a context that has
-// served other worlds.
+// Two worlds with the same items must give the same paths with equally many expansions, whatever their histories, and
+// with a context that has served other worlds.
 TEST_P(PathHistory, MakesNoDifferenceToPaths) {
   QueryContext context;
   std::size_t found = 0;

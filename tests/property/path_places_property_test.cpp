@@ -11,7 +11,7 @@ namespace {
 
 class PlacesOnPaths : public ::testing::TestWithParam<Obstacles> {};
 
-// Taut paths touch walls, so a rounded place on one can lie inside a polygon.
+// Taut paths touch walls, so a rounded point of a path can lie inside a polygon.
 TEST_P(PlacesOnPaths, CanBeStartedFrom) {
   const bool has_solids_only = GetParam() == Obstacles::boxes || GetParam() == Obstacles::cells;
   std::size_t places = 0;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kScenes = 60;
 constexpr std::size_t kQueries = 8;
 
-/// A movement of the plane, or its reflection or scaling, that doubles carry out exactly.
+/// A movement, reflection or scaling of the plane that doubles compute exactly.
 using Movement = Point (*)(const Point&);
 
 Point stay(const Point& p) { return p; }
@@ -48,28 +48,28 @@ World moved_world(const Scene& scene, Movement move) {
 
 Path find(const World& world, const Ends& ends, PathAlgorithm algorithm, Movement move) {
   PathQuery query{move(ends.start), move(ends.goal), 0.0, algorithm};
-  query.end_tolerance = 0.0;  // a moved end is a rounded place, which need not lie as symmetrically
+  query.end_tolerance = 0.0;  // a moved end is a rounded point, which may not be symmetric
   return world.find_path(query).value();
 }
 
-/// By how much equal lengths may differ in doubles: by the rounding of sums and of the corners' coordinates.
+/// Returns by how much equal lengths may differ in doubles: by the rounding of sums and of the corners' coordinates.
 double tolerance(const Path& path) {
   double largest = 0.0;
   for (const Point& p : path.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
   return 1e-9 * path.length + 0x1p-50 * largest;
 }
 
-/// What comes of swapping the ends.
+/// Returns the status of the path with its ends exchanged.
 PathStatus seen_from_goal(PathStatus status) {
   if (status == PathStatus::start_blocked) return PathStatus::goal_blocked;
   if (status == PathStatus::goal_blocked) return PathStatus::start_blocked;
   return status;
 }
 
-/// A path is found in the moved scene when one is in the scene. The shortest is as long: not bit for bit, for of two
-/// that are equally long another may be found, and a sum may be rounded otherwise. Of the others only the former is
-/// promised: which diagonal a tie has depends on the axes, and which channel is found first on the diagonals.
-/// Returns the number of paths found.
+/// Checks that a path exists in the moved scene exactly when one exists in the scene. The shortest path must be as
+/// long, but not with the same bits: of two equally long paths another may be found, and a sum may be rounded
+/// differently. For the other algorithms only existence is promised: the axes decide which diagonal a tie has, and the
+/// diagonals decide which channel is found first. Returns the number of paths found.
 std::size_t expect_alike(const PathCase& path_case) {
   const World world = moved_world(path_case.scene, stay);
   std::size_t found = 0;
@@ -94,7 +94,7 @@ void expect_as_long_the_other_way(const PathCase& path_case) {
     const Path path = find(world, ends, PathAlgorithm::optimal, stay);
     for (const PathAlgorithm algorithm : kPathAlgorithms) {
       const Path back = find(world, {ends.goal, ends.start}, algorithm, stay);
-      // Where both ends are blocked, the start is.
+      // If both ends are blocked, the status names the start.
       if (path.status != PathStatus::start_blocked || back.status != PathStatus::start_blocked) {
         EXPECT_EQ(back.status, seen_from_goal(path.status));
       }
@@ -105,8 +105,8 @@ void expect_as_long_the_other_way(const PathCase& path_case) {
   }
 }
 
-/// Nothing that is computed is rounded otherwise when all coordinates are scaled by a power of two. So everything is
-/// the same, bit for bit, of all algorithms.
+/// A scaling of all coordinates by a power of two does not change how numbers are rounded. So all algorithms must give
+/// the same results, bit for bit.
 void expect_scaled(const PathCase& path_case) {
   const World world = moved_world(path_case.scene, stay);
   const World small_world = moved_world(path_case.scene, shrink);
@@ -149,7 +149,7 @@ TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndTheWayBack) {
     const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
     expect_alike(path_case);
     expect_as_long_the_other_way(path_case);
-    if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its least coordinates are the least there may be
+    if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its smallest coordinates cannot shrink
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kQueries = 5;
 
-/// No path may be longer than the shortest by more than this on average.
+/// The largest allowed mean ratio of a path's length to the shortest length.
 constexpr double kLargestMeanRatio = 1.02;
 
 template <class MakeCase>

@@ -17,14 +17,14 @@ namespace {
 
 using CheckOfSeed = std::function<SceneReport(const Scene&, Flavour, std::uint64_t)>;
 
-/// A scene that failed, as its seed and size.
+/// The seed and the size of a scene that failed.
 struct Failure {
   std::uint64_t seed = 0;
   std::size_t item_count = 0;
 };
 
-/// RapidCheck chooses scenes, the same in each run, and lessens the count of items of one that fails; what is left is
-/// shrunk item by item and printed as a script.
+/// RapidCheck chooses scenes, the same in each run, and reduces the number of items of a scene that fails. Then the
+/// test shrinks the scene item by item and prints it as a script.
 void check_flavour(Flavour flavour, const std::string& what, const CheckOfSeed& check) {
   std::optional<Failure> failure;
   const auto property = [&] {

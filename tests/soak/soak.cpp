@@ -25,14 +25,14 @@ namespace waywright::test {
 namespace {
 
 struct Settings {
-  std::uint64_t scripts = 1000;  ///< in all, dealt out evenly to the flavours
+  std::uint64_t scripts = 1000;  ///< in total, divided evenly among the flavours
   std::size_t operations = 60;   ///< items of a scene
   std::uint64_t seed = 1;
-  std::string flavour;           ///< the only one, or the only obstacles; all of them when empty
-  std::uint64_t paths = 0;       ///< scenes to find paths in, in all; when above 0, instead of scenes
-  std::uint64_t places = 0;      ///< places on paths to ask again from, in all; when above 0, instead of scenes
-  std::uint64_t predicates = 0;  ///< calls of each predicate, in all; when above 0, instead of scenes
-  std::uint64_t changes = 0;     ///< steps of worlds that change, in all; when above 0, instead of scenes
+  std::string flavour;           ///< the only flavour or kind of obstacles; all of them when empty
+  std::uint64_t paths = 0;       ///< scenes to find paths in, in total; when above 0, instead of scenes
+  std::uint64_t places = 0;      ///< positions on paths to search from again, in total; when above 0, instead of scenes
+  std::uint64_t predicates = 0;  ///< calls of each predicate, in total; when above 0, instead of scenes
+  std::uint64_t changes = 0;     ///< steps of worlds that change, in total; when above 0, instead of scenes
 };
 
 struct Totals {
@@ -42,7 +42,7 @@ struct Totals {
   std::size_t faults = 0;
 };
 
-/// One line that is written over again and again; none where nobody watches.
+/// A progress line that is overwritten again and again. Prints nothing if the output is not a terminal.
 class Progress {
  public:
   explicit Progress(std::uint64_t all) : all_(all), shown_(isatty(STDERR_FILENO) == 1) {}
@@ -75,7 +75,7 @@ void run_check(Flavour flavour, std::uint64_t seed, const Settings& settings, To
             << std::endl;
 }
 
-/// Seeds start at settings.seed, so runs with seeds far enough apart share no scene.
+/// Seeds start at settings.seed. Two runs whose seeds are far enough apart share no scene.
 Totals run_flavour(Flavour flavour, std::uint64_t scripts, const Settings& settings, Progress& progress) {
   Totals totals;
   for (std::uint64_t i = 0; i < scripts; ++i) {
@@ -99,7 +99,7 @@ void print(const ChangeCounts& counts, std::size_t faults) {
             << " comparisons with rebuilds, " << counts.oracles << " with the oracle, " << faults << " faults";
 }
 
-/// One world's life after another, until the flavour has made its share of the steps.
+/// Runs one world after another through random changes, until the flavour has made its share of the steps.
 ChangeCounts change_flavour(Flavour flavour, std::uint64_t steps, std::uint64_t seed, std::size_t& faults) {
   constexpr std::uint64_t kStepsOfWorld = 500;
   ChangeCounts counts;
@@ -139,7 +139,7 @@ int run_changes(const Settings& settings) {
   return all_faults == 0 ? 0 : 1;
 }
 
-/// Scenes of one kind to find paths in: what stands there, or of which flavour the scene is.
+/// The kind of scenes to find paths in: their obstacles or their flavour.
 struct PathKind {
   std::string_view name;
   std::function<PathCase(std::uint64_t seed)> make;
@@ -220,7 +220,7 @@ int run_paths(const Settings& settings) {
   return all.faults == 0 ? 0 : 1;
 }
 
-/// Places on paths, asked again from.
+/// Searches again from positions on paths.
 int run_places(const Settings& settings) {
   constexpr std::size_t kPlacesPerPath = 10;
   constexpr std::size_t kQueriesPerScene = 40;
@@ -251,10 +251,10 @@ int run_places(const Settings& settings) {
   return faults == 0 ? 0 : 1;
 }
 
-/// The stages of the predicates against each other.
+/// Compares the stages of the predicates with each other.
 int run_predicates(const Settings& settings) {
   constexpr std::uint64_t kEveryNth = 50;
-  constexpr std::uint64_t kCallsOfDraw = 1'000'000;  // then other points are drawn
+  constexpr std::uint64_t kCallsOfDraw = 1'000'000;  // then draws other points
   bool agree = true;
   for (const NearMiss kind : kNearMisses) {
     const auto start = std::chrono::steady_clock::now();

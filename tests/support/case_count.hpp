@@ -5,7 +5,7 @@
 
 namespace waywright::test {
 
-/// How many random cases of each kind a property test runs: the environment variable WAYWRIGHT_SCRIPTS, or 100.
+/// Returns how many random cases of each kind a property test runs: the environment variable WAYWRIGHT_SCRIPTS, or 100.
 [[nodiscard]] inline std::uint64_t case_count() {
   const char* const asked = std::getenv("WAYWRIGHT_SCRIPTS");
   const int count = asked == nullptr ? 0 : std::atoi(asked);

@@ -23,7 +23,7 @@ using Fault = std::optional<std::string>;
 
 std::string name_of(ItemId id) { return "item " + std::to_string(id.value); }
 
-/// All of a world that a refused step could have changed.
+/// All state of a world that a refused step could change.
 struct State {
   explicit State(const World& world) : dump(world.dump()), hash(world.items_hash()), ids(world.item_ids()) {}
 
@@ -155,7 +155,7 @@ class ChangesCheck {
 
 using Fails = std::function<bool(const ChangeScript&)>;
 
-/// Takes ever smaller runs out of a list that is a part of `whole`, as long as that still fails.
+/// Removes smaller and smaller runs from a list that belongs to `whole`, as long as `whole` still fails.
 template <class Whole, class WholeFails, class List>
 void shrink_list(Whole& whole, const WholeFails& fails, const List& list_of, std::size_t least) {
   for (std::size_t run = list_of(whole).size(); run > 0; run /= 2) {
@@ -224,7 +224,7 @@ ChangeScript shrink(ChangeScript script, const Fails& fails) {
 }
 
 std::string report_failure(const ChangeScript& script, const std::string& name, std::uint64_t seed) {
-  // A fresh world after every step tells most faults sooner than chance does.
+  // A comparison with a new world after every step finds most faults earlier than random comparisons do.
   constexpr Comparisons kAlways{1000, 1000};
   const Comparisons comparisons = check_changes(script, seed, {1000, 0}).fault ? Comparisons{1000, 0} : kAlways;
   const ChangeScript small = shrink(

@@ -10,13 +10,13 @@
 
 namespace waywright::test {
 
-/// How often a world is compared, in steps of 1000 that it makes; it always is at the end.
+/// How often a world is compared, in 1000 steps. It is always compared at the end.
 struct Comparisons {
   std::size_t with_rebuild = 30;
   std::size_t with_oracle = 5;
 };
 
-/// What was done and checked, each count in steps, or in single changes where it says so.
+/// What the check did. Counts are steps, unless a comment says that they are single changes.
 struct ChangeCounts {
   std::size_t steps = 0;
   std::size_t refusals = 0;
@@ -32,18 +32,18 @@ struct ChangeCounts {
 };
 
 struct ChangesReport {
-  std::optional<std::string> fault;  ///< the first
+  std::optional<std::string> fault;  ///< the first fault
   ChangeCounts counts;
 };
 
-/// Makes a world live through the script. After every step: the answer is the expected one, the items are the expected
-/// ones, validate() finds nothing, and a refused step has changed nothing. Now and then and at the end: the dump, both
-/// hashes and the snapshot are those of a fresh world that gets the live items in another order; the dump is the one
-/// that the oracle expects. All that is random follows from the seed.
+/// Runs the script on a world. Checks after every step: the result is the expected one, the items are the expected
+/// ones, validate() finds nothing, and a refused step has changed nothing. Checks from time to time and at the end: the
+/// dump, both hashes and the snapshot equal those of a new world that gets the live items in another order, and the
+/// dump is the one that the oracle expects. The seed determines everything that is random.
 [[nodiscard]] ChangesReport check_changes(const ChangeScript& script, std::uint64_t seed,
                                           const Comparisons& comparisons = {});
 
-/// The script less all steps, changes and points that it can do without and still fail.
+/// Returns the script without all steps, changes and points that are not needed for it to fail.
 [[nodiscard]] ChangeScript shrink(ChangeScript script, const std::function<bool(const ChangeScript&)>& fails);
 
 /// Shrinks a script that fails check_changes and writes it as a world script into the folder for temporary files.

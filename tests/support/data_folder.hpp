@@ -9,8 +9,8 @@
 
 namespace waywright::test {
 
-/// The folder of the optional real inputs: the environment's WAYWRIGHT_DATA, else `../shared/data` beside the project.
-/// It may not exist.
+/// Returns the folder of the optional real inputs: the environment variable WAYWRIGHT_DATA, else `../shared/data`
+/// beside the project. The folder may not exist.
 inline std::filesystem::path data_folder() {
   const char* const named = std::getenv("WAYWRIGHT_DATA");
   if (named != nullptr && *named != '\0') return named;

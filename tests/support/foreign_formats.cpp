@@ -28,7 +28,7 @@ class SceneBuilder {
     scene_.items.push_back({ItemId{scene_.items.size() + 1}, Shape{kind, std::move(rings)}});
   }
 
-  /// Points on no edge, then the edges as segments.
+  /// Adds the points that are on no edge, then the edges as segments.
   void add_graph(const Ring& points, const Edges& edges) {
     std::vector<bool> on_edge(points.size());
     for (const auto [a, b] : edges) {
@@ -59,7 +59,8 @@ class SceneBuilder {
   Scene scene_;
 };
 
-/// All numbers of a text, whatever stands between them. A sign counts where a number follows it.
+/// Returns all numbers of a text, whatever other characters are between them. A sign belongs to a number that follows
+/// it directly.
 std::vector<double> numbers_in(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789";
   std::vector<double> numbers;
@@ -83,7 +84,7 @@ Ring ring_of(const std::vector<double>& numbers) {
   return ring;
 }
 
-/// The rings of a text that blank lines part.
+/// Returns the rings of a text in which blank lines separate rings.
 std::vector<Ring> rings_in(std::string_view text) {
   std::vector<Ring> rings;
   std::string block;
@@ -156,7 +157,7 @@ Scene geojson_scene(const Json& collection) {
   return builder.finish();
 }
 
-/// How many arrays stand in one another, looking at first elements.
+/// Returns how deep arrays are nested, looking only at first elements.
 int depth_of(const Json& json) {
   int depth = 0;
   for (const Json* at = &json; at->is_array(); at = &at->front()) {
@@ -172,7 +173,7 @@ std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// The text of the first file that is there: the stem with one of the endings.
+/// Returns the text of the first file that exists: the stem of `path` with one of the endings.
 std::string partner_of(const std::filesystem::path& path, const std::vector<std::string>& endings) {
   for (const std::string& ending : endings) {
     const std::filesystem::path partner = path.parent_path() / (path.stem().string() + ending);

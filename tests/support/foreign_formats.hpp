@@ -6,32 +6,34 @@
 
 #include "waywright/scene.hpp"
 
-/// Readers of the formats that other triangulators keep their inputs in, for tests alone. What does not follow its
-/// format throws std::runtime_error. Items are numbered from 1; the domain is the bounding box grown on each side by an
-/// eighth of its larger extent, 1 at least, to whole numbers.
+/// Readers of the input formats of other triangulators; only tests use them. They throw std::runtime_error for text
+/// that does not follow its format. Items are numbered from 1. The domain is the bounding box, enlarged on each side by
+/// an eighth of its larger extent, by 1 at least, and to whole numbers.
 namespace waywright::test {
 
-/// artem-ogre/CDT: `V E`, V points, E pairs of positions from 0. Points on no edge, then the edges as segments.
+/// Reads a file of artem-ogre/CDT: `V E`, then V points, then E pairs of indices from 0. Points on no edge become
+/// points; edges become segments.
 [[nodiscard]] Scene read_cdt(std::string_view text);
 
-/// JSON, told apart by its shape:
+/// Reads JSON. The structure of the text selects the format:
 /// - `[[x,y],...]`, of delaunator: points;
 /// - `[ring,...]`, of earcut: one polygon of all rings that have two points or more, and the other rings' points;
 /// - `{"points":...,"edges":...}`, of constrainautor: points on no edge, then the edges as segments;
 /// - a GeoJSON FeatureCollection of (Multi)Polygons: polygons.
-/// Null where it is none of these.
+/// Returns null if the text has none of these formats.
 [[nodiscard]] std::optional<Scene> read_json(std::string_view text);
 
-/// poly2tri: pairs of numbers, whatever stands between them; a blank line ends a ring of holes. One polygon of the
-/// outer ring and the holes, and the Steiner points.
+/// Reads files of poly2tri: pairs of numbers, whatever other characters are between them. A blank line ends a ring of
+/// `holes`. Returns one polygon of the outer ring and the holes, and the Steiner points.
 [[nodiscard]] Scene read_poly2tri(std::string_view outer, std::string_view holes, std::string_view steiner);
 
-/// SUMO's `.poly.xml`: each `<poly shape="x,y x,y ...">` as a polygon, in hundredths of the file's unit, rounded to
-/// integers.
+/// Reads SUMO's `.poly.xml`: each `<poly shape="x,y x,y ...">` becomes a polygon, in hundredths of the file's unit,
+/// rounded to integers.
 [[nodiscard]] Scene read_sumo(std::string_view text);
 
-/// Reads a file of one of these formats, or of the library's own, by its name and shape; a `.dat` with the holes and
-/// Steiner points beside it. Null where the file is no scene, or goes with another.
+/// Reads a file of one of these formats or of the library's own, chosen by its name and its contents; for a `.dat`,
+/// also the files of holes and Steiner points beside it. Returns null if the file is not a scene, or belongs to another
+/// file.
 [[nodiscard]] std::optional<Scene> read_any_scene(const std::filesystem::path& path);
 
 }  // namespace waywright::test

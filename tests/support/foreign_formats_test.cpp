@@ -18,7 +18,7 @@ Item segment(std::uint64_t id, Point a, Point b) { return {{id}, {ItemKind::segm
 TEST(ForeignFormats, ReadsCdt) {
   const Scene scene = read_cdt("3 1\r\n 0 0 \n8   -4.5\n1e1 .5\n0 1\n");
   EXPECT_EQ(scene.items, (Items{point(1, {10, 0.5}), segment(2, {0, 0}, {8, -4.5})}));
-  // The larger extent is 10, an eighth of it 1.25.
+  // The larger extent is 10; an eighth of it is 1.25.
   EXPECT_EQ(scene.domain, (Box{{-2, -6}, {12, 2}}));
   EXPECT_THROW(static_cast<void>(read_cdt("2 0\n0 0\n")), std::runtime_error);
   EXPECT_THROW(static_cast<void>(read_cdt("1 1\n0 0\n0 1\n")), std::runtime_error);

@@ -10,10 +10,10 @@
 
 #include "waywright/job_system.hpp"
 
-/// Job systems that do what JobSystem allows.
+/// Job systems with different behaviours that JobSystem allows.
 namespace waywright::test {
 
-/// Makes all calls on the calling thread, in order or from the last to the first.
+/// Makes all calls on the calling thread, from the first to the last or from the last to the first.
 class OneThread final : public JobSystem {
  public:
   enum class Order { forwards, backwards };
@@ -34,7 +34,7 @@ class OneThread final : public JobSystem {
 /// Threads that take calls from a list. Makes no call on the calling thread.
 class Pool final : public JobSystem {
  public:
-  /// `prepare` is called once on each thread.
+  /// Calls `prepare` once on each thread.
   explicit Pool(
       std::size_t thread_count, const std::function<void()>& prepare = [] {}) {
     for (std::size_t i = 0; i < thread_count; ++i) {
@@ -87,7 +87,7 @@ class Pool final : public JobSystem {
   std::vector<std::thread> threads_;
 };
 
-/// Makes every third call at once, every third when all those are done, and leaves the others to the library.
+/// Makes the calls 0, 3, 6 and so on, then the calls 2, 5, 8 and so on. Leaves the others to the library.
 class Dawdler final : public JobSystem {
  public:
   void run(std::size_t count, const std::function<void(std::size_t)>& job) override {

@@ -14,24 +14,24 @@
 
 namespace waywright::test {
 
-/// One call on a world: World::apply for a batch, else World::insert, remove or replace for its one change.
+/// One call on a world: World::apply for a batch, otherwise World::insert, remove or replace for its single change.
 struct Step {
   std::vector<Change> changes;
   bool is_batch = false;
 };
 
-/// Whether a world takes such a coordinate.
+/// Returns whether a world accepts this coordinate.
 [[nodiscard]] inline bool is_legal_coordinate(double value) {
   return value == 0.0 || (std::fabs(value) >= 0x1p-100 && std::fabs(value) <= 0x1p100);
 }
 
-/// What a world's items must be after steps, kept in the plainest way: a map.
+/// The items that a world must have after some steps, stored in a plain map.
 class LiveItems {
  public:
   explicit LiveItems(const Box& domain) : domain_(domain) {}
 
-  /// Makes the step's changes and returns their items' ids or, where a world must refuse one, the reason and changes
-  /// nothing.
+  /// Makes the step's changes and returns the ids of their items. If a world must refuse one of the changes, returns
+  /// the reason and changes nothing.
   Result<std::vector<ItemId>> apply(const Step& step) {
     LiveItems after = *this;
     std::vector<ItemId> ids;
@@ -77,7 +77,7 @@ class LiveItems {
   ItemId largest_;
 };
 
-/// Does the same to a world.
+/// Performs the step on a world.
 [[nodiscard]] inline Result<std::vector<ItemId>> perform(World& world, const Step& step) {
   if (step.is_batch) return world.apply(step.changes);
   const Change& change = step.changes.front();
@@ -92,8 +92,8 @@ class LiveItems {
   return std::vector<ItemId>{change.id};
 }
 
-/// A shape as World::shape returns it: points that repeat their predecessor merged, -0 become 0, a fill rule of
-/// polygons only.
+/// Returns a shape as World::shape returns it: without points that equal the point before them, with 0 for -0, and with
+/// a fill rule only for polygons.
 [[nodiscard]] inline Shape merged(Shape shape) {
   if (shape.kind != ItemKind::polygon) shape.fill = FillRule::even_odd;
   std::vector<std::vector<Point>> rings = shape.rings;

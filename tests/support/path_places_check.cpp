@@ -23,7 +23,7 @@ double length_of(const std::vector<Point>& points) {
   return length;
 }
 
-/// Who computes a place, and in which arithmetic.
+/// Who computes a position on a path, and in which arithmetic.
 enum class Maker { path_double, path_float, program_double, program_float };
 constexpr std::array kMakers{Maker::path_double, Maker::path_float, Maker::program_double, Maker::program_float};
 
@@ -85,7 +85,7 @@ class PlacesCheck {
     return std::nullopt;
   }
 
-  /// As a program does it that knows nothing but the path's points.
+  /// Computes a position as a program does that knows only the path's points.
   template <class Number>
   [[nodiscard]] Point interpolated(const PathPosition& position) const {
     const Point& a = path_.points[position.segment];

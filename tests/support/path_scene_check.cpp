@@ -49,7 +49,8 @@ double length_of(const std::vector<Point>& points) {
   return length;
 }
 
-/// By how much lengths may differ for what doubles are: 1e-9 of them, and the rounding of the corners' coordinates.
+/// Returns by how much lengths may differ due to rounding: 1e-9 of the length, and the rounding of the corners'
+/// coordinates.
 double tolerance(const Path& path, double length) {
   double largest = 0.0;
   for (const Point& p : path.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
@@ -86,7 +87,7 @@ class PathCaseCheck {
       const auto shortest = shortest_.between(oracle::to_oracle(ends.start), oracle::to_oracle(ends.goal));
       for (std::size_t i = 0; i < kPathAlgorithms.size(); ++i) {
         PathQuery query{ends.start, ends.goal, 0.0, kPathAlgorithms[i]};
-        query.end_tolerance = 0.0;  // the oracle moves no ends
+        query.end_tolerance = 0.0;  // the oracle does not move ends
         ++report_.queries;
         if (const Fault fault = check_query(*world, query, shortest, report_.ratios[i])) {
           report_.line = "path " + text_of(query.start) + " " + text_of(query.goal) + " 0 " +

@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A wall across most of the domain, something beside it, and a way round the wall.
+/// Returns a case with a wall across most of the domain, an item beside it, and a path around the wall.
 PathCase wall_case() {
   PathCase result;
   result.scene.domain = {{0.0, 0.0}, {8.0, 8.0}};
@@ -26,7 +26,7 @@ PathCase wall_case() {
   return result;
 }
 
-/// The world's answers, spoilt.
+/// Returns a finder that changes the world's answers with `spoil`.
 template <class Spoil>
 PathFinder spoilt(Spoil spoil) {
   return [spoil](const World& world, const PathQuery& query, QueryContext& context, Path& path) {
@@ -60,7 +60,7 @@ TEST(PathSceneCheck, FindsEveryWayToBeWrong) {
               HasSubstr("wall of item 1"));
 }
 
-/// The way round the wall by a corner too many, where the shortest has one.
+/// Adds a corner to a path around the wall that has one corner.
 void add_detour(Path& path) {
   if (path.points.size() != 3) return;
   path.points.insert(path.points.begin() + 2, {4.0, 8.0});

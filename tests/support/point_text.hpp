@@ -8,7 +8,7 @@
 
 namespace waywright::test {
 
-/// `X Y` as a world script has them, so that a message's query can be put into one.
+/// Returns `X Y` in the format of a world script, so that a reader can copy the query of a message into a script.
 [[nodiscard]] inline std::string text_of(Point p) {
   std::array<char, 80> buffer{};
   char* end = std::to_chars(buffer.data(), buffer.data() + 39, p.x).ptr;

@@ -1,1 +1,1 @@
-// CMake compiles precompiled.hpp for the target that this file makes.
+// CMake compiles precompiled.hpp for the target to which this file belongs.

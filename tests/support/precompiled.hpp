@@ -1,6 +1,7 @@
 #pragma once
 
-// What most tests include, compiled once (the option WAYWRIGHT_COMPILE_TESTS_FAST). A test still includes what it uses.
+// The headers that most tests include, compiled once (the option WAYWRIGHT_COMPILE_TESTS_FAST). A test still includes
+// each header that it uses.
 
 #include <algorithm>
 #include <array>

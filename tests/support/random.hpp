@@ -5,7 +5,7 @@
 
 namespace waywright::test {
 
-/// Random numbers that are the same everywhere, which those of the standard's distributions are not: splitmix64
+/// Random numbers that are the same on every platform; the distributions of the standard library are not. SplitMix64
 /// (Steele, Lea and Flood 2014).
 class Random {
  public:
@@ -19,10 +19,10 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// 0 to count - 1; as good as even for the small counts of tests.
+  /// Returns 0 to count - 1. The distribution is practically uniform for the small counts of tests.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
-  /// `low` to `high`, both included.
+  /// Returns `low` to `high`, both included.
   std::int64_t between(std::int64_t low, std::int64_t high) {
     const std::uint64_t count = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + next() % count);

@@ -31,7 +31,7 @@ class ChangeMaker {
     while (result.steps.size() < step_count) {
       turn_season();
       Step step = random_.chance(4) ? wrong_step() : next_step();
-      // Refused steps are in the script as well: the checks know that they are.
+      // The script also contains steps that must be refused. The checks expect that.
       static_cast<void>(live_.apply(step));
       result.steps.push_back(std::move(step));
     }
@@ -78,14 +78,14 @@ class ChangeMaker {
     return {Change::Kind::insert, id, fresh_shape()};
   }
 
-  /// Of few ids more than can be alive, so that each is used over and over.
+  /// Returns one of few ids, not many more than items can be live, so that each id is used again and again.
   ItemId some_id() {
     const std::uint64_t number = 1 + random_.below(2 * limit_ + 1);
     if (!has_sparse_ids_) return {number};
     return {number == 1 ? ItemId::kLargest : (number * 0x9e3779b97f4a7c15U) >> (1 + number % 40)};
   }
 
-  /// A live item: any, or the one of a few that touches the last shape changed.
+  /// Returns a live item: any, or the one of a few that touches the shape that changed last.
   ItemId choose(const LiveItems& live) {
     const auto any = [&] {
       return std::next(live.items().begin(), static_cast<std::ptrdiff_t>(random_.below(live.items().size())));
@@ -100,7 +100,7 @@ class ChangeMaker {
     return Box::of(a.rings.points()).overlaps(Box::of(b.rings.points()));
   }
 
-  /// For shapes to come back.
+  /// Stores the shape, so that it can be inserted again later.
   const Shape& remember(const Shape& shape) {
     last_ = shape;
     gone_[next_gone_++ % gone_.size()] = shape;
@@ -114,7 +114,8 @@ class ChangeMaker {
     return last_ = random_.chance(15) ? dragged(other) : other;
   }
 
-  /// The shape with one of its corners at a corner of another and, now and then, with the other fill rule.
+  /// Returns the shape with one of its corners moved to a corner of another shape and, sometimes, with the other fill
+  /// rule.
   Shape dragged(Shape shape) {
     const MutablePointSpan ring = shape.rings[random_.below(shape.rings.size())];
     const Shape& other = pool_.items[random_.below(pool_.items.size())].shape;
@@ -133,7 +134,7 @@ class ChangeMaker {
     if (dice == 1) return {Change::Kind::replace, unused, fresh_shape()};
     Shape shape = fresh_shape();
     if (dice == 2 && !live.items().empty()) return {Change::Kind::insert, choose(live), std::move(shape)};
-    // Its last point is wrong, so that all the others could have gone in.
+    // The last point is wrong, so that a world could have inserted all the others before it finds out.
     const Box& domain = pool_.domain;
     Point& wrong = shape.rings.back().back();
     wrong = dice == 3 ? Point{domain.min.x, std::numeric_limits<double>::quiet_NaN()}
@@ -155,7 +156,7 @@ class ChangeMaker {
   }
 
   Random random_;
-  Random rules_;  ///< for fill rules, on which nothing else depends
+  Random rules_;  ///< for fill rules only; nothing else depends on it
   std::size_t limit_;
   Scene pool_;
   bool has_sparse_ids_;
@@ -166,7 +167,7 @@ class ChangeMaker {
   std::size_t next_gone_ = 0;
 };
 
-/// The line of a world script that inserts the item.
+/// Returns the line of a world script that inserts the item.
 std::string insertion_line(ItemId id, const Shape& shape) {
   const std::string script = to_script(Scene{{{0, 0}, {1, 1}}, {{id, shape}}, false});
   const std::size_t start = script.rfind('\n', script.size() - 2) + 1;

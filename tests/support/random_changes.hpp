@@ -13,23 +13,24 @@
 
 namespace waywright::test {
 
-/// A world's whole life.
+/// All changes of a world from start to end.
 struct ChangeScript {
   Box domain;
   std::vector<Step> steps;
 };
 
-/// Steps that are the same everywhere for the same arguments. The world fills up to `live_count` items, lives on and
-/// empties, again and again. Its items are those of random_scene, and such with a corner dragged to another's; what
-/// goes likes to be what touches the last thing changed, and to come back; ids are reused. A few steps must be refused.
+/// Returns random steps that are the same on every platform for the same arguments. The world fills up to `live_count`
+/// items, changes for a time and empties, again and again. Its items are those of random_scene, and copies of these
+/// with a corner moved to a corner of another item. The steps often remove items that touch the last changed shape,
+/// often insert removed shapes again, and reuse ids. A world must refuse a few of the steps.
 [[nodiscard]] ChangeScript random_changes(Flavour flavour, std::uint64_t seed, std::size_t step_count,
                                           std::size_t live_count);
 
-/// The insertions, replacements and removals of a world script; queries are passed over.
+/// Returns the insertions, replacements and removals of a world script, without its queries.
 [[nodiscard]] ChangeScript changes_of(const Script& script);
 
-/// A world script of the same changes: a batch is its changes one by one.
-/// What a world refuses is a comment.
+/// Returns a world script with the same changes. A batch becomes its single changes. A change that a world refuses
+/// becomes a comment.
 [[nodiscard]] std::string to_script(const ChangeScript& changes);
 
 }  // namespace waywright::test

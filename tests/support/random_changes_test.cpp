@@ -23,14 +23,14 @@ TEST(RandomChanges, AreTheSameForTheSameSeed) {
   }
 }
 
-/// What happens in some scripts of a flavour.
+/// Counts of events in some scripts of a flavour.
 struct Events {
   std::map<Change::Kind, std::size_t> done;
   std::size_t batches = 0;
   std::size_t empty_batches = 0;
   std::size_t full = 0;
   std::size_t emptied = 0;
-  std::size_t back_again = 0;  ///< a shape that had been removed
+  std::size_t back_again = 0;  ///< shapes inserted again after their removal
   std::map<ErrorCode, std::size_t> refused;
   std::map<ErrorCode, std::size_t> refused_batches;
 };
@@ -66,7 +66,7 @@ TEST(RandomChanges, HaveAllThatTheyPromise) {
     Events events;
     for (std::uint64_t seed = 0; seed < 8; ++seed) count_events(random_changes(flavour, seed, 500, 15), 15, events);
     SCOPED_TRACE(to_string(flavour));
-    // 4000 steps in all.
+    // In total 4000 steps.
     EXPECT_GT(events.done[Change::Kind::insert], 800U);
     EXPECT_GT(events.done[Change::Kind::remove], 800U);
     EXPECT_GT(events.done[Change::Kind::replace], 300U);
@@ -79,7 +79,7 @@ TEST(RandomChanges, HaveAllThatTheyPromise) {
       EXPECT_GT(events.refused[code], 3U) << to_string(code);
       EXPECT_GT(events.refused_batches[code], 3U) << to_string(code);
     }
-    // The domain may be as wide as coordinates go; then there is no outside.
+    // In the flavour `mixed` the domain may span the whole range of coordinates; then no point lies outside.
     if (flavour != Flavour::mixed) {
       EXPECT_GT(events.refused_batches[ErrorCode::out_of_domain], 3U);
     }
@@ -102,7 +102,8 @@ TEST(RandomChanges, PrintAsAScriptThatLeavesTheSameItems) {
   }
 }
 
-// "Fails" where the item of id 901 is gone and 902 is there: the insertion of both and the removal of one are needed.
+// The script "fails" if the item with id 901 was inserted and removed and 902 is live. So both insertions and one
+// removal are needed.
 TEST(ShrinkChanges, LeavesNothingThatIsNotNeeded) {
   const Shape segment{ItemKind::segment, {{{0, 0}, {1, 1}}}};
   const Shape polygon{ItemKind::polygon, {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}}}};

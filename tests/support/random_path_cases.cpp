@@ -16,7 +16,7 @@ using Ring = std::vector<Point>;
 class PathSceneMaker {
  public:
   PathSceneMaker(Obstacles obstacles, Random& random) : obstacles_(obstacles), random_(random) {
-    // Small enough for things to touch now and then, large enough for some not to.
+    // Small enough that some items touch, and large enough that some do not.
     size_ = std::array<std::int64_t, 3>{16, 40, 1000}[random_.below(3)];
     cell_ = std::max<std::int64_t>(size_ / random_.between(8, 16), 1);
     reach_ = std::max<std::int64_t>(size_ / random_.between(3, 10), 2);
@@ -51,7 +51,7 @@ class PathSceneMaker {
     return shape(kObstacles[random_.below(kObstacles.size() - 1)]);
   }
 
-  /// A place within reach; along an axis a third of the time.
+  /// Returns a position within reach of (x, y), a third of the time along an axis.
   std::pair<std::int64_t, std::int64_t> step(std::int64_t x, std::int64_t y) {
     const std::size_t way = random_.below(6);
     if (way != 0) x = inside(x + random_.between(-reach_, reach_));
@@ -93,8 +93,8 @@ class PathSceneMaker {
     return {point(x, y), point(far_x, y), point(far_x, far_y), point(x, far_y)};
   }
 
-  /// Two cells that touch diagonally as one ring, which comes through their common corner twice; half of the time
-  /// crossing itself there.
+  /// Returns two cells that touch diagonally as one ring, which visits their common corner twice. Half of the time the
+  /// ring crosses itself there.
   Ring pinched_cells() {
     const std::int64_t x = random_.between(1, size_ / cell_ - 1) * cell_;
     const std::int64_t y = random_.between(1, size_ / cell_ - 1) * cell_;
@@ -158,7 +158,7 @@ PathCase random_path_case(Obstacles obstacles, std::uint64_t seed, std::size_t q
   Random random(seed * kObstacles.size() + static_cast<std::uint64_t>(obstacles));
   PathCase result{PathSceneMaker(obstacles, random).make(), {}};
   const auto size = static_cast<std::int64_t>(result.scene.domain.max.x);
-  // Halves now and then: in the middle of cells, and on no lattice point.
+  // Sometimes multiples of a half: in the middle of cells, and not on lattice points.
   const auto coordinate = [&] { return static_cast<double>(random.between(0, 2 * size)) / 2.0; };
   result.queries = random_queries(result.scene, query_count, random, [&] {
     const double x = coordinate();

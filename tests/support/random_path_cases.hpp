@@ -14,13 +14,13 @@
 
 namespace waywright::test {
 
-/// What stands in the way in a scene made for paths.
+/// The obstacles in a scene made for paths.
 enum class Obstacles : std::uint8_t {
-  boxes,      ///< rectangles upright and askew, and triangles, which touch and overlap
-  walls,      ///< loose walls, many of which touch or cross
+  boxes,      ///< axis-parallel and rotated rectangles, and triangles, which touch and overlap
+  walls,      ///< single walls, many of which touch or cross
   polylines,  ///< chains of walls, open and closed
-  cells,      ///< blocked cells of a grid: sides shared, corners that touch, rings that pinch themselves
-  mixture,    ///< of all of these
+  cells,      ///< blocked cells of a grid: shared sides, corners that touch, rings that visit a corner twice
+  mixture,    ///< all of these
 };
 
 inline constexpr std::array kObstacles{Obstacles::boxes, Obstacles::walls, Obstacles::polylines, Obstacles::cells,
@@ -34,16 +34,16 @@ struct Ends {
   Point goal;
 };
 
-/// A scene and the paths asked for in it.
+/// A scene and the path queries for it.
 struct PathCase {
   Scene scene;
   std::vector<Ends> queries;
 };
 
-/// 10 to 60 items, and paths between places that are corners of items a third of the time, so that some start and end
-/// on walls. The same everywhere for the same arguments.
+/// Returns 10 to 60 items, and path queries. A third of their ends are corners of items, so that some paths start and
+/// end on walls. The result is the same on every platform for the same arguments.
 [[nodiscard]] PathCase random_path_case(Obstacles obstacles, std::uint64_t seed, std::size_t query_count);
-/// The same for a random scene, whose items are full of degeneracies.
+/// Returns a random scene, whose items are full of degeneracies, with path queries as above.
 [[nodiscard]] PathCase random_path_case(Flavour flavour, std::uint64_t seed, std::size_t item_count,
                                         std::size_t query_count);
 

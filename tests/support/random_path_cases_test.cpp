@@ -22,7 +22,7 @@ using oracle::OracleStatus;
 constexpr std::size_t kScenes = 40;
 constexpr std::size_t kQueries = 5;
 
-/// What the oracle says of many cases: how often each status comes up.
+/// Returns how often the oracle gives each status in many cases.
 std::map<OracleStatus, std::size_t> census_of(Obstacles obstacles) {
   std::map<OracleStatus, std::size_t> census;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
@@ -51,7 +51,8 @@ TEST(RandomPathCases, AskForPathsOfEveryOutcome) {
   }
 }
 
-// Two ways to find out whether there is a path: by the visibility graph, and by flooding the faces of a mesh.
+// Compares two methods to find out whether a path exists: the visibility graph, and a flood fill over the faces of a
+// mesh.
 TEST(RandomPathCases, AreConnectedWhereTheVisibilityGraphFindsAWay) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(kObstacles.at(seed % kObstacles.size()), seed, kQueries);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kLargest = 0x1p100;
 constexpr double kSmallest = 0x1p-100;
 
-/// The coordinates of a flavour that has them on a grid: whole multiples of `unit`, `low` to `high`.
+/// The coordinates of a flavour on a grid: whole multiples of `unit` from `low` to `high`.
 struct GridRange {
   std::int64_t low = 0;
   std::int64_t high = 0;
@@ -39,7 +39,7 @@ GridRange grid_range(Flavour flavour) {
   return {};
 }
 
-/// The nearest coordinate that a world takes.
+/// Returns the nearest coordinate that a world accepts.
 double legal(double value) {
   if (std::fabs(value) < kSmallest) return 0.0;
   return std::clamp(value, -kLargest, kLargest);
@@ -50,7 +50,7 @@ class SceneMaker {
   SceneMaker(Flavour flavour, std::uint64_t seed)
       : flavour_(flavour), random_(seed * kFlavours.size() + static_cast<std::uint64_t>(flavour)) {
     if (flavour == Flavour::mixed) {
-      // Some scenes of one size, where near-misses rule; some of many sizes.
+      // Some scenes have one size, so that near-misses are frequent; some have many sizes.
       spread_ = std::array<std::int64_t, 4>{0, 3, 30, 99}[random_.below(4)];
       middle_ = random_.between(-99 + spread_, 99 - spread_);
       const double size = std::ldexp(1.0, static_cast<int>(middle_ + spread_) + 1);
@@ -93,7 +93,7 @@ class SceneMaker {
  private:
   using Ring = std::vector<Point>;
 
-  /// 53 random bits below 2^exponent, either sign.
+  /// Returns 53 random bits below 2^exponent, with a random sign.
   double fine_coordinate(std::int64_t exponent) {
     const auto bits = static_cast<double>((random_.next() >> 11) | 1);
     const double size = std::ldexp(bits, static_cast<int>(exponent) - 53);
@@ -121,7 +121,8 @@ class SceneMaker {
     return from + static_cast<double>(random_.between(-reach, reach)) * range.unit;
   }
 
-  /// Mostly near, else the scene would be all crossings; a fifth of the steps go along an axis.
+  /// Returns a point that is usually near `from`, otherwise the scene would consist mostly of crossings. A fifth of the
+  /// steps go along an axis.
   Point next_point(Point from) {
     if (random_.chance(6)) return fresh_point();
     const int shift = random_.chance(20) ? 1 : static_cast<int>(random_.between(2, 5));
@@ -175,7 +176,8 @@ class SceneMaker {
     return result;
   }
 
-  /// The ring drawn in to one of its corners, as far as coordinates allow: a hole that touches, more or less.
+  /// Returns the ring, scaled towards one of its corners as exactly as coordinates allow: a hole that touches the ring
+  /// there, up to rounding.
   Ring shrunk(Ring ring) {
     const Point centre = ring[random_.below(ring.size())];
     const double unit = grid_range(flavour_).unit;
@@ -204,7 +206,7 @@ class SceneMaker {
       }
       default: {
         Ring ring = walk(3);
-        ring.insert(ring.end(), ring.begin(), ring.end());  // twice round: inside nowhere
+        ring.insert(ring.end(), ring.begin(), ring.end());  // twice around: no inside
         return {ItemKind::polygon, {ring}};
       }
     }
@@ -225,7 +227,7 @@ class SceneMaker {
     return {ItemKind::polygon, {{a, b, next_point(b)}}};
   }
 
-  /// A segment with a shared point inside it.
+  /// Returns a segment through a shared point.
   Shape through_hub() {
     if (hubs_.empty() || random_.chance(30)) hubs_.push_back(fresh_point());
     const Point hub = hubs_[random_.below(hubs_.size())];
@@ -240,7 +242,7 @@ class SceneMaker {
     return copy;
   }
 
-  /// A point on a side, exact where the side has grid points between its ends or halves well.
+  /// Returns a point on a side. It is exact if the side has grid points between its ends or an exact midpoint.
   Point point_on(const std::pair<Point, Point>& side) {
     const auto& [a, b] = side;
     const double unit = grid_range(flavour_).unit;
@@ -260,7 +262,7 @@ class SceneMaker {
   Shape overlap() {
     const auto side = earlier_side();
     const auto& [a, b] = side;
-    if (random_.chance(25)) {  // a line through the origin, on which all powers of two lie
+    if (random_.chance(25)) {  // a line through the origin that contains all powers of two
       const Point far = inside({a.x * 4.0, a.y * 4.0});
       if (random_.chance(50)) return {ItemKind::polyline, {{{a.x, a.y}, far}}};
       return {ItemKind::polyline, {{inside({0.0, 0.0}), inside({a.x * 2.0, a.y * 2.0})}}};
@@ -285,7 +287,7 @@ class SceneMaker {
     return {ItemKind::segment, {{on, next_point(on)}}};
   }
 
-  /// Off by the least there is, or by about 2^-50 of the size.
+  /// Returns `value` moved by the smallest possible step, or by about 2^-50 of its size.
   double nudged(double value) {
     if (flavour_ == Flavour::mixed) {
       const double offset = std::ldexp(static_cast<double>(random_.between(-4, 4)), -52) * std::fabs(value);
@@ -319,7 +321,8 @@ class SceneMaker {
     scene_.items.push_back({id, std::move(shape)});
   }
 
-  /// Tight in some scenes, so that what lies outermost lies on the boundary; wider than all there is in others.
+  /// Returns the domain. In some scenes it is tight, so that the outermost points lie on its boundary; in others it is
+  /// wider than all items.
   Box domain() {
     const std::size_t dice = random_.below(10);
     Box tight{limits_.max, limits_.min};
@@ -376,7 +379,7 @@ Scene random_scene(Flavour flavour, std::uint64_t seed, std::size_t item_count) 
   return scene;
 }
 
-// With random numbers of its own: the points of a scene do not depend on the rules.
+// Uses its own random numbers, so that the points of a scene do not depend on the fill rules.
 void give_fill_rules(Scene& scene, std::uint64_t seed) {
   Random random(seed ^ 0x66696c6c2072756cU);
   const std::vector<Item> items = scene.items;
@@ -398,7 +401,7 @@ void give_fill_rules(Scene& scene, std::uint64_t seed) {
 
 Point random_point(Flavour flavour, const Box& domain, Random& random) {
   SceneMaker maker(flavour, random.next());
-  // The flavour's own coordinate where it is inside, else anywhere in between.
+  // Uses the flavour's own coordinate if it is inside, else any coordinate in the range.
   const auto within = [&](double low, double high) {
     const double own = maker.coordinate();
     if (own >= low && own <= high && !random.chance(20)) return own;

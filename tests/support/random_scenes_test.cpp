@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kScenes = 40;
 constexpr std::size_t kItems = 60;
 
-/// How often each kind of thing turns up.
+/// How often each kind of event occurs.
 using Census = std::map<std::string, std::size_t>;
 
 bool is_degenerate(const std::vector<Point>& ring) {
@@ -51,7 +51,7 @@ void count_items(const Scene& scene, Census& census) {
   }
 }
 
-/// What only the oracle sees. A corner on the inside of another item's side leaves a wall cut there.
+/// Counts what only the oracle can see. A corner inside another item's side divides a wall there.
 void count_meetings(const Scene& scene, Census& census) {
   const oracle::Oracle oracle(oracle::to_oracle(scene));
   census["vertices"] += oracle.vertex_count();
@@ -89,7 +89,7 @@ TEST_P(RandomScenes, HaveAllKindsOfThings) {
     EXPECT_GE(census[thing], kScenes / 2) << thing;
   }
   EXPECT_GE(census["crossings"], 10 * kScenes);
-  EXPECT_LE(census["vertices"], 1000 * kScenes);  // or the long runs would take too long
+  EXPECT_LE(census["vertices"], 1000 * kScenes);  // otherwise the long runs would take too long
 }
 
 TEST_P(RandomScenes, AreWhatAWorldTakes) {
@@ -145,7 +145,7 @@ TEST_P(RandomScenes, HaveTightAndWideDomains) {
 INSTANTIATE_TEST_SUITE_P(Flavours, RandomScenes, ::testing::ValuesIn(kFlavours),
                          [](const auto& flavour) { return std::string(to_string(flavour.param)); });
 
-// Nearly equal numbers: they differ by less than 2^-48 of their size.
+// Near-misses are numbers that differ by less than 2^-48 of their size.
 TEST(RandomScenesMixed, HaveNearMissesAndManySizes) {
   std::size_t near_misses = 0;
   std::set<int> exponents;

@@ -77,7 +77,7 @@ class WorldCheck {
     return std::nullopt;
   }
 
-  // The dump is right by now: here only what the snapshot says otherwise than the oracle.
+  // The caller has checked the dump. This compares only what the snapshot reports independently.
   Fault check_snapshot(const World& world) const {
     const MeshSnapshot snapshot = world.snapshot();
     if (oracle::to_oracle(snapshot.vertices) != oracle_.nearest_vertices()) {
@@ -113,7 +113,7 @@ class WorldCheck {
       points.push_back(corner);
       points.push_back({middle(corner.x, next.x), middle(corner.y, next.y)});
     }
-    // The doubles nearest to vertices lie on them or hardly off.
+    // The doubles nearest to vertices lie on them or very close to them.
     const auto& vertices = oracle_.nearest_vertices();
     for (std::size_t i = 0; i < 4; ++i) {
       const oracle::OraclePoint p = vertices[random_.below(vertices.size())];
@@ -160,7 +160,7 @@ class WorldCheck {
     const Point outside{scene_.domain.max.x, std::nextafter(scene_.domain.max.y, 0x1p101)};
     const bool in_range = outside.y <= 0x1p100 && std::fabs(outside.y) >= 0x1p-100;
     const ErrorCode outside_code = in_range ? ErrorCode::out_of_domain : ErrorCode::coordinate_range;
-    // Good points first: nothing of them may stay.
+    // The valid points come first. A refused insertion must leave none of them behind.
     const Point other = scene_.domain.max;
     const std::vector<std::pair<Shape, ErrorCode>> refused{
         {{ItemKind::segment, {{good, {nan, good.y}}}}, ErrorCode::coordinate_range},
@@ -197,7 +197,7 @@ class WorldCheck {
     return std::nullopt;
   }
 
-  // All items at once, into nothing and into what the first of them have made.
+  // Inserts all items in one operation, into an empty world and into a world with the first third of them.
   Fault check_at_once(std::string_view dump) {
     for (const std::size_t before : {std::size_t{0}, scene_.items.size() / 3}) {
       Result<World> world = World::create(scene_.domain);
@@ -219,7 +219,7 @@ class WorldCheck {
     return std::nullopt;
   }
 
-  /// As a world of its own gives it back.
+  /// Returns the item's shape as a world of its own returns it.
   Result<Shape> world_shape(const Item& item) const {
     World world = World::create(scene_.domain).value();
     (void)world.insert(item.shape, item.id);

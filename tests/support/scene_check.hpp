@@ -12,21 +12,22 @@
 
 namespace waywright::test {
 
-/// What checking a world found: the body that the property tests and the soak share.
+/// The result of checking a world. The property tests and the soak use the same check.
 struct SceneReport {
-  std::optional<std::string> fault;  ///< the first
-  std::size_t operations = 0;        ///< insertions, refused ones too, and queries
+  std::optional<std::string> fault;  ///< the first fault
+  std::size_t operations = 0;        ///< insertions, also refused ones, and queries
   std::size_t vertices = 0;          ///< of the finished mesh
 };
 
-/// Builds the scene's world item by item and holds it against the oracle: validate() after every insertion; the dump
-/// and the snapshot of the finished mesh; locations of random points, corners and middles of sides; refused insertions
-/// change nothing; another order of the items gives the same dump. All that is random follows from the seed.
+/// Builds the scene's world item by item and compares it with the oracle: validate() after every insertion; the dump
+/// and the snapshot of the finished mesh; the locations of random points, corners and midpoints of sides. Also checks
+/// that refused insertions change nothing and that another order of the items gives the same dump. The seed determines
+/// everything that is random.
 [[nodiscard]] SceneReport check_scene(const Scene& scene, Flavour flavour, std::uint64_t seed);
 
 using SceneCheck = std::function<SceneReport(const Scene&)>;
 
-/// The scene less all items and points that it can do without and still fail the check.
+/// Returns the scene without all items and points that are not needed for it to fail the check.
 [[nodiscard]] Scene shrink(Scene scene, const SceneCheck& check);
 
 /// Shrinks a scene that fails a check and writes it as a world script into the folder for temporary files. Returns a

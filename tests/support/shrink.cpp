@@ -11,7 +11,7 @@
 namespace waywright::test {
 namespace {
 
-/// Takes ever smaller runs of items out, as long as the check still fails.
+/// Removes smaller and smaller runs of items, as long as the check still fails.
 void shrink_items(Scene& scene, const SceneCheck& check) {
   for (std::size_t run = scene.items.size(); run > 0; run /= 2) {
     for (std::size_t first = 0; first < scene.items.size();) {

@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Fails while the scene has a polygon with a point left of `x` and, apart from it, a segment.
+/// Fails while the scene contains a polygon with a point left of `x`, and a segment.
 SceneReport polygon_and_segment(const Scene& scene, double x) {
   bool polygon = false;
   bool segment = false;

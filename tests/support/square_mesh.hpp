@@ -8,8 +8,8 @@
 
 namespace waywright::test {
 
-/// The smallest world: a square of the corners a, b, c, d, counter-clockwise, cut along a - c, and the ghost joined to
-/// all four.
+/// The smallest triangulated box: a square with the corners a, b, c, d, counter-clockwise, divided along a - c, and the
+/// ghost vertex connected to all four.
 struct SquareMesh {
   mesh::TriangleMesh mesh;
   mesh::Vertex ghost{0}, a{1}, b{2}, c{3}, d{4};

@@ -16,7 +16,7 @@ std::string digest(std::string_view bytes) {
   return text;
 }
 
-// The examples that NIST publishes with FIPS 180-4, and lengths around a block's end (values from coreutils'
+// The examples that NIST publishes with FIPS 180-4, and lengths close to the end of a block (values from coreutils'
 // sha256sum).
 TEST(Sha256, PublishedExamples) {
   EXPECT_EQ(digest(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");

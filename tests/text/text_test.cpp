@@ -86,10 +86,10 @@ TEST(ReadNumber, TakesDecimalNumbers) {
 }
 
 TEST(ReadNumber, RoundsToTheNearestDouble) {
-  // 2^53 + 1 lies midway between two doubles, and the even one is 2^53; a digit behind tips it.
+  // 2^53 + 1 lies midway between two doubles, and 2^53 is the even one. One more digit makes the upper one nearer.
   EXPECT_EQ(read_number("9007199254740993"), 0x1p53);
   EXPECT_EQ(read_number("9007199254740993.0000000000000000000000000000000001"), 0x1p53 + 2.0);
-  // Half the least denormal is 2.47...e-324.
+  // Half the smallest subnormal number is 2.47...e-324.
   EXPECT_EQ(read_number("2.5e-324"), 0x1p-1074);
   EXPECT_EQ(read_number("2.4e-324"), 0.0);
   EXPECT_EQ(read_number("-2.4e-324"), 0.0);

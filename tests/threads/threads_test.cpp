@@ -30,13 +30,13 @@ Answers ask(const World& world, const std::vector<Point>& places) {
     answers.inside.push_back(location.inside);
     world.find_path({places[i - 1], places[i]}, context, path).value();
     answers.paths.push_back(path.points);
-    answers.paths.push_back(world.find_path({places[i], places[i - 1]}).value().points);  // by the world's own context
+    answers.paths.push_back(world.find_path({places[i], places[i - 1]}).value().points);  // the world's own context
     answers.inside.push_back(world.items_in({places[i], places[i]}).value());
   }
   return answers;
 }
 
-// To be run under the thread sanitizer: queries write to nothing that they share.
+// Made for the thread sanitizer: queries write to no memory that they share.
 TEST(Threads, AnyNumberMayQueryOneWorldAtOnce) {
   const Scene scene = random_scene(Flavour::small, 7, 60);
   World world = World::create(scene.domain).value();
@@ -73,7 +73,7 @@ TEST(Threads, ShareTheQueriesOfABatch) {
   }
 }
 
-// A crowd, a lattice and points that repeat; enough of them that every thread has work.
+// A crowd, a lattice and repeated points; enough of them that every thread has work.
 TEST(Threads, ManyBuildTheWorldThatOneBuilds) {
   Random random(31);
   std::vector<Point> points;

@@ -22,7 +22,8 @@ void expect_one_line_and_status_2(const CommandResult& result) {
   EXPECT_GT(result.err.size(), 15U);
 }
 
-/// WORLD stands for a good script's file, NEW for a file that is not there, LOST for one in a folder that is not there.
+/// WORLD stands for the file of a valid script, NEW for a file that does not exist, LOST for a file in a folder that
+/// does not exist.
 class BadArguments : public testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(BadArguments, EndInOneLineStatus2AndNoFile) {
@@ -79,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         Arguments{"scenario", "WORLD"}, Arguments{"scenario", "WORLD", "NEW.scen"},
         Arguments{"scenario", "NEW.wws", "WORLD"}));
 
-/// The arguments, of which WORLD is a good script's file, and what the command says then.
+/// The arguments and the message that the command must print. WORLD stands for the file of a valid script.
 struct Message {
   Arguments arguments;
   std::string text;
@@ -181,7 +182,7 @@ TEST(Arguments, TooSmallForADoubleReadAsInAScript) {
   EXPECT_EQ(json_lines(result.out).at(0).at("length"), 1) << result.err;
 }
 
-// CLI11 finds nothing wrong that our own check has not found before: its own messages count differently.
+// CLI11 must find no error that the command's own check has not found before: CLI11 uses other statuses and messages.
 TEST(Arguments, OfAnyKindEndInAStatusAndOneLine) {
   const TemporaryFolder folder;
   const std::string world = folder.file("world.wws", kWorld);
@@ -296,7 +297,7 @@ TEST(StandardOutput, AReaderThatGoesAwayIsTold) {
   std::string script = kWorld;
   for (int i = 0; i < 50000; ++i) script += "locate 1 2\n";
   const std::string world = folder.file("long.wws", script);
-  // The shell's own exit status is that of the command on the pipe's left, put into a file.
+  // The shell writes the exit status of the command, which is left of the pipe, into a file.
   const auto result = run_program("sh", {"-c", "{ \"$0\" run \"$1\"; echo $? >\"$2\"; } | head -n 1", WAYWRIGHT_COMMAND,
                                          world, folder.file("status")});
   EXPECT_EQ(read_file(folder.file("status")), "2\n");

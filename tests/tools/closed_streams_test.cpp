@@ -12,7 +12,8 @@ namespace {
 
 const std::string kWorld = "waywright 1\ndomain 0 0 9 9\n";
 
-/// Each subcommand in a way that prints, and the options that print without one. The shell's "$D" is the folder.
+/// Each subcommand with arguments for which it prints, and the options that print without a subcommand. "$D" in the
+/// shell is the folder.
 const std::vector<std::string> kPrinting{
     "run \"$D\"/a.wws",
     "run - <\"$D\"/a.wws",
@@ -31,7 +32,7 @@ const std::vector<std::string> kPrinting{
     "--version",
 };
 
-/// A folder with what kPrinting reads.
+/// A folder with the files that kPrinting reads.
 struct Inputs {
   TemporaryFolder folder;
   std::string script = folder.file("a.wws", kWorld + "locate 1 1\n");
@@ -67,7 +68,7 @@ TEST(ClosedStreams, AFullStandardOutputIsToldForEverySubcommand) {
   }
 }
 
-// What cannot be printed there is lost, but the status tells.
+// The command cannot print an error to a closed stream, but the exit status tells about it.
 TEST(ClosedStreams, StandardErrorEndsNothingInAnAbort) {
   const Inputs inputs;
   for (const std::string closed : {"2>&-", "2>/dev/full", "2>&- >&-", "2>&- >&- <&-", "2>&- >/dev/full"}) {
@@ -90,7 +91,7 @@ TEST(ClosedStreams, SilentWorkNeedsNone) {
   EXPECT_EQ(read_file(inputs.folder.file("x.svg")).substr(0, 4), "<svg");
 }
 
-// A file that takes the place of a closed stream would get what is printed there.
+// If an output file got the descriptor of a closed stream, the command would print into that file.
 TEST(ClosedStreams, NoOutputFileTakesTheirPlace) {
   const Inputs inputs;
   const std::string dump = inputs.folder.file("dump");
@@ -108,7 +109,8 @@ TEST(ClosedStreams, NoOutputFileTakesTheirPlace) {
   }
 }
 
-// A pipe is opened before the run, and so could get the answers.
+// The command opens a pipe before the run. If the pipe got the descriptor of a closed stream, it would receive the
+// answers.
 TEST(ClosedStreams, NoPipeTakesTheirPlace) {
   const Inputs inputs;
   const auto result = inputs.shell(

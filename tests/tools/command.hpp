@@ -21,7 +21,7 @@
 
 namespace waywright::test {
 
-/// A folder that lasts as long as its test.
+/// A folder that exists as long as its test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -41,7 +41,7 @@ class TemporaryFolder {
     return file(name);
   }
 
-  /// How many files there are: what a command left.
+  /// Returns the number of files in the folder, for example those that a command left.
   [[nodiscard]] std::size_t file_count() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(root_), {}));
   }
@@ -58,13 +58,13 @@ inline std::string read_file(const std::string& name) {
 }
 
 struct CommandResult {
-  int status = -1;  ///< of the exit; -1 where the program did not end by itself
+  int status = -1;  ///< exit status; -1 if the program did not exit by itself
   std::string out;
   std::string err;
 };
 
-/// Runs a program, its standard output and error kept in files; `output` is where standard output goes instead, if
-/// anywhere.
+/// Runs a program and stores its standard output and error in files. If `output` is not empty, standard output goes
+/// there instead.
 inline CommandResult run_program(const std::string& program, std::vector<std::string> arguments,
                                  const std::string& input = {}, const std::string& output = {}) {
   const TemporaryFolder folder;
@@ -90,14 +90,14 @@ inline CommandResult run_program(const std::string& program, std::vector<std::st
           read_file(err)};
 }
 
-/// Runs the command as a user would.
+/// Runs the command as a user does.
 inline CommandResult run_command(const std::vector<std::string>& arguments, const std::string& input = {},
                                  const std::string& output = {}) {
   return run_program(WAYWRIGHT_COMMAND, arguments, input, output);
 }
 
-/// Runs a line of the shell in which "$W" is the command and "$1", "$2", ... are arguments. The line's own redirections
-/// close and redirect what run_command cannot.
+/// Runs a line of the shell, in which "$W" is the command and "$1", "$2", ... are arguments. The line can redirect and
+/// close streams that run_command cannot.
 inline CommandResult run_shell(const std::string& line, std::vector<std::string> arguments = {},
                                const std::string& input = {}) {
   arguments.insert(arguments.begin(), {"-c", "W=$0; " + line, WAYWRIGHT_COMMAND});

@@ -24,7 +24,7 @@ const std::string kScenario = "version 1\n0 a.map 9 9 1 1 1 3 2\n";
 const std::string kPoly = "0 2 0 0\n0\n0\n";
 const std::string kNode = "1 2 0 0\n1 0 0\n";
 
-/// What each subcommand reads, and other names of these files.
+/// The files that each subcommand reads, and other names of these files.
 struct Files {
   TemporaryFolder folder;
   std::string script = folder.file("a.wws", kWorld);
@@ -53,7 +53,7 @@ struct Files {
   }
 };
 
-/// Other names of a file.
+/// Returns other names of a file.
 std::vector<std::string> spellings(const std::string& file) {
   const fs::path path(file);
   return {file,
@@ -145,7 +145,7 @@ TEST(SharedFiles, NoTwoOutputsAreOne) {
   EXPECT_EQ(run_command({"run", files.script, "--dump", "/dev/null", "--svg", "/dev/null"}).status, 0);
 }
 
-/// Three runs that write a file of that name, one after the other.
+/// Runs the command three times; each run writes a file of that name.
 void write_all(const Files& files, const std::string& target) {
   EXPECT_EQ(run_command({"run", files.script, "--dump", target}).status, 0);
   EXPECT_EQ(read_file(target).substr(0, 11), "vertices 4\n");
@@ -184,7 +184,7 @@ TEST(WrittenFiles, KeepTheirOwner) {
   EXPECT_EQ(status.st_gid, 4712U);
 }
 
-/// Runs the command as a user without rights, which only the superuser can.
+/// Runs the command as a user without rights. Requires: the caller is the superuser.
 CommandResult run_as_nobody(const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"--reuid=65534", "--regid=65534", "--clear-groups", WAYWRIGHT_COMMAND};
   all.insert(all.end(), arguments.begin(), arguments.end());
@@ -210,7 +210,8 @@ TEST(WrittenFiles, AreRefusedWhereTheUserMayNotWriteThem) {
   EXPECT_EQ(run_as_nobody({"run", files.script}).err, files.script + ": cannot be read: Permission denied\n");
 }
 
-// The folder takes no new file, or a new file could not have the old one's owner: the file itself can be written.
+// The folder accepts no new file, or a new file could not have the old file's owner. The command can still write the
+// file itself.
 TEST(WrittenFiles, AreOverwrittenInPlaceWhereNoOtherFileCanTakeTheirPlace) {
   if (!can_be_nobody()) GTEST_SKIP() << "needs the superuser and setpriv";
   const Files files;
@@ -264,7 +265,7 @@ TEST(WrittenFiles, NameAFolderThatIsNotThere) {
             files.folder.file("sub") + ": cannot be written: Is a directory\n");
 }
 
-// Nobody reads the answers, so that the run stops in its midst when the pipe is full.
+// Nobody reads the answers, so the run blocks when the pipe is full.
 TEST(WrittenFiles, LeaveNothingBehindWhereTheRunIsKilled) {
   const Files files;
   std::string script = kWorld;
@@ -327,7 +328,7 @@ TEST(Dash, IsStandardOutputWhereAFileIsWritten) {
       const auto result = with_file(name);
       EXPECT_EQ(result.status, 0) << result.err;
       EXPECT_EQ(result.out, read_file(target)) << name;
-      // What is printed besides goes to standard error; times differ.
+      // The rest of the output goes to standard error; times differ.
       EXPECT_EQ(result.err.substr(0, 60), plain.out.substr(0, 60)) << name;
     }
   }

@@ -19,7 +19,7 @@ void PrintTo(const Malformed& malformed, std::ostream* out) { *out << malformed.
 
 std::string name_of(const testing::TestParamInfo<Malformed>& info) { return info.param.name; }
 
-/// Status 2, nothing on standard output, and one line on standard error that starts with the place.
+/// Expects status 2, nothing on standard output, and one line on standard error that starts with the file and the line.
 void expect_malformed(const CommandResult& result, const std::string& file, int line) {
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.out, "");
@@ -45,7 +45,7 @@ TEST_P(MalformedScript, EndsWithStatus2AndLeavesNothing) {
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
-/// A script whose line 3 is at fault, after an answer that must not be printed.
+/// Returns a script with an error on line 3, followed by a query whose answer must not be printed.
 Malformed third(const std::string& name, const std::string& line) {
   return {name, "waywright 1\ndomain 0 0 10 10\n" + line + "\nlocate 1 1\n", 3};
 }
@@ -130,7 +130,7 @@ TEST(MalformedScript, ADomainOutOfRangeIsToldByItsLine) {
   expect_malformed(result, folder.file("a.wws"), 3);
 }
 
-/// A file of another format, its name's ending part of the case.
+/// A file of another format. The case contains the ending of its name.
 struct MalformedMap {
   Malformed malformed;
   std::string file;

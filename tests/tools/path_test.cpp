@@ -55,7 +55,7 @@ TEST(PathCommand, NoPathIsAnAnswer) {
 
 class PathCommandBy : public ::testing::TestWithParam<std::string> {};
 
-/// Expects the answer's length, and a piece from each of the points to the next.
+/// Expects an answer with this length, and a piece from each of the points to the next.
 void expect_path(const std::string& map, const std::vector<std::string>& from, const std::vector<std::string>& to,
                  const std::string& algorithm, double length, const std::vector<double>& points) {
   std::vector<std::string> all = arguments(map, from, to);
@@ -71,14 +71,14 @@ void expect_path(const std::string& map, const std::vector<std::string>& from, c
   }
 }
 
-// Over the block, from corner to corner, it is 5 + 2 + 5; under it 2 + 2 sqrt(109).
+// Over the block, from corner to corner, the length is 5 + 2 + 5; under it 2 + 2 sqrt(109).
 TEST_P(PathCommandBy, GoesAroundTheNearerSide) {
   const TemporaryFolder folder;
   const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 20\npolygon 1 4 4 2 6 2 6 16 4 16\n");
   expect_path(map, {"1", "12"}, {"9", "12"}, GetParam(), 12.0, {1, 12, 4, 16, 6, 16, 9, 12});
 }
 
-// The first wall stands on the border, so that every way leads around three of the ends.
+// The first wall touches the boundary, so every path leads around three of the ends.
 TEST_P(PathCommandBy, WindsAroundWallsThatCross) {
   const TemporaryFolder folder;
   const std::string map =
@@ -98,8 +98,8 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, PathCommandBy, ::testing::Values("optimal",
 
 TEST(PathCommand, ReadsMovingAiMaps) {
   const TemporaryFolder folder;
-  // Free everywhere but for a column of two cells below the upper side: the way round it leads through (1, 2) and (2,
-  // 2).
+  // All cells are free except a column of two cells below the upper side. The path around it leads through (1, 2) and
+  // (2, 2).
   const std::string map = folder.file("map.map", "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n");
   const auto lines = json_lines(run_command(arguments(map, {"0", "0"}, {"3", "0"})).out);
   ASSERT_EQ(lines.size(), 1U);
@@ -130,7 +130,7 @@ TEST(ConvertCommand, WritesAScriptThatHoldsTheSameWorld) {
   const auto converted = run_command({"convert", map, script});
   EXPECT_EQ(converted.status, 0);
   EXPECT_EQ(converted.out + converted.err, "");
-  // The cell (2, 1) is open to the upper right only through a diagonal, which is closed.
+  // The cell (2, 1) touches the free cell at its upper right only diagonally, and that diagonal is closed.
   const auto places = run_script(read_file(script) +
                                  "locate 1.5 1.5\nlocate 2.5 1.5\nlocate 3.5 0.5\nlocate 4.5 3.5\n"
                                  "path 2.5 1.5 3.5 0.5 0\n");

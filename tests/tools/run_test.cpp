@@ -46,7 +46,7 @@ TEST(RunCommand, ListsThePolygonsThatCoverAPointAscending) {
   EXPECT_EQ(lines[0].at("inside"), json::parse("[4,9]"));  // in the hole of 5
   EXPECT_EQ(lines[1].at("inside"), json::parse("[5,9]"));
   EXPECT_EQ(lines[2].at("inside"), json::parse("[4,9]"));  // a corner of 9
-  EXPECT_EQ(lines[3].at("inside"), json::parse("[5,9]"));  // the hole's corner bounds 5
+  EXPECT_EQ(lines[3].at("inside"), json::parse("[5,9]"));  // the hole's corner is on the boundary of 5
 }
 
 TEST(RunCommand, PrintsTheFirstWallOfARay) {
@@ -76,7 +76,8 @@ TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
   EXPECT_EQ(counted.out, plain.out);
   const auto stats = json::parse(counted.err);
   EXPECT_EQ(stats.at("op"), "stats");
-  // Three crossings: of walls along the axes; and of the third, whose ends are no whole numbers, with each of the two.
+  // Three crossings: one of the two walls along the axes, and one of each of these with the third wall, whose ends are
+  // not whole numbers.
   EXPECT_EQ(stats.at("crossing"), json::parse(R"({"doubles":1,"lattice":2,"integers":0})"));
   for (const char* const question : {"orientation", "in_circle", "order"}) {
     EXPECT_GT(stats.at(question).at("doubles"), 0) << question;
@@ -84,8 +85,8 @@ TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
   }
 }
 
-// Of a box and a point: 6 vertices, the ghost among them, each with two coordinates, a half-edge and a list of items;
-// of a triangulated sphere, 8 faces of three corners and three neighbours.
+// A box and a point have 6 vertices with the ghost vertex. Each has two coordinates, a half-edge and a list of items.
+// The triangulated sphere has 8 faces with three corners and three neighbours each.
 TEST(RunCommand, TellsWhereTheMemoryIs) {
   const auto memory = json::parse(run_script(kHead + "point 1 5 2\n", {"--stats"}).err).at("memory");
   EXPECT_EQ(memory.at("faces"), 8 * 24);
@@ -100,7 +101,7 @@ TEST(RunCommand, WalksRoundTheEndOfAWall) {
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].at("found"), true);
   EXPECT_EQ(lines[0].at("pieces"), json::parse(R"([{"line":[2,3,5,6]},{"line":[5,6,8,3]}])"));
-  EXPECT_NEAR(lines[0].at("length").get<double>(), 8.48528137423857, 1e-12);  // 6 times the root of 2
+  EXPECT_NEAR(lines[0].at("length").get<double>(), 8.48528137423857, 1e-12);  // 6 sqrt(2)
 }
 
 TEST(RunCommand, SaysWhyThereIsNoPath) {
@@ -295,7 +296,7 @@ TEST(RunCommand, HashesDependOnWhatIsAliveAlone) {
     EXPECT_NE(lines[0].at(key), lines[1].at(key));
   }
   EXPECT_EQ(lines[0].at("items").get<std::string>().size(), 32U);
-  // By sha256sum: the dump of an empty domain from (0, 0) to (10, 10).
+  // By sha256sum: the hash of the dump of an empty domain from (0, 0) to (10, 10).
   EXPECT_EQ(lines[0].at("mesh"), "328b360e93502b993a3e5ef13145f53b099dca3a5613bf958a38dee452aeb19e");
 }
 
@@ -338,7 +339,8 @@ TEST(RunCommand, StopsAtTheFirstRefusalAndWritesNoFilesWhenStrict) {
   EXPECT_EQ(folder.file_count(), 0U);
 }
 
-// A path is drawn in the world it was found in: once that has changed, a picture shows the world alone.
+// A picture shows a path only if the world is still the world in which it was found. Otherwise it shows the world
+// alone.
 TEST(RunCommand, DrawsNoPathOfAWorldThatHasChangedSince) {
   const TemporaryFolder folder;
   const std::string world = kHead + "segment 1 2 5 8 5\nsegment 2 5 6 5 9\n";

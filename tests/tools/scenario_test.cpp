@@ -11,7 +11,8 @@
 namespace waywright::test {
 namespace {
 
-/// Free but for a column of two cells below the upper side: the way round it leads through (1, 2) and (2, 2).
+/// All cells are free except a column of two cells below the upper side. The path around it leads through (1, 2) and
+/// (2, 2).
 const std::string kMap = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n";
 
 std::string query(const std::string& ends, const std::string& length) {
@@ -29,7 +30,7 @@ struct Files {
   std::string scenario = folder.file("u.map.scen", kScenario);
 };
 
-/// The number after a line's name.
+/// Returns the number after the name of a line.
 std::string number_after(const std::string& text, const std::string& name) {
   const std::size_t at = text.find("\n" + name);
   if (at == std::string::npos) return "no such line";
@@ -53,12 +54,13 @@ TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
     EXPECT_EQ(number_after(result.out, "no path where one is given"), "1");
     EXPECT_EQ(number_after(result.out, "a path where none is given"), "1");
     EXPECT_EQ(number_after(result.out, "an end between two cells"), "0");
-    // Of three lengths above 0: 1, 3 / 3.5 and 2 / 1.9.
+    // The mean over the three lengths above 0: 1, 3 / 3.5 and 2 / 1.9.
     EXPECT_NEAR(std::stod(number_after(result.out, "length / given")), (1 + 3 / 3.5 + 2 / 1.9) / 3, 1e-6);
   }
 }
 
-// Two blocked cells touch at (1, 1): who starts there may be on either side, and the sides are far from each other.
+// Two blocked cells touch at (1, 1). A path that starts there may start on either side, and the sides are far from each
+// other.
 TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
   TemporaryFolder folder;
   const std::string map = folder.file("u.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n.@..\n....\n....\n");
@@ -165,7 +167,7 @@ TEST(ScenarioCommand, AsksTheQueriesOfAnotherMapWhereTold) {
   EXPECT_EQ(number_after(result.out, "as given"), "1");
 }
 
-// A world script has no cells, and a map converted to one keeps its name.
+// A world script has no cells, and a map that was converted to one keeps its name.
 TEST(ScenarioCommand, TakesTheMapAsAWorldScript) {
   const Files files;
   const std::string script = files.folder.file("u.wws");

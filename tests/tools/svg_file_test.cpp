@@ -45,7 +45,7 @@ TEST(SvgFile, OfAPathIsTitledWithTheMapAndDrawnTheMapsWayUp) {
   EXPECT_EQ(drawn["title"], "one & two.map");
   EXPECT_EQ(drawn["mesh"], 0);
   EXPECT_EQ(drawn["groups"]["paths"], 1);
-  // The blocked cell is the uppermost thing: its smallest y is that of the whole map.
+  // The blocked cell is the topmost element: its smallest y is that of the whole map.
   const auto numbers = drawn["numbers"].get<std::vector<double>>();
   ASSERT_GE(numbers.size(), 8U);
   EXPECT_LT(*std::min_element(numbers.begin(), numbers.begin() + 8), 100);
@@ -124,7 +124,7 @@ TEST(SvgFile, OfABadCropBoxSaysWhatIsWrong) {
     arguments.insert(arguments.end(), crop.begin(), crop.end());
     const CommandResult result = run_command(arguments);
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.out, "");  // told before anything runs
+    EXPECT_EQ(result.out, "");  // refused before anything runs
     EXPECT_EQ(folder.file_count(), 1U);
     return result.err;
   };

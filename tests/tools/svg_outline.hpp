@@ -18,9 +18,9 @@ namespace waywright::test {
 
 using nlohmann::json;
 
-/// What a picture holds, as an XML parser that knows nothing of us sees it: how many elements each group has, every
-/// element with its group, attributes, text, hint and fill, the legend's labels, the title, and all numbers of paths. A
-/// text where the picture is not well-formed.
+/// Returns what a picture contains, as a generic XML parser reads it: how many elements each group has; every element
+/// with its group, attributes, text, hint and fill; the labels of the legend; the title; and all numbers of paths.
+/// Returns a text if the picture is not well-formed XML.
 inline json outline(const std::string& svg) {
   static const char* const kScript =
       "import json, re, sys, xml.etree.ElementTree as tree\n"
@@ -49,7 +49,7 @@ inline json outline(const std::string& svg) {
   return result.status == 0 ? json::parse(result.out) : json(result.err);
 }
 
-/// The picture's elements in a group, of one tag.
+/// Returns the picture's elements in a group that have a given tag.
 inline std::vector<json> elements_of(const json& drawn, const std::string& group, const std::string& tag) {
   std::vector<json> found;
   for (const json& element : drawn["elements"]) {
@@ -80,7 +80,7 @@ inline json drawing_of(const World& world, const SvgOverlay& overlay = {}, const
   return drawn;
 }
 
-/// Options that leave nothing in the legend but what a test asks about.
+/// Returns options for a picture whose legend contains only what the test sets.
 inline SvgOptions bare_options() {
   SvgOptions options;
   options.mesh = false;
@@ -106,7 +106,7 @@ inline void put(World& world, ItemKind kind, const std::vector<std::vector<Point
 
 inline World make_world(const Box& domain) { return World::create(domain).value(); }
 
-/// How bright a colour looks, 0 to 1. Source: WCAG 2.1, relative luminance.
+/// Returns how bright a colour looks, from 0 to 1. Source: WCAG 2.1, relative luminance.
 inline double luminance(const std::string& colour) {
   const auto part = [&](std::size_t i) {
     const double value = std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;

@@ -52,7 +52,7 @@ TEST(ToSvg, MarksRays) {
                                                                "ray from (1, 9) to (9, 9), hits nothing"}));
   EXPECT_EQ(hints_of(drawn, "rays-ends"),
             (std::vector<std::string>{"end (9, 2)", "start (1, 2)", "hit (5, 2): 3", "end (9, 9)", "start (1, 9)"}));
-  // Each ray's rim and line; of the one that hits also the rest, dashed.
+  // Each ray has an outline and a line. The ray that hits also has its rest, which is dashed.
   std::vector<json> lines = elements_of(drawn, "rays", "path");
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_TRUE(lines[2].contains("stroke-dasharray"));
@@ -139,7 +139,7 @@ TEST(ToSvg, DrawsWhatTheCallerAdds) {
   EXPECT_EQ(elements_of(drawn, "elements", "rect").size(), 1U);
   const std::vector<json> labels = elements_of(drawn, "labels", "text");
   ASSERT_EQ(labels.size(), 2U);
-  EXPECT_EQ(labels[0]["text-anchor"], "start");  // there is no room on the left either
+  EXPECT_EQ(labels[0]["text-anchor"], "start");  // there is no room to the left either
   EXPECT_NEAR(number_of(labels[0], "x"), frame.to_picture({5.5, 5}).x + 8, 0.006);
   EXPECT_EQ(labels[1]["text-anchor"], "start");
   EXPECT_EQ(drawn["labels"], json({"mine"}));

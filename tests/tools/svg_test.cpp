@@ -52,7 +52,7 @@ TEST(ToSvg, FillsEachPolygonByItsRule) {
     EXPECT_TRUE(world.insert({ItemKind::polygon, {star}, rule}).ok());
     return picture_of(world);
   };
-  // The group's rule is even-odd; a path may have its own.
+  // The group's fill rule is even-odd; a path may have its own.
   const std::string attribute = " fill-rule=\"nonzero\"";
   std::string nonzero = drawn_by(FillRule::nonzero);
   const std::size_t at = nonzero.find("<path" + attribute);
@@ -67,7 +67,8 @@ TEST(ToSvg, DrawsEveryFreeEdgeOnceAndNoneWithoutMesh) {
   World world = make_world({{0, 0}, {10, 10}});
   put(world, ItemKind::point, {{{2, 3}}});
   put(world, ItemKind::segment, {{{4, 4}, {6, 9}}});
-  // Seven vertices, four of them on the hull: 3 * 7 - 3 - 4 edges, of which the four sides and the wall are not free.
+  // Seven vertices, four of them on the convex hull: 3 * 7 - 3 - 4 edges. Of these, the four sides and the wall are not
+  // free.
   EXPECT_EQ(drawing_of(world)["mesh"], 3 * 7 - 3 - 4 - 5);
 
   const json without = drawing_of(world, {}, bare_options());
@@ -75,7 +76,7 @@ TEST(ToSvg, DrawsEveryFreeEdgeOnceAndNoneWithoutMesh) {
   EXPECT_EQ(without["labels"], json({"1 wall", "1 point"}));
 }
 
-/// A decimal comma and digits in groups.
+/// A locale with a decimal comma and digits in groups.
 class ForeignDigits : public std::numpunct<char> {
   [[nodiscard]] char do_decimal_point() const override { return ','; }
   [[nodiscard]] char do_thousands_sep() const override { return '.'; }
@@ -109,7 +110,8 @@ TEST(ToSvg, ShowsPlacesWhereItsFrameSays) {
       const json dot = elements_of(drawing_of(world, {}, options), "points", "circle").at(0);
       EXPECT_NEAR(number_of(dot, "cx"), frame.to_picture(place).x, 0.006);
       EXPECT_NEAR(number_of(dot, "cy"), frame.to_picture(place).y, 0.006);
-      // A third of the way along x, a fifth along y, from below or from above.
+      // The position in the map is the same fraction of the width and of the height as in the world, measured from
+      // below or from above.
       const Box& map = frame.map();
       EXPECT_NEAR(frame.to_picture(place).x, map.min.x + 0.3 * (map.max.x - map.min.x), 1e-9);
       EXPECT_NEAR(frame.to_picture(place).y, map.min.y + (y_down ? 0.2 : 0.8) * (map.max.y - map.min.y), 1e-9);
@@ -153,7 +155,7 @@ TEST(ToSvg, HasAScaleBarAsLongAsItSays) {
   for (const double size : {0.03, 1.0, 7.0, 512.0, 3e9}) {
     const World world = make_world({{0, 0}, {size, size}});
     const json drawn = drawing_of(world);
-    const std::string data = elements_of(drawn, "legend", "path").at(1)["d"];  // the first is the mesh's sample
+    const std::string data = elements_of(drawn, "legend", "path").at(1)["d"];  // the first is the sample of the mesh
     const double pixels = std::stod(data.substr(data.find('L') + 1)) - 1.0;
     const double length = std::stod(drawn["labels"].at(1).get<std::string>());
     EXPECT_NEAR(pixels, length * frame_of(world, {}).scale(), 0.006);
@@ -203,7 +205,7 @@ TEST(ToSvg, StaysSmallOfALargeWorld) {
   }
   EXPECT_EQ(static_cast<std::size_t>(std::count(dots.begin(), dots.end(), 'M')), points.size());
 
-  // A part of it is drawn in full.
+  // A cropped picture draws every point of its part.
   SvgOptions options;
   options.crop = Box{{20, 30}, {40, 50}};
   const std::string part = picture_of(world, {}, options);
@@ -251,7 +253,7 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
     EXPECT_LE(number, 1300);
   }
 
-  // The wall through the box keeps its place: at x = 500 it is at y = 250.
+  // The wall through the box keeps its position: at x = 500 it has y = 250.
   const SvgFrame frame = frame_of(world, options);
   const std::string data = elements_of(drawn, "walls", "path").at(0)["d"];
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A world and an overlay with everything that has a colour of the theme.
+/// Draws a world and an overlay with every element that has a colour of the theme.
 json colourful(SvgTheme theme) {
   World world = make_world({{0, 0}, {10, 10}});
   world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
@@ -72,7 +72,7 @@ TEST(ToSvg, IsLightOrDarkAsTheViewerPrefersUnlessATheme) {
     if (element["tag"] == "style") sheet = element["text"];
   }
   ASSERT_TRUE(sheet.starts_with("@media (prefers-color-scheme:dark){")) << sheet;
-  // Without the sheet it looks light; with it each element has the colours of the dark picture.
+  // Without the style sheet the picture looks light. With it, each element has the colours of the dark picture.
   std::vector<json> elements;
   for (const json& element : both["elements"]) {
     if (element["tag"] != "style") elements.push_back(element);

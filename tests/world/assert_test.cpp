@@ -16,7 +16,7 @@ namespace {
 
 World world_of_ten() { return World::create({{0, 0}, {10, 10}}).value(); }
 
-/// Prints what it is told, and ends the process with a status of its own.
+/// Prints the failure and ends the process with a special status.
 [[noreturn]] void end(const AssertionFailure& failure) {
   std::fprintf(stderr, "mine: %s (%s) in %s, line %s\n", failure.message, failure.condition, failure.file,
                failure.line > 0 ? "known" : "unknown");
@@ -92,7 +92,7 @@ TEST(AssertionOf, AnObjectThatHasBeenMovedFrom) {
                "PathSearch: this one has been moved from");
   EXPECT_DEATH(static_cast<void>(search.is_running()), "PathSearch: this one has been moved from");
 
-  // What has been moved from can be assigned to.
+  // A program can assign to objects that were moved from.
   world = world_of_ten();
   context = QueryContext();
   search = PathSearch();

@@ -19,7 +19,8 @@ World small_world() { return World::create({{0, 0}, {4, 4}}).value(); }
 
 Item item(std::uint64_t id, ItemKind kind, std::vector<Point> ring) { return {{id}, {kind, {std::move(ring)}}}; }
 
-/// A wall, a polygon that crosses it and repeats a corner, a point on both, and one on a corner of the domain.
+/// Returns a wall, a polygon that crosses it and repeats a corner, a point on both, and a point on a corner of the
+/// domain.
 std::vector<Item> crossing_items() {
   return {item(0, ItemKind::segment, {{0, 2}, {4, 2}}),
           item(9, ItemKind::polygon, {{1, 1}, {3, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1}}),
@@ -85,7 +86,7 @@ TEST(Bulk, PointsHaveConsecutiveIds) {
   EXPECT_EQ(world.insert_point({3, 3}).value(), ItemId{24});
 }
 
-// Ids that were seen are not handed out again, whatever has been made anew since.
+// The world never gives out an id twice, even after it was emptied.
 TEST(Bulk, AnEmptiedWorldRemembersItsLargestId) {
   World world = small_world();
   world.insert_point({1, 1}, {40}).value();

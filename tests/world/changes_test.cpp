@@ -18,7 +18,7 @@ namespace {
 
 std::filesystem::path scripts_folder() { return std::filesystem::path(WAYWRIGHT_SOURCE_DIR) / "tests/scripts"; }
 
-/// The names of the hard scripts, without their ending.
+/// Returns the names of the scripts, without their ending.
 std::vector<std::string> script_names() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(scripts_folder())) {
@@ -30,7 +30,8 @@ std::vector<std::string> script_names() {
 
 class HardScript : public ::testing::TestWithParam<std::string> {};
 
-// A fresh world and the oracle after every step. As a batch, a script without refused steps ends in the same world.
+// Compares with a new world and the oracle after every step. A script without refused steps, applied as one batch, must
+// give the same world.
 TEST_P(HardScript, IsRightAfterEveryStep) {
   const std::filesystem::path path = scripts_folder() / (GetParam() + ".wws");
   std::ifstream file(path, std::ios::binary);
@@ -55,7 +56,7 @@ TEST(HardScripts, AreAllThere) { EXPECT_GE(script_names().size(), 33U); }
 
 constexpr Box kEight{{0, 0}, {8, 8}};
 
-// Four corners of the domain; each wall brings two ends, the crossing counts once.
+// Four corners of the domain. Each wall adds two ends; the crossing counts once.
 TEST(Removal, KeepsACrossingAsLongAsTwoWallsMeetThere) {
   World world = World::create(kEight).value();
   ASSERT_TRUE(world.insert_segment({1, 1}, {7, 7}, {1}).ok());

@@ -18,7 +18,7 @@ constexpr ItemId kId{7};
 const std::vector<Point> kOuter = {{1, 1}, {9, 1}, {9, 9}, {1, 9}};
 const std::vector<Point> kInner = {{3, 3}, {7, 3}, {7, 7}, {3, 7}};
 const std::vector<Point> kInnerBack = {{3, 7}, {7, 7}, {7, 3}, {3, 3}};
-/// A star of five points: around its middle, a pentagon about (10, 10), it turns twice.
+/// A star of five points. Its ring turns twice around the pentagon in its middle, near (10, 10).
 const std::vector<Point> kStar = {{10, 18}, {5, 3}, {18, 12}, {2, 12}, {15, 3}};
 
 World world_with(const Shape& shape, bool keep_abstraction = true) {
@@ -27,7 +27,8 @@ World world_with(const Shape& shape, bool keep_abstraction = true) {
   return world;
 }
 
-/// Whether the shape covers the places, however the world came by it and whatever it keeps.
+/// Checks that the shape covers the points in `inside` and not those in `outside`, for worlds that got the shape by
+/// different operations and with different options.
 void expect_inside(const Shape& shape, const std::vector<Point>& inside, const std::vector<Point>& outside) {
   std::vector<World> worlds;
   worlds.push_back(world_with(shape));
@@ -87,7 +88,7 @@ TEST(FillRule, ARingTwiceRoundIsInsideWhereTurnsCount) {
   expect_inside({ItemKind::polygon, {to_and_fro}, FillRule::nonzero}, {}, {{5, 5}, {12, 5}});
 }
 
-// Two squares that turn opposite ways: where they overlap, the turns cancel out.
+// Two squares with opposite directions: where they overlap, the turns cancel out.
 TEST(FillRule, APlaceWhereTurnsCancelOutIsFreeBetweenItsWalls) {
   const std::vector<Point> other = {{5, 5}, {5, 13}, {13, 13}, {13, 5}};
   const Shape shape{ItemKind::polygon, {kOuter, other}, FillRule::nonzero};
@@ -98,7 +99,7 @@ TEST(FillRule, APlaceWhereTurnsCancelOutIsFreeBetweenItsWalls) {
   EXPECT_EQ(world.find_path({{12, 2}, {6, 6}})->status, PathStatus::no_path);
 }
 
-// A wall within the inside is a side of the polygon, and a place on it is not strictly inside.
+// A wall inside the polygon is a side of it, and a point on it is not strictly inside.
 TEST(FillRule, AWallBetweenTwoInsidesIsASideAllTheSame) {
   const World world = world_with({ItemKind::polygon, {kStar}, FillRule::nonzero});
   EXPECT_TRUE(world.ray({10, 9}, {10, 13})->hit);
@@ -106,7 +107,7 @@ TEST(FillRule, AWallBetweenTwoInsidesIsASideAllTheSame) {
   EXPECT_EQ(world.find_path({{10, 12}, {19, 19}})->status, PathStatus::no_path);
 }
 
-// What comes and goes within a star leaves every cell between its sides covered or not as it was.
+// Changes inside a star must not change which cells between its sides are covered.
 TEST(FillRule, IsKeptWhileOtherThingsComeAndGo) {
   for (const FillRule rule : {FillRule::even_odd, FillRule::nonzero}) {
     World world = world_with({ItemKind::polygon, {kStar, kOuter}, rule});
@@ -160,7 +161,7 @@ TEST(FillRule, HasAName) {
   EXPECT_EQ(to_string(FillRule::nonzero), "nonzero");
 }
 
-// Of two squares in one another of 8 x 8 and 2 x 2 = 64 and 4, the latter to the right of the middle.
+// A square of 8 x 8 that contains a square of 2 x 2 to the right of the middle: areas 64 and 4.
 TEST(FillRule, DecidesWhereTheCentroidIs) {
   const std::vector<Point> small = {{6, 4}, {8, 4}, {8, 6}, {6, 6}};
   const std::vector<Point> back(small.rbegin(), small.rend());

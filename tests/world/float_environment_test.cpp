@@ -21,8 +21,8 @@
 #include <xmmintrin.h>
 #endif
 
-/// Programs that round in another direction, flush subnormal numbers to zero or trap exceptions: each answer must be
-/// what it is in an ordinary program, and the program's own mode must be what it was before the call.
+/// For programs that round in another direction, flush subnormal numbers to zero or trap exceptions. Each answer must
+/// be the same as in an ordinary program, and the program's own mode must be the same after a call as before it.
 namespace waywright::test {
 namespace {
 
@@ -62,14 +62,14 @@ unsigned control_of(Mode mode) {
     case Mode::flush_to_zero:
       return kOrdinary | 0x8000;
     case Mode::denormals_are_zero:
-      return kOrdinary | 0x8040;  // and flushes, as most do who set it
+      return kOrdinary | 0x8040;  // and flushes to zero, as programs usually combine the two
     case Mode::traps:
       return 0;
   }
   return kOrdinary;
 }
 
-/// Calls the library in a mode. Everything around the call is computed in the ordinary one.
+/// Calls the library in a mode. Everything around the call is computed in the ordinary mode.
 template <class Call>
 auto in_mode(Mode mode, const Call& call) {
   struct Restored {
@@ -159,7 +159,7 @@ ChangeScript scaled(ChangeScript script, double scale) {
   return script;
 }
 
-/// What comes of a script's changes, step for step, and of questions in between, each asked by way of `call`.
+/// Returns the results of a script's changes, step by step, and of queries in between. Makes each call through `call`.
 template <class Call>
 std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& call) {
   Result<World> world = call([&] { return World::create(script.domain); });
@@ -206,7 +206,7 @@ TEST_P(FloatEnvironment, ChangesNoWorld) {
   }
 }
 
-// Coordinates are 0 or 2^-100 and a little more, many others too small and refused.
+// Coordinates are 0 or little more than 2^-100. Many others are too small, and the world refuses them.
 TEST_P(FloatEnvironment, ChangesNoTinyWorld) {
   for (const double scale : {0x1p-94, 0x1p-99}) {
     for (const Flavour flavour : {Flavour::lattice, Flavour::mantissas}) {
@@ -311,7 +311,7 @@ TEST_P(FloatEnvironment, ChangesNoShape) {
   const Shape shape{ItemKind::polygon, {{{0.1, 0.2}, {3.3, 0.1}, {2.7, 1.9}, {-0.0, 1.3}}}};
   EXPECT_EQ(in([&] { return translated(shape, 0.1, -0.3); }), translated(shape, 0.1, -0.3));
   EXPECT_EQ(bits_of(in([&] { return centroid(shape); })), bits_of(centroid(shape)));
-  // One whose area is a subnormal number, by a distance that leaves a subnormal one.
+  // A shape whose area is a subnormal number, and a point that moves to a subnormal coordinate.
   const Shape tiny{ItemKind::polygon, {{{0, 0}, {0x1p-530, 0}, {0x1p-530, 0x1p-529}, {0, 0x1p-530}}}};
   EXPECT_EQ(bits_of(in([&] { return centroid(tiny); })), bits_of(centroid(tiny)));
   const Shape smallest{ItemKind::point, {{{0x1.8p-1022, 0}}}};
@@ -326,8 +326,7 @@ TEST_P(FloatEnvironment, ChangesNoText) {
   const Script plainly = parse_script(kScript, "text").value();
   for (std::size_t i = 0; i < script.lines.size(); ++i) {
     for (std::size_t k = 0; k < script.lines[i].item.shape.rings[0].size(); ++k) {
-      EXPECT_EQ(bits_of(script.lines[i].item.shape.rings[0][k]),
-                bits_of(plainly.lines[i].item.shape.rings[0][k]));
+      EXPECT_EQ(bits_of(script.lines[i].item.shape.rings[0][k]), bits_of(plainly.lines[i].item.shape.rings[0][k]));
     }
   }
   const Scene scene = in([&] { return scene_of(script); });

@@ -17,7 +17,7 @@ static_assert(ItemId{7U} == ItemId{std::int8_t{7}});
 static_assert(ItemId{}.is_null() && ItemId(0).is_null());
 static_assert(ItemId(std::numeric_limits<std::uint64_t>::max()).value > ItemId::kLargest);
 
-// Only integers are ids.
+// Only integers convert to ids.
 static_assert(std::is_convertible_v<int, ItemId> && std::is_convertible_v<std::size_t, ItemId>);
 static_assert(!std::is_constructible_v<ItemId, double> && !std::is_constructible_v<ItemId, float>);
 static_assert(!std::is_constructible_v<ItemId, bool> && !std::is_constructible_v<ItemId, char>);

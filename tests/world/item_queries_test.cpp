@@ -51,9 +51,9 @@ TEST(ItemsCrossed, ComeInOrderWithTheirPlaces) {
             (Crossed{{{1}, {2.5, 2}}, {{1}, {2.5, 4}}, {{3}, {2.5, 5}}}));
   EXPECT_EQ(world.items_crossed({2.5, 10}, {2.5, 0}).value(),
             (Crossed{{{3}, {2.5, 5}}, {{1}, {2.5, 4}}, {{1}, {2.5, 2}}}));
-  // Along a side, from before it to beyond it; item 2 crosses there.
+  // Along a side, from before it to beyond it. Item 2 crosses there.
   EXPECT_EQ(world.items_crossed({1, 4}, {9, 4}).value(), (Crossed{{{1}, {2, 4}}, {{2}, {3, 4}}, {{2}, {6, 4}}}));
-  // Through corners, and from a place on a side to another on a side.
+  // Through corners, and from a point on a side to a point on another side.
   EXPECT_EQ(world.items_crossed({1, 1}, {3, 3}).value(), (Crossed{{{1}, {2, 2}}, {{2}, {3, 3}}}));
   EXPECT_EQ(world.items_crossed({2, 3}, {1, 3}).value(), (Crossed{{{1}, {2, 3}}}));
   EXPECT_EQ(world.items_crossed({5, 5}, {7, 5}).value(), (Crossed{{{3}, {5, 5}}, {{2}, {6, 5}}}));
@@ -67,11 +67,11 @@ TEST(Ray, StopsAtTheFirstWallItTouches) {
   const auto hit = [&](Point from, Point to) { return world.ray(from, to).value(); };
   EXPECT_EQ(hit({2.5, 0.5}, {2.5, 10}), (RayHit{true, {2.5, 2}, ids({1})}));
   EXPECT_EQ(hit({2.5, 9}, {2.5, 0}), (RayHit{true, {2.5, 5}, ids({3})}));
-  // At a corner that it only touches, at the end of a wall's chain, and where walls cross.
+  // At a corner that the ray only touches, at the end of a chain of walls, and where walls cross.
   EXPECT_EQ(hit({1, 3}, {3, 1}), (RayHit{true, {2, 2}, ids({1})}));
   EXPECT_EQ(hit({7, 1}, {9, 1}), (RayHit{true, {8, 1}, ids({5})}));
   EXPECT_EQ(hit({2.75, 4.25}, {7, 0}), (RayHit{true, {3, 4}, ids({1, 2})}));
-  // Along a side, from before it; from a wall; from inside a solid; to a wall and no further.
+  // Along a side, from before it; from a wall; from inside a solid; to a wall and not further.
   EXPECT_EQ(hit({1, 2}, {9, 2}), (RayHit{true, {2, 2}, ids({1})}));
   EXPECT_EQ(hit({5, 5}, {7, 5}), (RayHit{true, {5, 5}, ids({3})}));
   EXPECT_EQ(hit({2.5, 2.5}, {2.5, 3.5}), RayHit{});
@@ -112,7 +112,7 @@ bool lies_on(const Point& a, const Point& b, const Point& p) {
          p.y <= std::max(a.y, b.y);
 }
 
-/// Exact for coordinates that are small multiples of a power of two.
+/// Returns whether two segments meet. Exact for coordinates that are small multiples of a power of two.
 bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (lies_on(a, b, c) || lies_on(a, b, d) || lies_on(c, d, a) || lies_on(c, d, b)) return true;
   return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
@@ -197,7 +197,7 @@ TEST(Shapes, CentroidIsTheCentreOfArea) {
   EXPECT_EQ(centroid({ItemKind::polygon, {{{0, 0}, {0, 3}, {3, 0}}}}), (Point{1, 1}));
   EXPECT_EQ(centroid({ItemKind::segment, {{{0, 0}, {4, 2}}}}), (Point{2, 1}));
   EXPECT_EQ(centroid({ItemKind::polygon, {{{1, 1}, {3, 1}}}}), (Point{2, 1})) << "no area: the mean of its points";
-  // A square of side 4 less its right half: what remains is the left half.
+  // A square of side 4 with a hole in its right half.
   const Shape holed{ItemKind::polygon,
                     {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {2, 3.5}}}};
   const Point centre = centroid(holed);
@@ -205,7 +205,7 @@ TEST(Shapes, CentroidIsTheCentreOfArea) {
   EXPECT_DOUBLE_EQ(centre.y, 2.0);
 }
 
-// A square of side 2 and half another beside it, whichever way the ring runs around them.
+// A square of side 2 and half of another beside it, with both directions of the ring.
 TEST(Shapes, CentroidIsTheSameOfARingTurnedRound) {
   std::vector<Point> ring = {{0, 0}, {4, 0}, {2, 2}, {0, 2}};
   for (int way = 0; way < 2; ++way) {

@@ -24,7 +24,7 @@ Point place(Random& random) {
   return {static_cast<double>(random.between(0, 1 << 20)), static_cast<double>(random.between(0, 1 << 20))};
 }
 
-/// Enough points for every thread to have work, and walls.
+/// Returns enough points that every thread has work, and walls.
 std::vector<Item> many_items() {
   Random random(4);
   std::vector<Item> items;
@@ -36,7 +36,8 @@ std::vector<Item> many_items() {
   return items;
 }
 
-/// A world of them, by a job system. Progress is told on the calling thread only, and goes up.
+/// Returns a world of these items, built by a job system. Checks that progress is reported on the calling thread only,
+/// and increases.
 World world_by(JobSystem& jobs, std::size_t threads) {
   const std::thread::id here = std::this_thread::get_id();
   std::size_t last = 0;
@@ -63,7 +64,7 @@ class JobSystems : public testing::Test {
     for (const PathQuery& query : queries_) expected_.push_back(world_.find_path(query).value());
   }
 
-  /// Holds what comes of a job system against what one thread does.
+  /// Compares the results of a job system with those of one thread.
   void expect_right(JobSystem& jobs) {
     for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
       const World world = world_by(jobs, threads);

@@ -14,7 +14,7 @@ struct Turn {
   double angle;
 };
 
-/// A square about (x, y), turned; its corners are rounded to doubles, whatever they are.
+/// Returns a rotated square around (x, y). Its corners are rounded to doubles.
 Shape square(double x, double y, double half_side, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -32,9 +32,9 @@ INSTANTIATE_TEST_SUITE_P(Turns, MovingSquare,
                                          Turn{"by30", std::numbers::pi / 6}),
                          [](const auto& turn) { return std::string(turn.param.name); });
 
-// Experiment 6 of Chen's thesis: a small square moves along the diagonal through nested ones, removed, translated and
-// inserted 8,000 times. (The baseline there leaves vertices behind: 44 become 361.) It starts and ends clear of the
-// others, so there are as many vertices at the end as at the start.
+// Experiment 6 of Chen's thesis: a small square moves along the diagonal through nested squares; it is removed,
+// translated and inserted 8,000 times. (The baseline of that experiment leaves vertices behind: 44 become 361.) At its
+// start and its end the square touches no other, so the number of vertices must be equal.
 TEST_P(MovingSquare, LeavesNothingBehindOnItsWay) {
   constexpr int kSteps = 8000;
   constexpr ItemId kMoving{9};

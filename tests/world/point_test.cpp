@@ -36,7 +36,7 @@ TEST(Point, ChangesInPlace) {
   EXPECT_EQ(p, (Point{4, 20}));
   p /= 8;
   EXPECT_EQ(p, (Point{0.5, 2.5}));
-  // An argument that is a part of the point itself.
+  // The argument is a coordinate of the point itself.
   p *= p.x;
   EXPECT_EQ(p, (Point{0.25, 1.25}));
 }

@@ -33,7 +33,7 @@ TEST(Rings, AreMadeFromWhatHoldsRings) {
   EXPECT_EQ(Lists(Rings(std::span<const Point>(kSquare).first(2))), (Lists{{{0, 0}, {4, 0}}}));
   EXPECT_EQ(Lists(Rings{{{3, 4}}}), (Lists{{{3, 4}}}));
   EXPECT_EQ(Lists(Rings{{3, 4}}), (Lists{{{3, 4}}}));
-  // No points, no rings.
+  // Rings without points, and no rings.
   EXPECT_EQ(Lists(Rings{{}}), Lists(1));
   EXPECT_EQ(Lists(Rings{{}, {}}), Lists(2));
   EXPECT_EQ(Lists(Rings{{}, kHole, {}}), (Lists{{}, kHole, {}}));
@@ -41,7 +41,7 @@ TEST(Rings, AreMadeFromWhatHoldsRings) {
   EXPECT_EQ(Lists(Rings(Lists())), Lists());
 }
 
-// Every way to a list of rings gives equal objects, and different lists give different ones.
+// Every method to build the same list of rings gives equal objects. Different lists give different objects.
 TEST(Rings, AreEqualWhenTheirListsAre) {
   const std::vector<Lists> all = {{},
                                   {{}},
@@ -106,7 +106,7 @@ TEST(Rings, ChangeInPlace) {
   EXPECT_EQ(rings, Rings());
 }
 
-// Its own points move while they are added.
+// The ring's points move in memory while they are added.
 TEST(Rings, TakeARingOfTheirOwn) {
   Rings rings{kSquare};
   for (int i = 0; i < 100; ++i) rings.push_back(rings[0]);
@@ -126,7 +126,7 @@ TEST(Shape, IsMadeByItsKind) {
   EXPECT_EQ(Shape::rectangle({{0, 0}, {4, 4}}), Shape::polygon(kSquare));
 }
 
-// The standard library's functions are right to about a unit in the last place.
+// The standard library's functions are correct to about a unit in the last place.
 TEST(Shape, OfARegularPolygonHasItsCornersOnACircle) {
   for (std::size_t n = 3; n < 200; ++n) {
     const Shape shape = Shape::regular_polygon({0, 0}, 1, n);

@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 World empty_world(const Box& domain = kFour) { return World::create(domain).value(); }
 
-/// The ids on each constrained edge, as "x0,y0-x1,y1: ids".
+/// Returns the ids on each constrained edge, as "x0,y0-x1,y1: ids".
 std::set<std::string> constraints(const World& world) {
   const MeshSnapshot mesh = world.snapshot();
   const auto text = [](double v) {
@@ -210,8 +210,8 @@ TEST(World, TrianglesCoverTheDomain) {
   EXPECT_NEAR(area, 16.0, 1e-12);
 }
 
-// The lines x = 3 y, 2 x + 7 y = 14, x + 10 y = 14 and 3 x + 4 y = 14 all run through (42/13, 14/13), which is no
-// double.
+// The lines x = 3 y, 2 x + 7 y = 14, x + 10 y = 14 and 3 x + 4 y = 14 all run through (42/13, 14/13), which is not a
+// pair of doubles.
 TEST(World, ManySegmentsThroughOneConstructedPoint) {
   World world = empty_world({{-100, -100}, {100, 100}});
   ASSERT_TRUE(world.insert_segment({0, 0}, {9, 3}).ok());
