@@ -185,14 +185,18 @@ TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
 TEST(PathSearch, NoticesThatTheStraightWayHasBecomeFree) {
   for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
     World world = World::create({{0, 0}, {100, 100}}).value();
-    for (double x = 5; x < 80; x += 5) world.insert_point({x, 45}).value();
-    const ItemId wall = world.insert_segment({80, 40}, {80, 60}).value();
+    // Small faces: those beside the wall have no vertex in common with those at the ends.
+    for (double x = 2; x < 99; x += 3) {
+      for (double y = 1.5; y < 99; y += 3) world.insert_point({x, y}).value();
+    }
+    const ItemId wall = world.insert_segment({60.5, 43}, {60.5, 56}).value();
     const PathQuery query{{1, 50}, {99, 50}, 0.0, algorithm};
     PathSearch search;
     ASSERT_TRUE(search.begin(world, query).ok());
     world.remove(wall).value();
     while (!search.step(1).value()) {
     }
+    EXPECT_EQ(search.restarts(), 1U) << to_string(algorithm);
     expect_equal(search.path(), world.find_path(query).value());
   }
 }
@@ -205,7 +209,12 @@ TEST(PathSearch, NoticesThatAnEndWouldBeMovedElsewhere) {
   world.insert_polygon(ring).value();
   const ItemId filling =
       world.insert_polygon(std::vector<Point>{{399, 399}, {601, 399}, {601, 601}, {399, 601}}).value();
-  for (double x = 20; x < 1000; x += 20) world.insert_point({x, 300}).value();
+  // Small faces: those beside the filling have no vertex in common with those at the border.
+  for (double x = 20; x < 1000; x += 20) {
+    for (double y = 20; y < 1000; y += 20) {
+      if (x < 380 || x > 620 || y < 380 || y > 620) world.insert_point({x, y}).value();
+    }
+  }
   for (double y = -90; y < 1090; y += 40) world.insert_segment({-50, y}, {-20, y}).value();
   PathQuery query{{300, 500}, {-90, -90}};
   query.end_tolerance = 1e9;
@@ -214,6 +223,7 @@ TEST(PathSearch, NoticesThatAnEndWouldBeMovedElsewhere) {
   world.remove(filling).value();
   while (!search.step(1).value()) {
   }
+  EXPECT_EQ(search.restarts(), 1U);
   EXPECT_EQ(search.path().moved_start, world.find_path(query).value().moved_start);
   EXPECT_EQ(search.path().status, world.find_path(query).value().status);
 }
@@ -275,6 +285,7 @@ TEST_P(SlicedSearch, AnswersAsFindPathDoesInTheWorldOfItsLastSlice) {
         }
       }
       expect_equal(search.path(), world.find_path(query).value());
+      EXPECT_EQ(search.restarts(), 1U);
       EXPECT_EQ(search.path().moved_start, world.find_path(query).value().moved_start);
       restarts += search.restarts();
       undisturbed += changes > 0 && search.restarts() < changes ? 1 : 0;
