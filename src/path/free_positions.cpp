@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/nearest_on_segment.hpp"
+#include "exact/next_coordinate.hpp"
 #include "nav/point_agent.hpp"
 #include "path/distance.hpp"
 
@@ -24,13 +25,10 @@ constexpr double kLeastLimit = 0x1p-1000;
 /// The number of edges at which choose() tries to find a free double next to the nearest position.
 constexpr std::size_t kTries = 8;
 
-/// Returns a double and the two doubles next to it that a coordinate may have.
+/// Returns the coordinate at `value`, which is 0 if `value` is too small for one, and the two coordinates next to it.
 std::array<double, 3> neighbours(double value) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (std::abs(value) <= kSmallestCoordinate) {
-    return {-kSmallestCoordinate, 0.0, kSmallestCoordinate};
-  }
-  return {std::nextafter(value, -kInfinity), value, std::nextafter(value, kInfinity)};
+  if (std::abs(value) < kSmallestCoordinate) value = 0.0;
+  return {exact::next_coordinate<double>(value, -1.0), value, exact::next_coordinate<double>(value, 1.0)};
 }
 
 }  // namespace

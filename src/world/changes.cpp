@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "waywright/world.hpp"
@@ -24,7 +25,7 @@ threads::Crew crew_of(const BulkOptions& options, std::size_t total) {
       if (done < total) options.progress(done, total);
     };
   }
-  return {options.threads, std::move(report), options.jobs};
+  return {std::min(options.threads, std::max(total, std::size_t{1})), std::move(report), options.jobs};
 }
 
 /// Returns a check for a single change.

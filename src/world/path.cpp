@@ -10,6 +10,7 @@
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
 #include "exact/exact_point.hpp"
+#include "exact/next_coordinate.hpp"
 #include "exact/predicates.hpp"
 #include "path/distance.hpp"
 
@@ -19,24 +20,20 @@ namespace {
 
 using exact::Sign;
 
-/// Returns the coordinate in the given precision that is nearest to `value`, or 0 if a query does not accept that.
+/// Returns the coordinate in the given precision that is nearest to `value`. Numbers outside the range of coordinates
+/// become its ends, NaN becomes 0.
 double fitted(double value, Precision precision) {
   if (precision == Precision::float32) value = static_cast<double>(static_cast<float>(value));
-  return is_in_range(value) ? value : 0.0;
+  if (is_in_range(value)) return value;
+  return std::abs(value) > kLargestCoordinate ? std::copysign(kLargestCoordinate, value) : 0.0;
 }
 
 /// Returns the next such coordinate: above `value` if `direction` is positive, below `value` if it is negative. Returns
 /// `value` itself if `direction` is 0.
 double next_coordinate(double value, double direction, Precision precision) {
   if (direction == 0.0) return value;
-  if (std::abs(value) <= kSmallestCoordinate) {
-    return value * direction < 0.0 ? 0.0 : std::copysign(2.0 * kSmallestCoordinate, direction);
-  }
-  if (precision == Precision::float32) {
-    const float towards = std::copysign(std::numeric_limits<float>::max(), static_cast<float>(direction));
-    return fitted(static_cast<double>(std::nextafter(static_cast<float>(value), towards)), precision);
-  }
-  return fitted(std::nextafter(value, std::copysign(std::numeric_limits<double>::max(), direction)), precision);
+  return precision == Precision::float32 ? exact::next_coordinate<float>(value, direction)
+                                         : exact::next_coordinate<double>(value, direction);
 }
 
 Sign side_of(const Point& a, const Point& b, const Point& c) {
