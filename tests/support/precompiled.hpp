@@ -26,5 +26,3 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck.h>
-
-#include "waywright/waywright.hpp"
