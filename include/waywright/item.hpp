@@ -31,7 +31,7 @@ enum class ItemKind : std::uint8_t {
 /// `fill-rule` of SVG has the same two values.
 enum class FillRule : std::uint8_t {
   even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, in whichever direction it turns
-  nonzero,  ///< inside if the winding number is not 0: a ring in a ring is a hole if it turns in the opposite direction
+  nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if their directions differ
 };
 
 /// Returns the name of a fill rule: `even-odd`, `nonzero`.
