@@ -192,8 +192,8 @@ std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mes
   }
 }
 
-/// Looks at the old neighbours of one face. It skips new neighbours: all contacts of one group belong to one search
-/// already.
+/// Looks at the old neighbours of one face. It skips new neighbours, because all contacts of one group belong to one
+/// search already.
 void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   const Face f = search.found[search.next++];
   for (std::uint32_t i = 0; i < 3; ++i) {

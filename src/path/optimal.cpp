@@ -297,14 +297,14 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 }
 
 //          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
-//        /    \          its left. A path that turns at v, around the walls there, can reach what lies on that side.
+//        /    \          its left. A path that turns left at v, around the walls there, can reach the area left of the bound.
 //       /      \         No wall at v lies to the right of the path, because the cone has passed there. So if v has
 //   v -------- target    no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
-  const mesh::HalfEdge near_side = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
-  const mesh::HalfEdge far_side = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool leads_on = !is_barred(near_side) || (sees_apex && !is_barred(far_side));
+  const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
+  const mesh::HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
+  const bool leads_on = !is_barred(near_edge) || (sees_apex && !is_barred(far_edge));
   if (!leads_on) {
     bool is_at_goal = false;
     for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
@@ -349,9 +349,10 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
-//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. From v it
-//    .  |  \             sees two things: the piece of the face's far side between the path's straight continuation
-//   walls - v - target   (dotted) and the apex, and the far sides of the next faces around v, up to the walls.
+//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. Two
+//   things
+//    .  |  \             are visible from v: the piece of the face's far edge between the path's straight continuation
+//   walls - v - target   (dotted) and the apex; and the far edges of the next faces around v, up to the walls.
 void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;
@@ -364,9 +365,9 @@ void Optimal::make_left_turn(const Node& turn) {
     const bool is_seen = cone.side_of_right(Geometry::view(goals_[goal].point)) != Sign::negative;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  const mesh::HalfEdge far_side = mesh::next(turn.entry);
-  if (sees_apex && !is_barred(far_side)) {
-    window.entry = mesh_->twin(far_side);
+  const mesh::HalfEdge far_edge = mesh::next(turn.entry);
+  if (sees_apex && !is_barred(far_edge)) {
+    window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
@@ -397,9 +398,9 @@ void Optimal::make_right_turn(const Node& turn) {
     const bool is_seen = cone.side_of_left(Geometry::view(goals_[goal].point)) != Sign::positive;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  const mesh::HalfEdge far_side = mesh::previous(turn.entry);
-  if (sees_apex && !is_barred(far_side)) {
-    window.entry = mesh_->twin(far_side);
+  const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
+  if (sees_apex && !is_barred(far_edge)) {
+    window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
@@ -479,9 +480,9 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   const double length = roots_[window.root].length;
   const bool has_one_goal = goals_.size() == 1;
   const Point q = has_one_goal ? on_left(a, edge, goals_.front().point) : foot(p, a, edge);
-  const Point way{q.x - p.x, q.y - p.y};
-  const bool passes_left = cross(left, way) > 0.0;
-  if (!passes_left && !(cross(right, way) < 0.0)) return length + distance(p, q);
+  const Point to_q{q.x - p.x, q.y - p.y};
+  const bool passes_left = cross(left, to_q) > 0.0;
+  if (!passes_left && !(cross(right, to_q) < 0.0)) return length + distance(p, q);
   const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
   if (has_one_goal) return length + (end ? length_by_way_of(p, *end, q) : distance_by_way_of(p, a, b, q));
   return end ? length + distance(p, *end) : length;

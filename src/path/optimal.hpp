@@ -22,10 +22,10 @@ namespace waywright::path {
 ///
 /// A window consists of the edge, the root, and the two vertices that bound the cone of sight on the left and on the
 /// right. When a cone has entered a face, it leaves the face across one or both of the other edges. If the face's apex
-/// lies inside the cone, it leaves across both. If the apex lies left or right of the cone, it leaves across one. So
-/// only orientations of mesh vertices decide where a cone continues. Lengths decide only which node the search expands
-/// first, and which of two paths is shorter. Where a cone touches a vertex with walls, a path can turn around these
-/// walls. The vertex is then the root of new windows.
+/// lies inside the cone, it leaves across both, as far as an agent can cross them. If the apex lies left or right of
+/// the cone, it leaves across one. So only orientations of mesh vertices decide where a cone continues. Lengths decide
+/// only which node the search expands first, and which of two paths is shorter. Where a cone touches a vertex with
+/// walls, a path can turn around these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and the rule that drops roots which a shorter path has reached. Departures:
