@@ -16,7 +16,7 @@ struct AssertionFailure {
 };
 
 /// A function that the library calls when a precondition is broken, on the thread that broke it. The handler may log
-/// the failure, show it or stop in a debugger. The library aborts the process when the handler returns.
+/// the failure, show it or stop in a debugger. When the handler returns, the library aborts the process.
 /// Exceptions: the handler must not throw.
 using AssertionHandler = void (*)(const AssertionFailure& failure);
 
@@ -32,9 +32,10 @@ using AssertionHandler = void (*)(const AssertionFailure& failure);
 /// A program that keeps a log needs no other hook: the library prints nothing else and writes no log. Bad data is not
 /// a broken precondition: it gives a Result with an Error.
 ///
-/// The library also checks preconditions in release builds, wherever the check costs no measurable time: the value of a
-/// refused Result, the use of an object that has been moved from, a number of threads or contexts that is 0, the
-/// centroid of no points. The documentation of each function names what the function requires.
+/// The library also checks preconditions in release builds, wherever the check costs no measurable time. Examples of
+/// broken preconditions: taking the value of a refused Result, using an object that has been moved from, asking for 0
+/// threads or 0 contexts, asking for the centroid of no points. The documentation of each function names its
+/// preconditions ("Requires").
 /// Threads: any thread may call this function at any time.
 WAYWRIGHT_API AssertionHandler set_assertion_handler(AssertionHandler handler) noexcept;
 
@@ -47,7 +48,7 @@ namespace detail {
 
 }  // namespace waywright
 
-/// Calls the assertion handler and aborts if `condition` is false. The type of this expression is void.
+/// Calls the assertion handler and aborts if `condition` is false. The macro is an expression of type void.
 /// @ingroup errors
 #define WAYWRIGHT_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)        \

@@ -19,7 +19,7 @@ namespace waywright {
 /// @addtogroup errors
 /// @{
 
-/// The reason why a function refused its arguments or its data. A refused call has changed nothing.
+/// The reason why a function refused its arguments or its data. A refused call changes nothing.
 enum class ErrorCode : std::uint8_t {
   coordinate_range,  ///< a coordinate that is not finite, beyond ±2^100, or nearer to 0 than 2^-100 but not 0
   out_of_domain,     ///< a point outside the world's domain
@@ -27,12 +27,12 @@ enum class ErrorCode : std::uint8_t {
   unknown_id,        ///< no live item has this id
   bad_radius,        ///< a radius that is negative or not finite
   bad_distance,      ///< a distance that is negative or not a number
-  bad_id,            ///< an id above 2^63 - 1, for example one that was made from a negative number
+  bad_id,            ///< an id above 2^63 - 1, for example an id made from a negative number
   bad_domain,        ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
   too_large,         ///< more vertices, triangles or items than 32-bit indices can name
   world_gone,        ///< the world of a PathSearch no longer exists
-  not_supported,     ///< a request that this version, or this world, cannot carry out
+  not_supported,     ///< a request that this version or this world does not support
   unreadable,        ///< a file that cannot be opened or read
   malformed,         ///< text that does not follow its format
 };
@@ -44,7 +44,7 @@ enum class ErrorCode : std::uint8_t {
 
 namespace detail {
 
-/// The words that a message uses for a point: a name, `the start`, or a number in a list, `goal 3`.
+/// The words that a message uses for a point: a name (`the start`), or a noun with a number in a list (`goal 3`).
 struct PointName {
   constexpr PointName() = default;
   template <std::size_t N>
@@ -56,7 +56,7 @@ struct PointName {
   bool has_number = false;
 };
 
-/// The data from which Error::message() makes its text. Only a text that a parser of files has written owns memory.
+/// The data from which Error::message() makes its text. It owns memory only if a parser of files has written a text.
 struct ErrorWords {
   ErrorWords() = default;
   /// The whole message. The constructor keeps the pointer, so `message` must be a literal.
@@ -69,7 +69,7 @@ struct ErrorWords {
 
   std::string text;
   const char* literal = nullptr;
-  /// If an element of a list is refused: its noun, `change` or `query`. Error::index is its position.
+  /// If an element of a list is refused: the noun for the element, for example `change`. Error::index is its position.
   const char* list = nullptr;
   PointName point_name;  ///< if a point is refused: its name
   Point point;
@@ -93,7 +93,7 @@ struct ErrorWords {
 /// @endcode
 struct Error {
   ErrorCode code = ErrorCode::malformed;
-  detail::ErrorWords words;  ///< the data of message(); for an error that you make yourself: a string
+  detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
   ItemId item;               ///< the id that caused the error; null if no id did
   std::uint64_t index = 0;   ///< the position of the refused element in a list (from 0), or a line of a text (from 1)
 
@@ -101,8 +101,7 @@ struct Error {
   [[nodiscard]] WAYWRIGHT_API std::string message() const;
 };
 
-/// The exception that Result::value() throws on an error. The library itself throws no BadResult: only your call of
-/// value() does.
+/// The exception that Result::value() throws if there is an error. Only your call of value() throws it.
 ///
 /// @code{.cpp}
 /// try {
@@ -132,7 +131,7 @@ class WAYWRIGHT_API_EXCEPTION BadResult : public std::runtime_error {
 
 namespace detail {
 [[noreturn]] WAYWRIGHT_API void raise(const Error& error);
-/// Calls the assertion handler and aborts: the caller took the value of a refused call without checking ok().
+/// Calls the assertion handler and aborts. For a caller that took the value of a refused call without checking ok().
 [[noreturn]] WAYWRIGHT_API void fail_value_of(const Error& error);
 }  // namespace detail
 
@@ -152,7 +151,7 @@ namespace detail {
 /// const double length = world.find_path({start, goal}).value().length;  // == result->length
 /// @endcode
 ///
-/// Use `*result` and `result->` after a check of ok(), and value() if an exception shall report the error.
+/// After a check of ok(), use `*result` and `result->`. Use value() if an exception should report the error.
 template <class T>
 class [[nodiscard]] Result {
  public:

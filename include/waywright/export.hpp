@@ -4,8 +4,8 @@
 /// @{
 
 /// @def WAYWRIGHT_API
-/// Marks each public class and function that the library defines outside its headers. The mark makes them visible
-/// outside a shared library, which hides everything else. In a static library the mark does nothing.
+/// Marks each public class and function that the library defines outside its headers. A shared library exports only the
+/// marked names. In a static library the mark does nothing.
 ///
 /// The build sets two macros. The CMake targets and waywright.pc set them for you:
 /// - WAYWRIGHT_SHARED, in the library and in programs that use it, if the library is a shared one;
@@ -33,8 +33,8 @@
 #endif
 
 /// @def WAYWRIGHT_API_EXCEPTION
-/// Marks a class that a program catches. A program and all its shared libraries must share the type information of an
-/// exception, even if this library is a static one.
+/// Marks a class that a program can catch as an exception. A program and all its shared libraries must share the type
+/// information of such a class, even if this library is a static one.
 #if !defined(WAYWRIGHT_SHARED) && defined(__GNUC__) && !defined(_WIN32) && !defined(__CYGWIN__)
 #define WAYWRIGHT_API_EXCEPTION __attribute__((visibility("default")))
 #else
@@ -42,9 +42,10 @@
 #endif
 
 /// @def WAYWRIGHT_INLINE
-/// Marks an inline function of a public header that rounds more than once. The compiler inlines each call of it.
-/// Otherwise a linker could replace the library's copy by a copy that a program has compiled with its own
-/// floating-point options, and the library's answers would change.
+/// Marks an inline function of a public header that rounds more than once. The compiler inlines each call of the
+/// function. Without the mark, a program and the library would each contain a copy of the function, and the linker
+/// would keep one of them. If this were the copy that the program has compiled with its own floating-point options, the
+/// library's answers would change.
 #if defined(__GNUC__)
 #define WAYWRIGHT_INLINE __attribute__((always_inline)) inline
 #elif defined(_MSC_VER)

@@ -16,7 +16,8 @@ template <class T>
 concept IdNumber = std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char> && !std::same_as<T, wchar_t> &&
                    !std::same_as<T, char8_t> && !std::same_as<T, char16_t> && !std::same_as<T, char32_t>;
 
-/// This function is not constexpr, so a negative id in a constant expression does not compile.
+/// The constructor of ItemId calls this function for a negative id in a constant expression. The function is not
+/// constexpr, so such an expression does not compile.
 inline void negative_id() {}
 
 }  // namespace detail
@@ -25,7 +26,7 @@ inline void negative_id() {}
 /// @{
 
 /// The id of an item in a world. You choose the number, from 1 to 2^63 - 1, or you leave it to the world. The id 0 is
-/// null. In lists of the items on an edge, the id 0 stands for the border of the domain.
+/// null. In a list of the items on an edge, the id 0 stands for the border of the domain.
 ///
 /// @code{.cpp}
 /// world.insert_segment({1, 1}, {4, 1}, 12).value();      // an id that you choose

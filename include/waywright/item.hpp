@@ -27,11 +27,11 @@ enum class ItemKind : std::uint8_t {
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(ItemKind kind);
 
 /// The rule that says which positions lie inside a polygon. It uses the winding number: how often all rings together
-/// turn around a position, where each counter-clockwise turn counts as 1 and each clockwise turn as -1. The `fill-rule`
-/// of SVG has the same two rules.
+/// turn around a position. Each counter-clockwise turn counts as 1 and each clockwise turn as -1. The property
+/// `fill-rule` of SVG has the same two values.
 enum class FillRule : std::uint8_t {
-  even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, whichever way round it turns
-  nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if it turns the other way round
+  even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, in whichever direction it turns
+  nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if their directions differ
 };
 
 /// Returns the name of a fill rule: `even-odd`, `nonzero`.
@@ -70,7 +70,7 @@ struct Shape {
     return {ItemKind::polygon, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
   }
   /// Returns the polygon of `corner_count` corners on a circle, counter-clockwise from the corner to the right of the
-  /// centre. Each corner is rounded to doubles, and is the same on every machine.
+  /// centre. Each corner is rounded to doubles. The result is the same on every machine.
   /// Requires: `corner_count` is 3 or more.
   [[nodiscard]] WAYWRIGHT_API static Shape regular_polygon(const Point& centre, double radius,
                                                            std::size_t corner_count);
@@ -87,16 +87,16 @@ struct Shape {
 /// Returns a copy of the shape, moved by (`dx`, `dy`). The coordinates are sums of doubles, rounded to nearest.
 [[nodiscard]] WAYWRIGHT_API Shape translated(const Shape& shape, double dx, double dy);
 
-/// Returns the middle of a shape, computed in plain doubles. For a polygon, this is the centre of its area by its fill
-/// rule. For a polygon without area and for the other kinds, it is the mean of the points. If rings cross each other or
-/// themselves, the result is an approximation.
+/// Returns the centroid of a shape, computed in plain doubles. For a polygon, this is the centroid of the area inside
+/// it by its fill rule. For a polygon without area and for the other kinds, it is the mean of the points. If rings
+/// cross each other or themselves, the result is an approximation.
 /// Requires: the shape has a point.
 /// Source: Bourke, *Calculating the area and centroid of a polygon*, 1988.
 [[nodiscard]] WAYWRIGHT_API Point centroid(const Shape& shape);
 
 /// @}
 
-/// An item that a segment crosses, in the answer of World::items_crossed.
+/// An item whose sides a segment meets: an element of the answer of World::items_crossed.
 ///
 /// @code{.cpp}
 /// for (const CrossedItem& crossed : world.items_crossed(start, goal).value()) {
@@ -105,7 +105,7 @@ struct Shape {
 /// @endcode
 struct CrossedItem {
   ItemId id;
-  Point at;  ///< where the segment meets a side of the item, as nearest doubles
+  Point at;  ///< where the segment meets a side of the item, each coordinate rounded to the nearest double
 
   friend bool operator==(const CrossedItem&, const CrossedItem&) = default;
 };

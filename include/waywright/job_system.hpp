@@ -11,7 +11,7 @@ namespace waywright {
 /// @{
 
 /// An interface to the threads of your program, for example the job system of a game or a thread pool. Derive a class
-/// from it if the library shall run its parallel work on your threads. BulkOptions::jobs and World::find_paths take a
+/// from it if the library should run its parallel work on your threads. BulkOptions::jobs and World::find_paths take a
 /// job system. Without one, the library starts threads itself, by std::async.
 ///
 /// @code{.cpp}
@@ -40,17 +40,17 @@ class WAYWRIGHT_API JobSystem {
 
   /// Calls job(i) once for each i below `count`, and returns when all these calls have returned.
   ///
-  /// Your run() may make the calls on any thread, also on the calling one, in any order, at the same time or one after
-  /// the other: no job waits for another. It may also omit calls, for example because no thread is idle. The library
-  /// then makes these calls itself after run() has returned. After run() has returned or thrown, it must not make any
-  /// further call.
+  /// Your run() may make the calls on any thread (the calling thread, too), in any order, at the same time or one after
+  /// the other. No job waits for another job. It may also omit calls, for example because no thread is idle. The
+  /// library then makes these calls itself after run() has returned. After run() has returned or thrown, it must not
+  /// make any further call.
   ///
   /// The library calls run() on the thread that called the library, several times in one operation, and with a `count`
   /// of 2 or more. If several threads use the library with the same job system at once, they call run() at once.
   ///
-  /// Exceptions: `job` throws nothing. If memory runs out in a job, the function of the library throws std::bad_alloc
-  /// after run() has returned. If run() throws, the function of the library passes the exception on, and has changed no
-  /// world.
+  /// Exceptions: `job` throws nothing. If memory runs out in a job, the function of the library that called run()
+  /// throws std::bad_alloc after run() has returned. If run() throws, this function passes the exception on and changes
+  /// no world.
   virtual void run(std::size_t count, const std::function<void(std::size_t)>& job) = 0;
 };
 

@@ -30,8 +30,8 @@ enum class PathAlgorithm : std::uint8_t {
 /// Returns the algorithm with this name, or nothing if there is none.
 [[nodiscard]] WAYWRIGHT_API std::optional<PathAlgorithm> path_algorithm(std::string_view name);
 
-/// A limit for the search of PathAlgorithm::ta after its first path. The search ends when no path can be shorter, or
-/// when it has used up one of the two limits. The other algorithms ignore the budget.
+/// The limits for the search of PathAlgorithm::ta after its first path. The search ends when it has proven that no path
+/// is shorter, or when it has reached one of the two limits. The other algorithms ignore the budget.
 ///
 /// @code{.cpp}
 /// const PathBudget budget{.expansions = PathBudget::kNoLimit, .time = std::chrono::milliseconds(2)};
@@ -40,13 +40,13 @@ enum class PathAlgorithm : std::uint8_t {
 /// std::printf("%g, and no path is shorter than %g\n", best.length, best.lower_bound);
 /// @endcode
 struct PathBudget {
-  /// The number of triangles that the whole search may enter. With 0 the first path is the answer.
+  /// The number of triangles that the whole search may enter. If it is 0, the first path is the answer.
   std::size_t expansions = 0;
-  /// The time since the start of the search. If this limit ends the search, the answer depends on the clock. No other
-  /// answer does.
+  /// The time since the start of the search. If this limit ends the search, the answer depends on the clock. In all
+  /// other cases the answer does not.
   std::chrono::nanoseconds time = std::chrono::nanoseconds::max();
 
-  /// The value of `expansions` for a search that ends only when no path can be shorter.
+  /// The value of `expansions` for a search without a limit on triangles.
   static constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 };
 
@@ -64,10 +64,10 @@ struct PathQuery {
   PathBudget budget{};
   bool wants_channel = false;  ///< whether the answer contains Path::channel
   bool wants_time = false;     ///< whether the answer contains Path::time
-  /// The distance by which the search may move a blocked start or goal. The search takes the nearest free position
-  /// instead, if that is not farther away. A position that a program computes on a path can lie inside a polygon by a
-  /// rounding error. The default, World::default_end_tolerance(), allows for these errors, also for coordinates kept as
-  /// `float`. With 0 a blocked end stays blocked. The value must be 0 or more; infinity is allowed.
+  /// The largest distance by which the search may move a blocked start or goal to the nearest free position. If a
+  /// program computes a position on a path, a rounding error can put this position inside a polygon. The default,
+  /// World::default_end_tolerance(), allows for such errors, also for coordinates kept as `float`. If the value is 0, a
+  /// blocked end stays blocked. The value must be 0 or more; infinity is allowed.
   std::optional<double> end_tolerance{};
 };
 
@@ -82,8 +82,8 @@ enum class PathStatus : std::uint8_t {
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathStatus status);
 
-/// An edge of the mesh that a path crosses: an element of Path::channel. `left` and `right` are its ends as an agent on
-/// the path sees them, as nearest doubles.
+/// An edge of the mesh that a path crosses: an element of Path::channel. `left` and `right` are the ends of the edge to
+/// the left and to the right of an agent on the path. Each coordinate is rounded to the nearest double.
 ///
 /// @code{.cpp}
 /// path = world.find_path({.start = start, .goal = goal, .wants_channel = true}).value();
@@ -96,7 +96,8 @@ struct Portal {
   friend bool operator==(const Portal&, const Portal&) = default;
 };
 
-/// A start or goal that the search moved: from the position in the query to the position that it took instead.
+/// A start or goal that the search moved: `from` is the position in the query, `to` is the position where the path
+/// starts or ends instead.
 ///
 /// @code{.cpp}
 /// const Path moved = world.find_path({.start = {41, 50}, .goal = goal, .end_tolerance = 2.0}).value();
@@ -140,47 +141,50 @@ enum class Precision : std::uint8_t {
 ///   std::printf("%s\n", to_string(path.status).data());
 ///   return;
 /// }
-/// const std::size_t corners = path.points.size() - 2;  // == 2
+/// const std::size_t turns = path.points.size() - 2;  // == 2
 /// std::printf("%g long, now at %s\n", path.length, to_string(path.at(25).at).c_str());
 /// @endcode
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
   double length = 0.0;                  ///< the Euclidean length; 0 unless found
-  double lower_bound = 0.0;             ///< no path is shorter than this; equals `length` if proven; 0 unless found
-  std::vector<Point> points;            ///< the start, the corners of the path, the goal; empty unless found
+  double lower_bound = 0.0;             ///< no path is shorter; equals `length` if that is proven; 0 unless found
+  std::vector<Point> points;            ///< the start, the turns of the path, the goal; empty unless found
   std::vector<Portal> channel;          ///< the edges that the path crosses, in order; empty unless found and wanted
   std::size_t expansions = 0;           ///< the number of triangles that the search entered
   std::chrono::nanoseconds time{0};     ///< the time that the search took; 0 unless wanted
-  std::optional<MovedEnd> moved_start;  ///< set if the search moved the start: `points` begin at its `to`
-  std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal: `points` end at its `to`
-  /// The polygons that contain the blocked end strictly inside, ascending. Empty unless the status is start_blocked or
+  std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
+  std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
+  /// The polygons in whose interior the blocked end lies, ascending. Empty unless the status is start_blocked or
   /// goal_blocked.
   std::vector<ItemId> blockers;
 
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
   /// distance above the length gives the goal. NaN counts as 0.
   ///
-  /// A path query may start at the result. The point lies on the path if doubles can express it. Otherwise the function
-  /// rounds it to the left or right of the path, where the nearer turn of the path leaves no walls. There is one
+  /// A path query may start at the result. If doubles can express the exact point on the path, the result is this
+  /// point. Otherwise the function rounds the point to the left or to the right of the path, so that it does not fall
+  /// beyond a wall: a path turns around walls, so near a left turn these walls lie to the left of the path, and the
+  /// function rounds to the right. Near a right turn it rounds to the left. It looks at the nearer turn. There is one
   /// exception: if segments or polylines touch one straight piece of the path from the left and from the right, the
   /// point can fall beyond one of them. On a path without turns, the function rounds to nearest.
   ///
-  /// The coordinates fit into `precision` without further rounding. If the border of the domain has a coordinate that
-  /// is not a `float`, then with Precision::float32 a point on the border can come to lie outside the domain.
+  /// The coordinates are doubles or floats, as `precision` says. If the border of the domain has a coordinate that no
+  /// `float` expresses, then with Precision::float32 the result can lie outside the domain.
   /// Requires: `points` is not empty.
-  /// Cost: linear in the corners before the position.
+  /// Cost: linear in the turns before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
-  /// point is rounded as for at().
+  /// result is rounded as for at().
   /// Requires: this path returned `from`. `points` is not empty, and has not changed since then.
-  /// Cost: linear in the corners that the step passes; for a negative step, linear in the corners before the position.
+  /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
-  /// Returns the position on the path that is nearest to `place`; if several are, the first of them. Use it for a unit
-  /// that was pushed off its path. `place` should lie in the domain. The point is rounded as for at().
+  /// Returns the position on the path that is nearest to `point`. If several positions are equally near, the function
+  /// returns the first of them. Use it for a unit that was pushed off its path. `point` should lie in the domain. The
+  /// result is rounded as for at().
   /// Requires: `points` is not empty.
-  /// Cost: linear in the corners.
-  [[nodiscard]] PathPosition nearest(const Point& place, Precision precision = Precision::float64) const;
+  /// Cost: linear in the turns.
+  [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
 };
 
 /// A query for the shortest paths from one start to many goals, for World::find_paths_from.

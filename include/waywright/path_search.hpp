@@ -26,9 +26,10 @@ class World;
 /// @endcode
 ///
 /// Between the slices a program may query the world, run other searches, move the world and change it. If a change
-/// touches the ends, or a face that the search has visited, the next slice starts the search again. Otherwise the
-/// search continues. While searches run, each operation on the world also records the faces that it touches, at a cost
-/// proportional to their number. A search that has been moved from may only be assigned to or destroyed.
+/// touches the start, the goal, or a face at which the search has looked, the next slice starts the search again.
+/// Otherwise the search continues. While searches run, each operation on the world also records the faces that it
+/// touches, at a cost proportional to their number. A search that has been moved from may only be assigned to or
+/// destroyed.
 /// Threads: a search belongs to one thread at a time; step() reads the world.
 class WAYWRIGHT_API PathSearch {
  public:
@@ -40,11 +41,12 @@ class WAYWRIGHT_API PathSearch {
   /// Starts a search, and cancels the previous one. After an error no search is running.
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
-  /// wall. If it meets no wall, the first step is the last.
+  /// wall. If the segment meets no wall, the first step ends the search.
   Result<void> begin(const World& world, const PathQuery& query);
 
-  /// Continues the search for `expansions` triangles at most, or a few more. Returns whether the search is done. For
-  /// PathAlgorithm::tra the first step is the last. If no search is running, the function returns true.
+  /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
+  /// search is done. For PathAlgorithm::tra the first step ends the search. If no search is running, the function
+  /// returns true.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
   /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
@@ -54,7 +56,7 @@ class WAYWRIGHT_API PathSearch {
   /// the status is PathStatus::no_path as long as there is no path.
   [[nodiscard]] const Path& path() const;
 
-  /// Returns how often the search has started again because the world had changed where the search had looked.
+  /// Returns how often the search has started again because the world has changed where the search had looked.
   /// Path::expansions counts from the last start.
   [[nodiscard]] std::size_t restarts() const;
 

@@ -49,8 +49,8 @@ struct Point {
 
 /// @name The range of coordinates
 /// A world accepts a coordinate that is 0, or that has a magnitude from kSmallestCoordinate to kLargestCoordinate.
-/// Every double in this range is a multiple of 2^-152, so differences and products of up to four of them neither
-/// overflow nor underflow. Check data from outside with is_in_range.
+/// Every double in this range is a multiple of 2^-152. So differences of coordinates, and products of up to four of
+/// them, neither overflow nor underflow. Check data from outside with is_in_range.
 ///
 /// @code{.cpp}
 /// const bool is_good = is_in_range(Point{1e-3, 1e6});  // == true
@@ -90,7 +90,8 @@ inline constexpr double kSmallestCoordinate = 0x1p-100;
 
 /// Returns the dot product.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-/// Returns the third coordinate of the cross product: positive if `b` points to the left of `a`.
+/// Returns the z coordinate of the cross product. It is positive if the direction `b` points to the left of the
+/// direction `a`.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 /// Returns the square of the length, without computing a square root.
 [[nodiscard]] WAYWRIGHT_INLINE constexpr double squared_length(const Point& a) { return dot(a, a); }
@@ -108,12 +109,13 @@ inline constexpr double kSmallestCoordinate = 0x1p-100;
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-/// Returns `(X, Y)`, each coordinate as the shortest decimal number that reads back as the same double; -0.0 as `0`.
+/// Returns the text `(X, Y)`. Each coordinate is the shortest decimal number from which the same double can be read;
+/// -0.0 is `0`.
 [[nodiscard]] WAYWRIGHT_API std::string to_string(const Point& point);
 
 /// @}
 
-/// A view of points in an array that something else owns: a std::span with three additions. You can make it from
+/// A view of points in an array that another object owns: a std::span with three additions. You can make it from
 /// braces, compare it with other lists of points, and convert it to a std::vector. `PointSpan` is a good parameter type
 /// for a list of points. If you make it from braces or from a temporary, it is valid up to the end of the full
 /// expression.
@@ -193,7 +195,7 @@ struct Box {
     return min.x <= other.max.x && max.x >= other.min.x && min.y <= other.max.y && max.y >= other.min.y;
   }
 
-  /// Enlarges the box by no more than it needs to contain the point.
+  /// Enlarges the box as little as possible, so that it contains the point.
   constexpr void expand(const Point& point) {
     if (point.x < min.x) min.x = point.x;
     if (point.y < min.y) min.y = point.y;

@@ -9,9 +9,9 @@ namespace waywright {
 /// @addtogroup build
 /// @{
 
-/// The number of calls of one predicate, by the stage of the exact arithmetic that decided them.
+/// The number of calls of one predicate, counted by the stage of the exact arithmetic that decided the call.
 struct StageCounts {
-  std::uint64_t doubles = 0;   ///< doubles with a proven error bound; for crossings: exact except for one division
+  std::uint64_t doubles = 0;   ///< doubles with a proven error bound; for crossings: only one division is rounded
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size
 

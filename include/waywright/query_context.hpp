@@ -12,8 +12,8 @@ namespace detail {
 struct QueryScratch;
 }
 
-/// The scratch of queries. Keep one context per thread and pass it to each query: the query then allocates no memory
-/// once the context has served a query as large.
+/// The memory that queries keep between calls. Keep one context for each thread and pass it to each query. A query
+/// allocates no memory if its context has served a query of the same size before.
 ///
 /// @code{.cpp}
 /// // `context` and `path` live as long as the thread's work.

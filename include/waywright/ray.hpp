@@ -20,8 +20,8 @@ namespace waywright {
 /// @endcode
 struct RayHit {
   bool hit = false;           ///< whether the segment touches a wall
-  Point at;                   ///< the first position where the segment touches a wall, as nearest doubles
-  std::vector<ItemId> items;  ///< the items with a side there, ascending; the null id is the domain's border
+  Point at;                   ///< the first position where the segment touches a wall, rounded to the nearest doubles
+  std::vector<ItemId> items;  ///< the items with a side at this position, ascending; the null id is the domain's border
 
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };

@@ -31,7 +31,8 @@ enum class ScriptLineKind : std::uint8_t {
   clear
 };
 
-/// One line of a world script. The parser does not check whether numbers lie in range or in the domain: a world does.
+/// One line of a world script. The parser does not check whether numbers are in range or points lie in the domain. A
+/// world checks this.
 struct ScriptLine {
   ScriptLineKind kind = ScriptLineKind::check;
   std::uint32_t line = 0;                  ///< the line in the text, from 1
@@ -46,7 +47,7 @@ struct ScriptLine {
 /// Returns the first word of the line: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(const ScriptLine& line);
 
-/// A whole world script. The parser reads all of it before anything runs.
+/// A whole world script. The parser reads all lines before the first one is carried out.
 ///
 /// @code{.cpp}
 /// const std::string text = "waywright 1\ndomain 0 0 10 10\nsegment 1 4 0 4 7\npath 1 1 7 1 0\n";
@@ -57,7 +58,7 @@ struct ScriptLine {
 /// const std::size_t count = scene_of(script).items.size();  // == 1
 /// @endcode
 struct Script {
-  Box domain;                     ///< min is below max, and the coordinates are in the range of a world
+  Box domain;                     ///< min is below max, and a world accepts the coordinates
   std::uint32_t domain_line = 0;  ///< the line of the domain in the text, from 1
   std::vector<ScriptLine> lines;
 };

@@ -31,7 +31,7 @@ enum class SvgTheme : std::uint8_t {
 /// const std::string svg = to_svg(world, {}, options).value();
 /// @endcode
 struct SvgOptions {
-  double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the content determines the height
+  double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the height follows from the content
   bool mesh = true;       ///< draw the free edges
   bool axes = true;       ///< draw ticks with coordinates, a scale bar, and a sign that says where y points
   bool ids = true;        ///< give each item its id as text on hover
@@ -85,7 +85,7 @@ struct SvgPolyline {
 struct SvgLabel {
   Point at;
   std::string text = {};
-  double radius = 0.0;      ///< in units of the world: the radius of a disc around `at` that the text does not cover
+  double radius = 0.0;      ///< in units of the world: the radius of a disc around `at` that the text keeps free
   double size = 14.0;       ///< the font size in pixels, 4 to 200
   std::string colour = {};  ///< any CSS colour; empty for the colour of all text
 };
@@ -145,8 +145,8 @@ class WAYWRIGHT_API SvgFrame {
   /// unit of length is `scale` pixels long.
   SvgFrame(const Box& shown, Point corner, double scale, bool y_down);
 
-  /// Returns the pixel of a point of the world.
-  [[nodiscard]] Point to_picture(Point place) const;
+  /// Returns the position of a point of the world in the picture, in pixels.
+  [[nodiscard]] Point to_picture(Point point) const;
   /// Returns the point of the world at a pixel.
   [[nodiscard]] Point to_world(Point pixels) const;
   /// Returns the number of pixels of one unit of length.
@@ -179,15 +179,15 @@ class WAYWRIGHT_API SvgFrame {
 /// }
 /// @endcode
 ///
-/// The function computes positions in doubles: it may displace an item that reaches out of a crop box by more than 2^40
-/// times the size of the box. It omits details of large worlds to keep the text small:
+/// The function computes positions in doubles. If an item reaches out of a crop box by more than 2^40 times the size of
+/// the box, the picture may show the item at a wrong position. It omits details of large worlds to keep the text small:
 /// - It omits a mesh of more than 300,000 edges in the picture, and the legend says so.
-/// - If the picture shows more than 50,000 items, no item has its id on hover.
+/// - If the picture shows more than 50,000 items, no item shows its id on hover.
 ///
 /// Errors: coordinate_range; bad_domain, if min of the crop box is not below its max; out_of_domain, if the crop box
 /// has no area in common with the domain.
-/// Cost: the cost of World::snapshot if the picture shows the mesh; the cost of World::items or, with a crop box,
-/// World::items_in; and the length of the text.
+/// Cost: the sum of the cost of World::snapshot (if the picture shows the mesh), the cost of World::items (with a crop
+/// box: World::items_in), and the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<std::string> to_svg(const World& world, const SvgOverlay& overlay,
                                                        const SvgOptions& options);
 

@@ -73,9 +73,9 @@ struct BulkOptions {
   JobSystem* jobs = nullptr;
 };
 
-/// The hash of the domain and the live items of a world. World::items_hash returns it. Two hashes of equal items are
-/// equal, whatever operations made the items, and on whatever machine. In practice hashes are equal only if the items
-/// are. docs/hashes.md defines the hash, so that other programs can compute it.
+/// The hash of the domain and the live items of a world. World::items_hash returns it. If two worlds have equal items,
+/// their hashes are equal, whatever operations led to these items, and on every machine. In practice, hashes are equal
+/// only if the items are equal. docs/hashes.md defines the hash, so that other programs can compute it.
 ///
 /// @code{.cpp}
 /// const ItemsHash before = world.items_hash();
@@ -89,8 +89,8 @@ struct ItemsHash {
 
   friend bool operator==(const ItemsHash&, const ItemsHash&) = default;
 };
-/// The hash of the mesh of a world: the SHA-256 of its dump. World::mesh_hash returns it. Two hashes are equal under
-/// the same conditions as for ItemsHash. docs/hashes.md defines the hash.
+/// The hash of the mesh of a world: the SHA-256 of its dump. World::mesh_hash returns it. It is equal for two worlds
+/// under the same conditions as ItemsHash. docs/hashes.md defines the hash.
 struct MeshHash {
   std::array<std::uint8_t, 32> bytes{};
 
@@ -117,8 +117,9 @@ enum class Place : std::uint8_t { vertex, edge, face };
 /// @endcode
 struct Location {
   Place at = Place::face;
-  /// The vertices of the location, as nearest doubles: 1 for a vertex, 2 for an edge, 3 for a face. The vertices of a
-  /// face are counter-clockwise. An edge and a face start with the vertex that comes first in (x, y) order.
+  /// The vertices of the location, each coordinate rounded to the nearest double: 1 vertex, the 2 ends of an edge, or
+  /// the 3 corners of a face. The vertices of a face are counter-clockwise. An edge and a face start with the vertex
+  /// that comes first in (x, y) order.
   std::array<Point, 3> corners{};
   std::size_t corner_count = 0;  ///< the number of vertices in `corners`
   /// The polygons that contain the point in their interior or on their boundary, ascending.
@@ -143,16 +144,16 @@ struct Validation {
 /// @endcode
 struct WorldOptions {
   /// Whether the world maintains the path abstraction: which faces are connected, which polygons cover them, and which
-  /// faces lie in dead ends. Without the abstraction an operation costs less, and a world takes 10 bytes less for each
-  /// vertex, or up to 18 bytes less if walls change everywhere. But many queries then look at far more of the mesh, and
-  /// PathAlgorithm::tra is not supported.
+  /// faces lie in dead ends. Without the abstraction, an operation costs less, and a world takes 10 bytes less for each
+  /// vertex (up to 18 bytes less if walls change everywhere). But then many path queries search far more of the mesh,
+  /// and PathAlgorithm::tra is not supported.
   bool keep_abstraction = true;
 };
 
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
 /// box. Every decision about the mesh is exact. The live items alone determine the mesh, in whatever order you inserted
-/// them. Geometry is never an error: a world accepts items that cross, overlap, repeat or cross themselves, and items
-/// that are collinear or have length zero, and handles them exactly.
+/// them. Geometry is never an error: items may cross, overlap or repeat each other, cross themselves, be collinear or
+/// have length zero. The world handles all of this exactly.
 ///
 /// @code{.cpp}
 /// World arena = World::create({{0, 0}, {10, 10}}).value();
@@ -162,8 +163,8 @@ struct WorldOptions {
 /// @endcode
 ///
 /// Most queries have two forms. One form returns its answer in a new object. The other form fills an object that you
-/// keep, and takes a QueryContext that you keep. The second form allocates no memory once both objects have served for
-/// an answer of the same size.
+/// keep, and takes a QueryContext that you keep. The second form allocates no memory if both objects have served for an
+/// answer of the same size before.
 ///
 /// A world that has been moved from may only be assigned to or destroyed.
 /// Threads: several threads may call const members at once, each with its own QueryContext. While a thread calls a
@@ -209,15 +210,16 @@ class WAYWRIGHT_API World {
   /// @endcode
   /// @{
 
-  /// Inserts a shape under `id`. If `id` is null, the world chooses the largest id that it has seen, plus 1. Returns
-  /// the id. The index of an error counts the points of the shape from 0, over all rings.
+  /// Inserts a shape under `id`. If `id` is null, the world chooses the id: the largest id that it has seen, plus 1.
+  /// Returns the id. If the function refuses a point, Error::index is the position of this point in the shape, counted
+  /// from 0 over all rings.
   /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large.
   /// Cost: for each point, its location; for each side, the part of the mesh that it crosses.
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
-  /// Inserts a vertex that stays as long as the item is live. It is not a wall. Returns the id. Errors and cost are as
-  /// for insert().
+  /// Inserts a point: a vertex that stays as long as the item is live. It is not a wall. Returns the id. Errors and
+  /// cost are as for insert().
   Result<ItemId> insert_point(Point point, ItemId id = {});
   /// Inserts a wall from `a` to `b`. A wall of length zero acts as a point. Returns the id. Errors and cost are as for
   /// insert().
@@ -272,7 +274,7 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of insert(), remove() and replace().
   /// Cost: the cost of the single changes; successive insertions are as fast as insert_all().
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
-  /// Makes several changes that you write in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
+  /// Does the same for changes that you write in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
   Result<std::vector<ItemId>> apply(std::initializer_list<Change> changes) {
     return apply(std::span<const Change>(std::data(changes), changes.size()));
   }
@@ -302,8 +304,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] std::vector<ItemId> item_ids() const;
   /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
-  /// Returns a copy of the shape of an item as you inserted it, except that points that repeat their predecessor are
-  /// merged.
+  /// Returns a copy of the shape of an item as you inserted it, with one exception: a point that equals its predecessor
+  /// is left out.
   /// Errors: unknown_id, bad_id.
   /// Cost: linear in the points of the item.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
@@ -334,20 +336,20 @@ class WAYWRIGHT_API World {
 
   /// Finds the vertex, edge or face at a point, and the polygons there.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: a walk over a few triangles, which does not depend on the size of the world, and the size of the answer. No
-  /// memory, once `context` and `location` have been used.
+  /// Cost: a walk over a few triangles, which does not depend on the size of the world, and the size of the answer.
+  /// Allocates nothing if `context` and `location` have been used before.
   /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
   [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
   /// @copydoc locate(Point, QueryContext&, Location&) const
   [[nodiscard]] Result<Location> locate(Point point) const;
 
-  /// Finds the items that cover a point or have a side or corner there, ascending.
+  /// Finds the items that contain a point: polygons that cover it, and items with a side or corner there. Ids ascend.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the cost of locate().
   [[nodiscard]] Result<void> items_at(Point point, QueryContext& context, std::vector<ItemId>& items) const;
   /// @copydoc items_at(Point, QueryContext&, std::vector<ItemId>&) const
   [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
-  /// Finds the items whose sides the segment meets, in the order of the segment, and where it meets them. If the
+  /// Finds the items whose sides the segment meets, and where it meets them, in the order from `from` to `to`. If the
   /// segment runs along a side, CrossedItem::at is the point where the overlap starts. Items at the same position
   /// ascend by id.
   /// Errors: coordinate_range, out_of_domain.
@@ -357,15 +359,15 @@ class WAYWRIGHT_API World {
   /// @copydoc items_crossed(Point, Point, QueryContext&, std::vector<CrossedItem>&) const
   [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
   /// Finds the first wall that the segment touches, seen from `from`. The border of the domain is a wall, too. A
-  /// segment that starts on a wall touches this wall. The decision is exact, also if walls meet at the position, or if
-  /// the segment runs through the end of a wall.
+  /// segment that starts on a wall touches this wall. The decision is exact, even if several walls meet at the
+  /// position, or if the segment passes through the end of a wall.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: the location of `from`, and the faces that the segment crosses before the hit. No memory, once `hit` has
-  /// been used.
+  /// Cost: the location of `from`, and the triangles that the segment crosses before the hit. Allocates nothing if
+  /// `hit` has been used before.
   [[nodiscard]] Result<void> ray(Point from, Point to, RayHit& hit) const;
   /// @copydoc ray(Point, Point, RayHit&) const
   [[nodiscard]] Result<RayHit> ray(Point from, Point to) const;
-  /// Finds the items that have a point in common with a closed box, ascending. The box may reach beyond the domain.
+  /// Finds the items that have a position in common with a closed box. Ids ascend. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max.
   /// Cost: the location of a corner, and the triangles that meet the box.
   [[nodiscard]] Result<void> items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const;
@@ -387,19 +389,20 @@ class WAYWRIGHT_API World {
   /// Finds a path from start to goal. The path never passes through a wall, nor through a point where walls meet. It
   /// may touch both.
   ///
-  /// The search can move the start and the goal. Path::moved_start and Path::moved_goal say if it did. There are two
-  /// reasons:
-  /// - Polygons cover the position all around, so no path can leave it. The search then takes the nearest free
-  ///   position, if that is within PathQuery::end_tolerance. If the world keeps its abstraction, the search prefers
-  ///   free positions that are connected with the other end.
-  /// - Walls separate start and goal, but one of the two lies so near to a wall that a rounding error can explain it:
-  ///   by default_end_tolerance() at most, and within PathQuery::end_tolerance. The search then moves it across the
-  ///   wall, if that connects start and goal. This requires a world that keeps its abstraction.
+  /// The search can move the start and the goal. If it did, Path::moved_start and Path::moved_goal are set. There are
+  /// two reasons:
+  /// - Polygons cover all triangles around the position, so no path can leave it. The search then takes the nearest
+  ///   free position, if this position is within PathQuery::end_tolerance. If the world keeps its abstraction, the
+  ///   search prefers free positions that are connected with the other end.
+  /// - Walls separate start and goal, but one of them lies so near to a wall that a rounding error may have put it
+  ///   beyond the wall: its distance is at most default_end_tolerance() and at most PathQuery::end_tolerance. The
+  ///   search then moves it across the wall, if this connects start and goal. This requires a world that keeps its
+  ///   abstraction.
   ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported.
-  /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). No memory, once
-  /// `context` and `path` have been used for a search of the same size. If walls separate the ends and the world keeps
-  /// its abstraction, the search enters no triangle.
+  /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
+  /// `context` and `path` have been used for a search of the same size before. If walls separate the ends and the world
+  /// keeps its abstraction, the search enters no triangle.
   /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
   /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md describes the
   /// differences.
@@ -420,27 +423,28 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                                      JobSystem* jobs = nullptr) const;
 
-  /// Finds the shortest path to each goal, in the order of the goals. Path::expansions of each answer is the sum over
-  /// all searches. The index of an error is 0 for the start, and the position of the goal plus 1 for a goal.
+  /// Finds the shortest path to each goal, in the order of the goals. In each answer, Path::expansions is the sum over
+  /// all searches. Error::index is 0 for the start, and i + 1 for goal number i, counted from 0.
   /// Errors: the errors of find_path().
   /// Cost: for few goals, the cost of as many paths. From some hundreds of goals on, one search from the start finds
-  /// all of them. It costs the part of the world that is nearer than the farthest goal, and little for each goal.
+  /// all of them. Its cost depends on the part of the world that is nearer to the start than the farthest goal. Each
+  /// further goal adds little.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
   /// Returns the default of PathQuery::end_tolerance: 2^-20, about a millionth, of the largest coordinate of the
-  /// domain. It allows for positions that a program computes in steps of `float` arithmetic. If the domain is much
-  /// larger than the area that the items fill, give queries a tolerance of their own.
+  /// domain. It allows for the rounding errors of positions that a program computes in several steps of `float`
+  /// arithmetic. If the domain is much larger than the area that the items fill, give queries a tolerance of their own.
   /// Cost: O(1).
   [[nodiscard]] double default_end_tolerance() const;
 
   /// @}
 
   /// @name Following changes
-  /// You need this group after a change of the world: it tells which paths are still good. Ask is_affected() first,
-  /// which is cheap, and is_clear() for the paths that are affected.
+  /// You need this group after a change of the world, to find out which paths agents can still walk along. Call
+  /// is_affected() first, which is cheap. Then call is_clear() for the affected paths.
   ///
   /// @code{.cpp}
   /// const std::uint64_t before = world.version();
@@ -456,27 +460,27 @@ class WAYWRIGHT_API World {
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
   /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
   ///
-  /// Paths give the crossing of two walls as rounded coordinates. If a corner of the polyline has these coordinates, it
-  /// also stands for the exact crossing.
+  /// If a path turns at a crossing of two walls, Path::points contains its rounded coordinates. If a point of the
+  /// polyline has the rounded coordinates of a crossing, it also stands for the exact crossing.
   ///
   /// The index of an error is the position of the point.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: the location of the first point, and the triangles that the polyline crosses. No memory, once `context` has
-  /// been used for a polyline of the same length.
+  /// Cost: the location of the first point, and the triangles that the polyline crosses. Allocates nothing if `context`
+  /// has been used for a polyline of the same length before.
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, QueryContext& context) const;
   /// @copydoc is_clear(std::span<const Point>, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points) const;
-  /// Returns whether a point agent can walk along the straight segment between two points. The rules are the rules for
-  /// polylines. In contrast to ray(), a segment that only touches a wall is clear.
+  /// Returns whether a point agent can walk along the straight segment between two points. The rules for polylines
+  /// hold. A segment that only touches a wall is clear, although ray() reports a hit for it.
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, QueryContext& context) const;
   /// @copydoc is_clear(const Point&, const Point&, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
-  /// version `since` has inserted, removed or replaced. If not, the polyline is as clear as it was at that version. The
-  /// result is also true if the world does not know: it keeps the boxes of at least the last 2,048 such items. If an
-  /// operation changes more than 256 items, the items beyond share one box.
-  /// Cost: the number of boxes times the number of points, a few comparisons each. No memory.
+  /// version `since` has inserted, removed or replaced. If the result is false and the polyline was clear at that
+  /// version, it is still clear. The result is also true if the world no longer has all boxes: it keeps those of at
+  /// least the last 2,048 such items. If an operation changes more than 256 such items, the others share the last box.
+  /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Finds the paths for which is_affected() is true. Writes their positions to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
@@ -518,8 +522,9 @@ class WAYWRIGHT_API World {
   /// Returns the SHA-256 of the bytes of dump().
   /// Cost: the cost of dump().
   [[nodiscard]] MeshHash mesh_hash() const;
-  /// Checks the whole world, exactly: links, orientation, covers, constrained edges against the items, the empty circle
-  /// and its ties on every edge that is not constrained, and the path abstraction against a rebuild.
+  /// Checks the whole world, exactly: the links between faces; the orientation of each face; that the faces cover the
+  /// domain once; the constrained edges against the items; the empty-circle property and the rule for ties at each free
+  /// edge; and the path abstraction against a new one.
   /// Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
@@ -535,15 +540,15 @@ class WAYWRIGHT_API World {
   /// @endcode
   /// @{
 
-  /// Returns the memory that the world holds, by purpose. It does not include the overhead of the allocator. It also
-  /// does not include the context that the world keeps after the first query without a context: about 16 bytes for each
-  /// face, as much as a QueryContext of yours.
+  /// Returns the memory that the world holds, by purpose. It does not include the overhead of the allocator. After the
+  /// first query without a context, the world keeps a context. The result does not include this context: about 16 bytes
+  /// for each face, as much as any other QueryContext.
   /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
   /// Frees most of the memory that memory() calls spare, and the world's own context for queries. Call it if memory is
   /// short, after you have loaded a level or removed many items. The next operations allocate their scratch again. No
   /// answer and no hash depends on it.
-  /// Cost: linear in the mesh. While it runs, it needs the memory of one more array.
+  /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 
   /// @}

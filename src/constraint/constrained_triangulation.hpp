@@ -20,19 +20,19 @@
 
 namespace waywright::constraint {
 
-/// A Delaunay triangulation constrained by items. It records which items use each edge and each vertex, and therefore
-/// the reason why each vertex exists.
+/// A Delaunay triangulation constrained by items. It records which items use each edge and each vertex. So it knows why
+/// each vertex exists.
 ///
-/// The label of an edge is the list of the sides that lie on it. A vertex exists because items have corners there
-/// (`corner_uses`, a list of item slots) or because two sides cross there. A vertex without corners and with at most
-/// two fixed edges is not needed and is removed.
+/// The label of an edge is the number of the list of the sides that lie on it (UseLists). A vertex exists because items
+/// have corners there (`corner_uses`, a list of item slots) or because two sides cross there. A vertex without corners
+/// and with at most two fixed edges is not needed and is removed.
 template <class Geometry>
 class ConstrainedTriangulation {
  public:
   using Triangulation = delaunay::Triangulation<Geometry>;
 
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
-  /// Makes the same triangulation as insert_all on an empty one, but faster.
+  /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster.
   template <class Batch>
   ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::Crew& crew = {});
 
@@ -40,7 +40,7 @@ class ConstrainedTriangulation {
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
   [[nodiscard]] const mesh::TriangleMesh& topology() const { return triangulation_.topology(); }
   [[nodiscard]] const ItemTable& items() const { return items_; }
-  /// Marks an id as used: it is never given to a new item.
+  /// Marks an id as used: the table never chooses it for a new item.
   void mark_used(ItemId id) { items_.mark_used(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
@@ -70,16 +70,16 @@ class ConstrainedTriangulation {
   /// empty. Source: Chen 2009, section 3.3, after Anglada 1997.
   void insert(const Shape& shape, ItemId id);
 
-  /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(), and for each i
-  /// below it an id(i), a kind(i), a fill(i) and rings(i), a range of ranges of points: see batch.hpp. Reports the
-  /// number of corners that are done, and then this number plus that of the items whose sides are done. Requires: for
-  /// each item the same as insert().
+  /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(). For each i below
+  /// this size, it has an id(i), a kind(i), a fill(i) and rings(i), which is a range of ranges of points: see
+  /// batch.hpp. Reports progress to the crew: first the number of corners that are inserted, then the number of all
+  /// corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
   template <class Batch>
   void insert_all(const Batch& batch, const threads::Crew& crew = {});
 
-  /// Removes an item: takes it off its edges, makes edges without items free, removes vertices that are not needed any
-  /// more, and makes the two pieces of a side that ran straight through such a vertex one edge again. Requires: an item
-  /// with this id exists. Source: Chen 2009, section 3.4, algorithms 15 to 17, completed for overlaps and shared
+  /// Removes an item from the lists of its edges and corners. Makes edges without items free. Removes vertices that are
+  /// not needed any more. If another side passes through such a vertex, its two pieces become one edge. Requires: an
+  /// item with this id exists. Source: Chen 2009, section 3.4, algorithms 15 to 17, completed for overlaps and shared
   /// crossings.
   void remove(ItemId id);
 
@@ -105,7 +105,7 @@ class ConstrainedTriangulation {
   static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::of(0), UseLists::of(1), UseLists::of(2),
                                                              UseLists::of(3)};
 
-  /// The next piece of a side: it ends at `vertex`, after it has crossed the free edges in `crossed_`, or at the edge
+  /// The next piece of a side. It crosses the free edges in `crossed_`. Then it ends at `vertex`, or at the edge
   /// `fixed`.
   struct Step {
     mesh::Vertex vertex{};
@@ -125,9 +125,9 @@ class ConstrainedTriangulation {
 
   /// Makes the record of the domain. Its corners are the vertices of these ranks.
   void add_domain(std::span<const std::uint32_t> ranks);
-  /// Makes the records of a batch's items: their corners, one after the other, are at the vertices of these ranks, and
-  /// their sides are still to be inserted. Does not add their hashes. Returns the slots of the items with sides, in the
-  /// order of the items' first corners.
+  /// Makes the records of a batch's items. The corners of the items, one after the other, lie at the vertices of these
+  /// ranks. insert_sides() must insert their sides afterwards. Does not add their hashes. Returns the slots of the
+  /// items with sides, in the order of the items' first corners.
   template <class Batch, class VertexOf, class AfterRecord>
   [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
                                                        VertexOf&& vertex_of, AfterRecord&& after_record);
@@ -140,15 +140,15 @@ class ConstrainedTriangulation {
   void end_ring();
   /// Sets the corners of an item, which are in `outline_`, and its sides, and adds its hash.
   void end_item(std::uint32_t item);
-  /// Updates the records after the insertion of a corner: makes room for the vertex's list, and copies the list of a
-  /// fixed edge that the vertex has split. Returns the vertex.
+  /// Updates the records after the insertion of a corner: makes room for the list of the vertex and, if the vertex has
+  /// split a fixed edge, copies the list of this edge. Returns the vertex.
   mesh::Vertex insert_vertex(const typename Triangulation::Inserted& inserted);
   void insert_side(std::uint32_t slot);
   /// The first step of a side, from its corner `u`.
   [[nodiscard]] Step leave_corner(mesh::Vertex u, const Side& side);
-  /// The next step from a vertex on the side: the first function is for a vertex that existed before, the second one
-  /// for a vertex that cut() has just made. `behind` is the half-edge from this vertex back along the side. `guide` is
-  /// another side that lies on the edge of `behind` and continues beyond the vertex.
+  /// The next step of a side from a vertex on it. Call the first function at a vertex that existed before, and the
+  /// second one at a vertex that cut() has just made. `behind` is the half-edge from this vertex back along the side.
+  /// `guide` is another side that lies on the edge of `behind` and continues beyond the vertex, if there is one.
   [[nodiscard]] Step leave_vertex(mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide);
   [[nodiscard]] Step leave_crossing(mesh::HalfEdge behind, const Side& side);
   /// The next step from a vertex, between two half-edges that start there. The target of `right` lies right of the
@@ -159,7 +159,7 @@ class ConstrainedTriangulation {
   mesh::Vertex cut(mesh::HalfEdge fixed, const Side& side);
   /// The step from `u` to the new vertex `x`. `crossed_` lists the edges that the side crossed before `x` was made.
   [[nodiscard]] Step step_to_crossing(mesh::Vertex u, mesh::Vertex x);
-  /// A side that lies on the edge and does not end at the target of `along`.
+  /// Returns a side that lies on the edge of `along` and does not end at its target, or nothing.
   [[nodiscard]] std::optional<std::uint32_t> guide_along(mesh::HalfEdge along) const;
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
   mesh::HalfEdge take(mesh::Vertex u, const Step& step, std::uint32_t side);
@@ -168,8 +168,8 @@ class ConstrainedTriangulation {
   void strip_corner(mesh::Vertex v, std::uint32_t item);
   /// Removes `v` if neither a corner nor a crossing needs it.
   void drop_if_unneeded(mesh::Vertex v);
-  /// The edge on which `side` leaves `u`. Requires: there is one, and `side` is no longer listed at the edge on which
-  /// it reached `u`.
+  /// The edge on which `side` leaves `u`. Requires: there is such an edge, and the list of the edge on which `side`
+  /// reached `u` no longer contains `side`.
   [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;
 
   [[nodiscard]] std::optional<std::string> find_shape_fault() const;

@@ -92,8 +92,8 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::guide_along(mes
   return guide;
 }
 
-// The insertion of x has rebuilt exactly the faces around x. They form a star around x. The segment from u to x
-// therefore first crosses some of the faces that `crossed_` lists, which are unchanged, and then stays inside the star.
+// The insertion of x has rebuilt exactly the faces around x, which form a star. So the segment from u to x first
+// crosses edges that are listed in `crossed_` and have not changed, and then stays inside the star.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::step_to_crossing(mesh::Vertex u,
                                                                                                        mesh::Vertex x) {
@@ -120,8 +120,8 @@ mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const St
 }
 
 //            q         Most sides are edges as soon as their corners are vertices. For any other side, the function
-//          / |         searches counter-clockwise around u for an edge whose target lies on the side, ahead of u, or
-//        /   |         for a face whose corner p lies right of the side and whose corner q lies left of it.
+//          / |         goes counter-clockwise around u. It searches for an edge whose target lies on the side, ahead of
+//        /   |         u, or for a face whose vertex p lies right of the side and whose vertex q lies left of it.
 //      u - - | - ->
 //        \   |
 //          \ p
@@ -152,8 +152,8 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   }
 }
 
-// If the last piece lies on another side that continues beyond the vertex, that side shows the next edge, because both
-// sides lie on one line.
+// If the last piece also lies on another side, the guide, which continues beyond the vertex, then the next edge of the
+// guide is the next edge of this side, because both sides lie on one line.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_vertex(
     mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide) {
@@ -164,8 +164,8 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   return {mesh.target(h), h, mesh::kNoHalfEdge};
 }
 
-// The halves of the edge that was cut are the first fixed edge on the right and the first one on the left. The side
-// leaves the vertex between them.
+// cut() has just divided a fixed edge into two halves at this vertex. Counter-clockwise from `behind`, the first fixed
+// edge is the half on the right of the side. Clockwise, it is the half on the left. The side continues between them.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_crossing(
     mesh::HalfEdge behind, const Side& side) {
@@ -223,7 +223,7 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   return x;
 }
 
-// Both halves of a split edge have the same list as their label. This function gives one half a copy of its own.
+// After an edge is split, both halves have the same list as their label. This function gives one half its own copy.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::split_uses(mesh::HalfEdge half) {
   triangulation_.fix(half, uses_.copy(topology().label(half)));

@@ -17,11 +17,12 @@
 namespace waywright::delaunay {
 
 /// A constrained Delaunay triangulation of a box. Fixed edges stay, and every other edge has the empty-circle property.
-/// For four cocircular points, the edge is the diagonal through the first of the four in (x, y) order. This is the
-/// limit of a perturbation that lowers every point on the lifting paraboloid by an infinitesimal, the first point by
-/// far the most. Hence vertices and fixed edges determine exactly one triangulation.
+/// If four vertices are cocircular, the edge between them is the diagonal that contains the first of the four in (x, y)
+/// order. This rule is the limit of a perturbation that lowers every point on the lifting paraboloid by an
+/// infinitesimal, the first point by far the most. So the vertices and the fixed edges determine exactly one
+/// triangulation.
 ///
-/// Geometry does all arithmetic. It is an exact::AnyGeometry; the library uses exact::Geometry.
+/// The class Geometry does all arithmetic. It satisfies exact::AnyGeometry. The library uses exact::Geometry.
 template <class Geometry>
 class Triangulation {
   static_assert(exact::AnyGeometry<Geometry>);
@@ -29,12 +30,13 @@ class Triangulation {
  public:
   using View = typename Geometry::View;
 
-  /// Makes a box of two triangles. Its sides (bottom, right, top, left) are fixed under these labels.
+  /// Makes a box of two triangles. The four edges on its border (bottom, right, top, left) are fixed with these labels.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels)
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
-  /// Makes the triangulation of the box with a vertex at each of `sorted`, all at once, and does `jobs` in the
-  /// meantime. `sorted` is the result of a sort whose first four points were the box's corners in the order of
-  /// corners_of(). The constructor does not change its ranks. Source: see DivideAndConquer.
+  /// Makes the triangulation of the box with a vertex at each point of `sorted`, all at once. The crew runs `jobs` at
+  /// the same time. `sorted` is the result of a sort whose first four points were the box's corners in the order of
+  /// corners_of(). The constructor takes the points and keys out of `sorted` and leaves the ranks. Source: see
+  /// DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
                 const threads::Crew& crew = {}, std::span<const threads::Job> jobs = {});
 
@@ -66,8 +68,8 @@ class Triangulation {
     return geometry_.order(view(p), view(q)) < 0;
   }
 
-  /// The location of `point`. The second function starts its walk at the face of `start`. Requires: `point` and this
-  /// face lie in the box.
+  /// The location of `point`. The second function starts its walk at the face of `start`. Requires: `point` and the
+  /// face of `start` lie in the box.
   [[nodiscard]] locate::Located locate(const Point& point) const;
   [[nodiscard]] locate::Located locate(const Point& point, mesh::HalfEdge start) const;
 
@@ -76,25 +78,26 @@ class Triangulation {
   /// Undoes all changes since begin(). Allocates nothing.
   void roll_back();
 
-  /// The result of insert(): the vertex at `point`, which insert() makes if there is none yet. A new vertex on a fixed
-  /// edge splits the edge into two that have the same label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
+  /// The result of insert(): the vertex at the point.
   struct Inserted {
     mesh::Vertex vertex;
     bool is_new;
     mesh::HalfEdge split;  ///< if a fixed edge was split: one of its halves, from the vertex; else kNoHalfEdge
   };
+  /// Makes a vertex at `point`, if there is none yet. A new vertex on a fixed edge splits this edge into two that have
+  /// the same label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
   Inserted insert(const Point& point);
   /// Like insert(point), if the caller knows the location of the point.
   Inserted insert(const Point& point, const locate::Located& place);
 
-  /// Splits the fixed edge of `h` at its crossing with the line through `a` and `b`. The edge lies on the line through
-  /// `c` and `d`. Returns the new vertex. Requires: these four vertices are explicit.
+  /// Splits the fixed edge of `h` at its crossing with the line through `a` and `b`. The fixed edge lies on the line
+  /// through `c` and `d`. Returns the new vertex. Requires: `a`, `b`, `c` and `d` are explicit.
   mesh::Vertex insert_crossing(mesh::HalfEdge h, mesh::Vertex a, mesh::Vertex b, mesh::Vertex c, mesh::Vertex d);
 
   /// Sets the label of the edge of `h`, which makes the edge fixed.
   void fix(mesh::HalfEdge h, mesh::Label label) { mesh_.set_label(h, label); }
 
-  /// Makes the edge of `h` free. It may be non-Delaunay until legalise_freed() has run.
+  /// Makes the edge of `h` free. The edge may be illegal until legalise_freed() has run.
   void free_edge(mesh::HalfEdge h);
   /// Flips freed edges, and edges that become illegal by that, until every free edge is legal again.
   void legalise_freed();
@@ -107,10 +110,10 @@ class Triangulation {
   };
   /// The star of `v`. The result is valid until the next call.
   [[nodiscard]] const Star& star(mesh::Vertex v);
-  /// Removes the vertex of a star. The vertex has no fixed edges, or two that lie on one line; these become one edge
-  /// with the label of the first. Returns this edge, or kNoHalfEdge. Requires: the triangulation is Delaunay, the star
-  /// has not changed, and its vertex is no corner of the box. Source: Chen 2009, section 3.4, algorithm 17; for the
-  /// hole, Devillers 2011.
+  /// Removes the vertex of a star. The vertex has no fixed edges, or two that lie on one line. Two fixed edges become
+  /// one edge with the label of the first. Returns this edge, or kNoHalfEdge if there were no fixed edges. Requires:
+  /// the triangulation is Delaunay, the star has not changed, and its vertex is no corner of the box. Source: Chen
+  /// 2009, section 3.4, algorithm 17; for the hole, Devillers 2011.
   mesh::HalfEdge remove_vertex(const Star& star);
   /// Prefetches the position of `v` and the index of one of its half-edges.
   // Always inlined: GCC otherwise removes the call of a function that only prefetches.
@@ -118,7 +121,7 @@ class Triangulation {
     mesh_.prefetch(v);
     if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(v));
   }
-  /// Prefetches the faces that were made together with `v`. Some of them are likely to be in its star still.
+  /// Prefetches the faces that were made together with `v`. It is likely that some of them are still in its star.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_faces_made_with(mesh::Vertex v) const {
     const std::uint32_t end = 2 * number(v);  // the mesh had 2 v - 4 faces before v, if no vertex was ever removed
     if (end < 4 || end > mesh_.face_slots()) return;
@@ -130,12 +133,12 @@ class Triangulation {
     sectors_.prefetch(geometry_.rounded(number(v)));
   }
 
-  /// Makes u - w an edge, fixes it under `label`, and triangulates the faces that it crosses anew. Returns the
-  /// half-edge from u to w. All other faces stay as they are. `crossed` lists the edges between u and w in order from u
-  /// to w. Each is the half-edge in the face nearer to u, so it runs from the right of u - w to its left. Requires: all
-  /// crossed edges are free, and no vertex lies between u and w. Source: for the cavity, Anglada, *An improved
-  /// incremental algorithm for constructing restricted Delaunay triangulations*, 1997; force_edge.inl describes how the
-  /// cavity is filled.
+  /// Makes u - w an edge, fixes it with `label`, and fills the cavity of the faces that it crosses with new faces.
+  /// Returns the half-edge from u to w. All other faces stay as they are. `crossed` lists the edges that u - w crosses,
+  /// in order from u to w. Each is a half-edge of the face that is nearer to u, so it runs from the right of u - w to
+  /// its left. Requires: all crossed edges are free, and no vertex lies between u and w. Source: for the cavity,
+  /// Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations*, 1997;
+  /// force_edge.inl describes how the cavity is filled.
   mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
                             mesh::Label label);
 
@@ -153,10 +156,10 @@ class Triangulation {
   static constexpr std::size_t kLongWalk = 16;
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
 
-  /// An edge on a cavity's border. It runs from `from` to the `from` of the next edge in the chain.
+  /// An edge on a cavity's border. It runs from the vertex `from` to the vertex `from` of the next edge in the chain.
   struct ChainEdge {
     mesh::Vertex from;
-    mesh::HalfEdge inner;  ///< its half-edge in the cavity: at first in the old face, later in the new one
+    mesh::HalfEdge inner;  ///< its half-edge in the cavity: first in the old face, later in the new face
     mesh::HalfEdge outer;  ///< the twin of `inner`
     mesh::Label label;
     std::uint32_t partner = kNotDangling;  ///< if `outer` also lies in the cavity: the chain edge of `outer`
@@ -164,8 +167,9 @@ class Triangulation {
   };
   using Chain = std::vector<ChainEdge>;
 
-  /// A vertex of a chain whose ear has not been cut. An edge connects it to the vertex before it: the chain edge at
-  /// `position`, or a new triangle's half-edge `base`, which runs from the vertex before it to this one.
+  /// A vertex of a chain whose ear has not been cut. An edge connects it to the vertex before it. This edge is the
+  /// chain edge at `position`, or the half-edge `base` of a new triangle, which runs from the vertex before it to this
+  /// vertex.
   struct ChainCorner {
     mesh::Vertex vertex;
     std::uint32_t position;
@@ -175,7 +179,8 @@ class Triangulation {
   void place_all(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
-  /// Prefetches the face beyond an edge, and (second function, once the face is there) the position of its apex.
+  /// Prefetches the face beyond an edge. The second function prefetches the position of the apex of this face. Call it
+  /// some time after the first, when the face has arrived.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
   WAYWRIGHT_ALWAYS_INLINE void prefetch_apex_beyond(mesh::HalfEdge h) const {
     if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
@@ -184,7 +189,7 @@ class Triangulation {
   /// vertex is their apex.
   void legalise_around_apex();
   [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;
-  /// Not inlined: few edges are ties, and so is_legal() can keep its data in registers.
+  /// Not inlined: ties are rare, and without this code is_legal() can keep its data in registers.
   [[nodiscard, gnu::noinline]] bool is_legal_on_circle(mesh::HalfEdge h) const;
   void remember(mesh::HalfEdge h);
   [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
@@ -213,7 +218,7 @@ class Triangulation {
   locate::Sectors sectors_;
   mesh::Vertex ghost_{};
   std::array<mesh::Vertex, 4> box_corners_{};
-  mesh::HalfEdge recent_{};  ///< a half-edge, alive, of a face in the box, near the last change
+  mesh::HalfEdge recent_{};  ///< a half-edge of a face in the box, near the last change
   mesh::HalfEdge recent_before_{};
 
   // Scratch.

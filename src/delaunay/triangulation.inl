@@ -17,7 +17,7 @@ using mesh::next;
 using mesh::number;
 using mesh::previous;
 
-// Divide and conquer does not use the sectors, so a job can fill them in the meantime.
+// DivideAndConquer does not use the sectors. So a job can fill them at the same time.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
                                        locate::SortedPoints&& sorted, const threads::Crew& crew,
@@ -46,7 +46,8 @@ void Triangulation<Geometry>::place_all(std::vector<Point>&& points) {
   }
 }
 
-// The neighbours of the ghost, clockwise around it, are the vertices on the border, counter-clockwise around the box.
+// The neighbours of the ghost vertex are the vertices on the border. Clockwise around the ghost vertex means
+// counter-clockwise around the box.
 template <class Geometry>
 void Triangulation<Geometry>::fix_border(const std::array<mesh::Label, 4>& side_labels) {
   mesh::HalfEdge h = mesh_.find(ghost_, box_corners_[0]);
@@ -102,9 +103,10 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
   return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(start), ghost_);
 }
 
-/// A half-edge of a face in the box near the point. It comes from the last change or from the vertex that the point's
-/// sector remembers, whichever is nearer. If both are far away (the slot of the remembered vertex may have been used
-/// again for a vertex elsewhere), the function also asks the sectors around.
+/// Returns a half-edge of a face in the box, near the point. It is a half-edge from the last change, or one at the
+/// vertex that the point's sector remembers, whichever is nearer. Both can be far away: for example, a vertex elsewhere
+/// may now use the slot of the remembered vertex. Then the function also considers the vertices that the sectors around
+/// remember.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {
@@ -129,8 +131,8 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   return is_ghost_face(h) ? inner_side(h) : h;
 }
 
-/// Divides the point's sector after a long walk, if the vertex that the sector remembers lies in the sector. A walk
-/// that is long in spite of this vertex shows that the sector is crowded.
+/// Divides the point's sector after a long walk, if the vertex that the sector remembers lies in the sector. If a walk
+/// from this vertex is long, the sector contains many vertices.
 template <class Geometry>
 void Triangulation<Geometry>::divide_sector(const Point& point) {
   const mesh::Vertex v = sectors_.near(sectors_.at(point));
@@ -138,7 +140,7 @@ void Triangulation<Geometry>::divide_sector(const Point& point) {
   if (sectors_.are_in_one(point, geometry_.rounded(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }
 
-/// For a half-edge in a ghost face: a half-edge of the adjacent face in the box.
+/// Returns a half-edge of the face in the box that is adjacent to the ghost face of `h`.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
   while (mesh_.apex(h) != ghost_) h = next(h);
@@ -159,8 +161,8 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
     remember(place.h);
     return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
   }
-  // In a large world, an insertion mostly waits for memory. The code therefore prefetches the adjacent faces first, and
-  // then makes the vertex.
+  // In a large world, an insertion mostly waits for memory. So the code first prefetches the adjacent faces, and then
+  // makes the vertex.
   for (const mesh::HalfEdge h : {place.h, next(place.h), previous(place.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
   const bool splits_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);

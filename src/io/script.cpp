@@ -59,26 +59,28 @@ class ScriptParser {
   bool read_lines();
   bool read_line(std::string_view word);
   bool read_domain();
-  bool read_operation(ScriptLine& operation, const Grammar& grammar);
+  /// Reads the words after the first one.
+  bool read_rest(ScriptLine& line, const Grammar& grammar);
   bool read_insertion(Item& item, ItemKind kind);
   bool read_replacement(Item& item);
   bool read_rings(Shape& shape);
   bool read_ring(Rings& rings);
   bool read_ring(std::string_view count_word, Rings& rings);
   bool read_points(std::uint64_t count, Rings& rings);
-  bool read_path_options(ScriptLine& operation);
+  bool read_path_options(ScriptLine& line);
 
   /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line(std::string_view& word);
   bool number(double& value);
-  /// Reads a bound of the domain. Requires, with an error otherwise: a world accepts this coordinate. `bound` is its
-  /// name in the usage.
+  /// Reads a bound of the domain. Fails if a world does not accept this coordinate. `bound` is the name of the bound in
+  /// the usage.
   bool domain_bound(double& value, std::string_view bound);
   bool point(Point& value) { return number(value.x) && number(value.y); }
   bool id(ItemId& value);
   bool end_of_line();
 
-  /// Stores an error: the script must have `expected` where it has `found`. `found` is empty at the end of the line.
+  /// Stores an error: the parser expected `expected` and found `found`. An empty `found` means the end of the line.
+  /// Returns false.
   bool fail(std::string_view expected, std::string_view found);
 
   text::LineReader lines_;
@@ -177,11 +179,11 @@ bool ScriptParser::read_line(std::string_view word) {
   if (grammar == kGrammars.end()) return fail("an operation", word);
   if (script_.domain_line == 0) return fail("'domain X0 Y0 X1 Y1' before anything else", word);
   usage_ = grammar->usage;
-  ScriptLine operation;
-  operation.kind = grammar->kind;
-  operation.line = static_cast<std::uint32_t>(lines_.number());
-  if (!read_operation(operation, *grammar) || !end_of_line()) return false;
-  script_.lines.push_back(std::move(operation));
+  ScriptLine line;
+  line.kind = grammar->kind;
+  line.line = static_cast<std::uint32_t>(lines_.number());
+  if (!read_rest(line, *grammar) || !end_of_line()) return false;
+  script_.lines.push_back(std::move(line));
   return true;
 }
 
@@ -204,25 +206,25 @@ bool ScriptParser::read_domain() {
   return true;
 }
 
-bool ScriptParser::read_operation(ScriptLine& operation, const Grammar& grammar) {
-  switch (operation.kind) {
+bool ScriptParser::read_rest(ScriptLine& line, const Grammar& grammar) {
+  switch (line.kind) {
     case ScriptLineKind::insert:
-      return read_insertion(operation.item, grammar.item);
+      return read_insertion(line.item, grammar.item);
     case ScriptLineKind::remove:
-      return id(operation.item.id);
+      return id(line.item.id);
     case ScriptLineKind::replace:
-      return read_replacement(operation.item);
+      return read_replacement(line.item);
     case ScriptLineKind::locate:
-      return point(operation.from);
+      return point(line.from);
     case ScriptLineKind::ray:
-      return point(operation.from) && point(operation.to);
+      return point(line.from) && point(line.to);
     case ScriptLineKind::disc:
     case ScriptLineKind::nearest:
-      return point(operation.from) && number(operation.radius);
+      return point(line.from) && number(line.radius);
     case ScriptLineKind::path:
-      return point(operation.from) && point(operation.to) && number(operation.radius) && read_path_options(operation);
+      return point(line.from) && point(line.to) && number(line.radius) && read_path_options(line);
     case ScriptLineKind::clear:
-      return read_ring(operation.item.shape.rings);
+      return read_ring(line.item.shape.rings);
     case ScriptLineKind::check:
     case ScriptLineKind::hash:
       break;
@@ -274,7 +276,8 @@ bool ScriptParser::read_ring(Rings& rings) {
 bool ScriptParser::read_ring(std::string_view count_word, Rings& rings) {
   const std::optional<std::uint64_t> count = text::read_unsigned(count_word);
   if (!count || *count == 0) return fail(kPointCount, count_word);
-  // A point takes at least two digits and a blank. So a count that is too large for the line does not cost memory.
+  // A point takes at least two digits and a blank. So a count that is too large for the line does not reserve more
+  // memory than the line needs.
   const auto likely_count = static_cast<std::size_t>(std::min<std::uint64_t>(*count, words_.remaining() / 3));
   if (rings.empty()) rings.reserve(likely_count);
   rings.start_ring();
@@ -291,31 +294,30 @@ bool ScriptParser::read_points(std::uint64_t count, Rings& rings) {
   return true;
 }
 
-bool ScriptParser::read_path_options(ScriptLine& operation) {
+bool ScriptParser::read_path_options(ScriptLine& line) {
   std::string_view word;
   if (!words_.next(word)) return true;
-  operation.algorithm = path_algorithm(word);
-  if (operation.algorithm && !words_.next(word)) return true;
-  if (word != "tolerance")
-    return fail(operation.algorithm ? "'tolerance'" : "'optimal', 'ta', 'tra' or 'tolerance'", word);
-  return number(operation.end_tolerance.emplace());
+  line.algorithm = path_algorithm(word);
+  if (line.algorithm && !words_.next(word)) return true;
+  if (word != "tolerance") return fail(line.algorithm ? "'tolerance'" : "'optimal', 'ta', 'tra' or 'tolerance'", word);
+  return number(line.end_tolerance.emplace());
 }
 
 /// Returns whether a world over `domain` accepts the shape.
 bool fits(const Shape& shape, const Box& domain) {
-  const auto takes = [&](Point p) {
+  const auto is_accepted = [&](Point p) {
     return is_in_range(p) && p.x >= domain.min.x && p.x <= domain.max.x && p.y >= domain.min.y && p.y <= domain.max.y;
   };
   const std::span<const Point> points = shape.rings.points();
-  return std::all_of(points.begin(), points.end(), takes);
+  return std::all_of(points.begin(), points.end(), is_accepted);
 }
 
 }  // namespace
 
-std::string_view to_string(const ScriptLine& operation) {
-  if (operation.kind == ScriptLineKind::insert) return to_string(operation.item.shape.kind);
+std::string_view to_string(const ScriptLine& line) {
+  if (line.kind == ScriptLineKind::insert) return to_string(line.item.shape.kind);
   const auto grammar =
-      std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.kind == operation.kind; });
+      std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.kind == line.kind; });
   return grammar == kGrammars.end() ? std::string_view{} : grammar->word;
 }
 
@@ -331,23 +333,23 @@ Scene scene_of(const Script& script) {
     const ScriptLine* inserted = nullptr;
     const ScriptLine* shaped = nullptr;  ///< the insertion, or the last replacement since
   };
-  std::unordered_map<ItemId, Live> alive;
-  for (const ScriptLine& operation : script.lines) {
-    if (operation.kind == ScriptLineKind::remove) {
-      alive.erase(operation.item.id);
-    } else if (operation.kind == ScriptLineKind::insert && fits(operation.item.shape, script.domain)) {
-      alive.try_emplace(operation.item.id, Live{&operation, &operation});
-    } else if (operation.kind == ScriptLineKind::replace && fits(operation.item.shape, script.domain)) {
-      const auto found = alive.find(operation.item.id);
-      if (found != alive.end()) found->second.shaped = &operation;
+  std::unordered_map<ItemId, Live> live;
+  for (const ScriptLine& line : script.lines) {
+    if (line.kind == ScriptLineKind::remove) {
+      live.erase(line.item.id);
+    } else if (line.kind == ScriptLineKind::insert && fits(line.item.shape, script.domain)) {
+      live.try_emplace(line.item.id, Live{&line, &line});
+    } else if (line.kind == ScriptLineKind::replace && fits(line.item.shape, script.domain)) {
+      const auto found = live.find(line.item.id);
+      if (found != live.end()) found->second.shaped = &line;
     }
   }
   Scene scene{.domain = script.domain, .items = {}, .y_down = false};
-  scene.items.reserve(alive.size());
-  for (const ScriptLine& operation : script.lines) {
-    if (operation.kind != ScriptLineKind::insert) continue;
-    const auto found = alive.find(operation.item.id);
-    if (found != alive.end() && found->second.inserted == &operation) {
+  scene.items.reserve(live.size());
+  for (const ScriptLine& line : script.lines) {
+    if (line.kind != ScriptLineKind::insert) continue;
+    const auto found = live.find(line.item.id);
+    if (found != live.end() && found->second.inserted == &line) {
       scene.items.push_back(found->second.shaped->item);
     }
   }

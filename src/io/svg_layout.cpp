@@ -114,9 +114,9 @@ SvgFrame::SvgFrame(const Box& shown, Point corner, double scale, bool y_down)
       scale_(scale),
       y_down_(y_down) {}
 
-Point SvgFrame::to_picture(Point place) const {
-  const double down = y_down_ ? place.y - shown_.min.y : shown_.max.y - place.y;
-  return {map_.min.x + (place.x - shown_.min.x) * scale_, map_.min.y + down * scale_};
+Point SvgFrame::to_picture(Point point) const {
+  const double down = y_down_ ? point.y - shown_.min.y : shown_.max.y - point.y;
+  return {map_.min.x + (point.x - shown_.min.x) * scale_, map_.min.y + down * scale_};
 }
 
 Point SvgFrame::to_world(Point pixels) const {

@@ -4,23 +4,24 @@
 
 namespace waywright::memory {
 
-/// The slots of a table that nobody uses, the one freed last first. The table itself holds the links: a free slot names
-/// the next one, in the way that the table's owner chooses. So the list needs no memory, and pushing cannot fail.
+/// The unused slots of a table, as a linked list. The slot that was freed last comes first. The table itself stores the
+/// links: each free slot contains the number of the next free slot, and the owner of the table decides where. So the
+/// list needs no memory, and push() cannot fail.
 class FreeList {
  public:
-  static constexpr std::uint32_t kEnd = 0x7fffffff;  ///< what the last free slot names; no slot has this number
+  static constexpr std::uint32_t kEnd = 0x7fffffff;  ///< the link of the last free slot; no slot has this number
 
   [[nodiscard]] bool is_empty() const { return first_ == kEnd; }
   /// The slot that pop() takes next; kEnd if the list is empty.
   [[nodiscard]] std::uint32_t first() const { return first_; }
 
-  /// Adds a slot. Returns what its link must name: the caller writes it.
+  /// Adds a slot. Returns the link of this slot: the caller writes it into the table.
   [[nodiscard]] std::uint32_t push(std::uint32_t slot) {
     const std::uint32_t next = first_;
     first_ = slot;
     return next;
   }
-  /// Takes a slot. `next` is what the link of first() names. Requires: not empty.
+  /// Takes the slot first() out of the list. `next` is the link of this slot. Requires: the list is not empty.
   std::uint32_t pop(std::uint32_t next) {
     const std::uint32_t slot = first_;
     first_ = next;

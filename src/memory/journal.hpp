@@ -9,8 +9,9 @@
 
 namespace waywright::memory {
 
-/// The undo log of one operation: a record of each change, the oldest first. A record holds what it takes to undo the
-/// change. add() comes before the change, because it may run out of memory; roll_back() allocates nothing.
+/// The undo log of one operation: a record of each change, the oldest first. A record contains the data from which the
+/// change can be undone. Call add() before the change, because memory may run out in add(). roll_back() allocates
+/// nothing.
 ///
 ///     journal.begin();                            // the operation starts
 ///     journal.add({i, values[i]});                // before each change
@@ -37,7 +38,7 @@ class Journal {
   }
 
   void count_memory(MemoryUse& use) const { count_spare(use, records_); }
-  /// Drops all records and gives back their memory.
+  /// Drops all records and frees their memory.
   void release() noexcept { memory::release(records_); }
 
  private:

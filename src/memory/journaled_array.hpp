@@ -12,7 +12,8 @@
 
 namespace waywright::memory {
 
-/// An array that remembers what an operation overwrites and appends, so that it can be taken back.
+/// An array with an undo log: it records each write() and append() of an operation, so that roll_back() can take them
+/// back.
 ///
 ///     array.begin();                // the operation starts
 ///     array.write(3, value);
@@ -33,7 +34,7 @@ class JournaledArray {
   }
   void append(const Value& value) { values_.push_back(value); }
 
-  // The next two are no part of an operation: roll_back() does not take them back.
+  // roll_back() does not take back the changes that the next two functions make.
 
   /// Makes the array at least `size` long. New elements are copies of `value`.
   void cover(std::size_t size, const Value& value) {
@@ -41,7 +42,7 @@ class JournaledArray {
     values_.resize(size, value);
     size_before_ = size;
   }
-  /// The element, to be changed without a record.
+  /// Returns an element, so that the caller can change it without a record.
   [[nodiscard]] Value& unrecorded(std::size_t i) { return values_[i]; }
 
   void begin() {
@@ -63,7 +64,7 @@ class JournaledArray {
     count(use, part, values_);
     journal_.count_memory(use);
   }
-  /// Gives back spare memory, and that of the records. Requires: nothing has changed since begin().
+  /// Frees spare memory and the memory of the records. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     shrink(values_);
     journal_.release();

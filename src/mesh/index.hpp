@@ -4,8 +4,8 @@
 
 namespace waywright::mesh {
 
-// Three types of index, so that the compiler refuses to mix them up. The half-edges of a face f, counter-clockwise, are
-// 3 f, 3 f + 1 and 3 f + 2.
+// Three types of index, so that the compiler refuses a face where a vertex is needed. The half-edges of the face f are
+// 3 f, 3 f + 1 and 3 f + 2, counter-clockwise.
 enum class Vertex : std::uint32_t {};
 enum class HalfEdge : std::uint32_t {};
 enum class Face : std::uint32_t {};

@@ -8,8 +8,8 @@ namespace waywright::mesh {
 
 namespace {
 
-/// The new capacity of a vector: at least `needed`, and at least 1.5 times the old one, so that each of many single
-/// insertions costs O(1), amortised.
+/// Returns the new capacity of a vector: the old one if it suffices, otherwise at least `needed` and at least 1.5 times
+/// the old one. So one of many insertions costs O(1), amortised.
 std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
   return needed <= capacity ? capacity : std::max(needed, capacity + capacity / 2);
 }
@@ -32,8 +32,8 @@ HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
-// Each function first allocates memory, then logs the change, then makes it. If memory runs out, the undo log therefore
-// lists exactly the changes that were made.
+// Each of the following functions first allocates memory, then logs the change, then makes the change. So if memory
+// runs out, the undo log lists exactly the changes that were made.
 Vertex TriangleMesh::add_vertex() {
   const bool is_new = free_vertices_.is_empty();
   if (is_new) outgoing_.reserve(grown_capacity(outgoing_.capacity(), outgoing_.size() + 1));
@@ -114,10 +114,10 @@ void TriangleMesh::make_room_for_label(HalfEdge g, HalfEdge h) {
 }
 
 void TriangleMesh::write_label(HalfEdge h, Label label) {
-  for (const HalfEdge side : {h, twin(h)}) {
-    std::uint32_t& twin = corners_[number(side)].twin;
+  for (const HalfEdge half : {h, twin(h)}) {
+    std::uint32_t& twin = corners_[number(half)].twin;
     twin = label == 0 ? twin & ~kFixed : twin | kFixed;
-    if (label != 0) labels_[number(side)] = label;
+    if (label != 0) labels_[number(half)] = label;
   }
 }
 
@@ -227,18 +227,19 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   return {diagonal, previous(t)};
 }
 
-//            apex            A new triangle uses the face of one of its two sides. That side keeps its half-edge, so
-//           /    \           its twin needs no change; nothing else needs the face. If both sides lie on the hole's
-//      one /      \ other    border, the other side moves to this face, and its old face is freed. A triangle between
-//         /        \         two bases of new triangles takes a freed face. A new base has no twin yet: it is open. It
-//    from -------- to        replaces the triangle's two sides in `sides`.
+//            apex            `one` and `other` are half-edges on the hole's border, or bases of new triangles. If one
+//            of
+//           /    \           them lies on the border, the new triangle uses its face, which nothing else needs. This
+//      one /      \ other    half-edge and its twin then stay as they are. If both lie on the border, `other` moves to
+//         /        \         the face of `one`, and its old face is freed. If both are bases, the new triangle takes a
+//    from -------- to        freed face. A new base has no twin yet: it is open. It replaces `one` in `border`.
 //           base
-HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles) {
-  for (const HalfEdge side : sides) save(face(side));
+HalfEdge TriangleMesh::refill(std::span<HalfEdge> border, std::span<const Triangle> triangles) {
+  for (const HalfEdge h : border) save(face(h));
   HalfEdge base = kNoHalfEdge;
   for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
-    const HalfEdge one = sides[triangle->from];
-    const HalfEdge other = sides[triangle->apex];
+    const HalfEdge one = border[triangle->from];
+    const HalfEdge other = border[triangle->apex];
     const Vertex from = is_open(one) ? target(one) : origin(one);
     const Vertex apex = is_open(one) ? origin(one) : target(one);
     const Vertex to = is_open(other) ? origin(other) : target(other);
@@ -250,27 +251,28 @@ HalfEdge TriangleMesh::refill(std::span<HalfEdge> sides, std::span<const Triangl
     join(next(h), other);
     base = previous(h);
     corners_[number(base)].twin = number(kNoHalfEdge);
-    sides[triangle->from] = base;
+    border[triangle->from] = base;
   }
   return base;
 }
 
-void TriangleMesh::close(HalfEdge base, HalfEdge side) {
-  save(face(side));
-  join(base, side);
+void TriangleMesh::close(HalfEdge base, HalfEdge old) {
+  save(face(old));
+  join(base, old);
 }
 
-/// If `side` is open, makes `h` its twin. Otherwise puts `h` in the place of `side`.
-void TriangleMesh::join(HalfEdge h, HalfEdge side) {
-  if (is_open(side)) {
-    link(h, side, 0);
+/// If `old` is open, makes `h` its twin. Otherwise `h` replaces `old`, and the face of `old` is freed, unless they are
+/// the same half-edge.
+void TriangleMesh::join(HalfEdge h, HalfEdge old) {
+  if (is_open(old)) {
+    link(h, old, 0);
     return;
   }
   set_outgoing(origin(h), h);
-  if (h == side) return;
-  make_room_to_take_over(h, side);
-  take_over(h, side);
-  drop(face(side));
+  if (h == old) return;
+  make_room_to_take_over(h, old);
+  take_over(h, old);
+  drop(face(old));
 }
 
 }  // namespace waywright::mesh

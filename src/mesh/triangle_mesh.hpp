@@ -17,19 +17,20 @@
 
 namespace waywright::mesh {
 
-/// A number that an edge carries for the layers above; the mesh only copies it. An edge whose label is not 0 is fixed:
-/// it is never flipped.
+/// A number that an edge carries for the rooms above; the mesh only copies it. An edge whose label is not 0 is fixed:
+/// no flip removes it.
 using Label = std::uint32_t;
 
-/// A triangulated sphere: every half-edge has a twin, and every vertex has a closed loop of faces. A ghost vertex that
-/// is connected to all vertices on the border of a triangulated polygon turns the polygon into a sphere; the faces at
-/// the ghost vertex are ghost faces. The class is pure topology and knows no coordinates.
+/// A triangulated sphere: every half-edge has a twin, and every vertex has a closed loop of faces. To represent a
+/// triangulated polygon, connect a ghost vertex to all vertices on the border of the polygon. The result is a sphere,
+/// and the faces at the ghost vertex are ghost faces. The class is pure topology and knows no coordinates.
 ///
-/// Freed slots are reused, the last freed slot first. An index stays valid until its vertex or face is freed. A flip
-/// rebuilds two faces, and afterwards other half-edges may represent the edges of these faces.
+/// New vertices and faces use freed slots again, the slot that was freed last first. An index stays valid until its
+/// vertex or face is freed. A flip rebuilds two faces, and afterwards other half-edges may represent the edges of these
+/// faces.
 ///
-/// An undo log records all changes since begin(). They can be taken back, and the log can list the faces and vertices
-/// that they touched.
+/// An undo log (memory::Journal) records all changes since begin(). roll_back() takes these changes back. The log also
+/// lists the faces and vertices that the changes touched.
 ///
 /// Source: Chen 2009, section 3.1 (half-edges, vertex and face loops: algorithms 1 and 2).
 class TriangleMesh {
@@ -40,13 +41,14 @@ class TriangleMesh {
 
   /// A stored half-edge.
   struct Corner {
-    std::uint32_t twin;  ///< highest bit: the edge is fixed; in a free face's first corner: the next free face
-    Vertex origin;       ///< kNoVertex in a free face
+    std::uint32_t
+        twin;       ///< highest bit: whether the edge is fixed; in the first corner of a free face: the next free face
+    Vertex origin;  ///< kNoVertex in a free face
   };
 
   TriangleMesh() = default;
-  /// Takes over a mesh that was made elsewhere. Three half-edges in a row are a face. Requires: no face is free, no
-  /// edge is fixed, and each of the `vertex_count` vertices is the origin of some half-edge.
+  /// Takes over a mesh that other code has made. Each group of three half-edges in a row is a face. Requires: no face
+  /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of some half-edge.
   TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count);
 
   // Navigation. Each function is O(1), except find().
@@ -72,7 +74,7 @@ class TriangleMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
-  /// The numbers of slots, including free slots: every index is below this number.
+  /// The number of slots, including free slots. Every index of a vertex (of a face) is below this number.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
   [[nodiscard]] bool is_alive(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
@@ -108,18 +110,17 @@ class TriangleMesh {
   /// Puts `v` into `f` and connects it to the three corners. Returns the half-edges opposite to `v`, counter-clockwise
   /// around it; the first is first(f).
   std::array<HalfEdge, 3> split_face(Face f, Vertex v);
-  /// Puts `v` on the edge of `h` and connects it to the apexes on both sides. Both halves of the edge keep its label.
-  /// `h` is then the half-edge from its origin to `v`. Returns the half-edges opposite to `v`, counter-clockwise around
-  /// it.
+  /// Puts `v` on the edge of `h` and connects it to the apexes of `h` and its twin. Both halves of the edge keep its
+  /// label. `h` is then the half-edge from its origin to `v`. Returns the half-edges opposite to `v`, counter-clockwise
+  /// around it.
   std::array<HalfEdge, 4> split_edge(HalfEdge h, Vertex v);
-  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Let c be the apex of `h`, and d the apex of
-  /// its twin. `diagonal` is the half-edge of the new edge from d to c. Afterwards, `h` and `opposite` are the two
-  /// sides of the quadrilateral that end or start at d, and c is the apex of both. Requires: the edge is not fixed, and
-  /// the four corners of the quadrilateral are distinct.
+  /// The result of flip(h). Let c be the apex of `h`, and d the apex of its twin, before the flip.
   struct Flipped {
-    HalfEdge diagonal;
-    HalfEdge opposite;
+    HalfEdge diagonal;  ///< the half-edge of the new edge from d to c
+    HalfEdge opposite;  ///< the half-edge from d to the old target of `h`. Like `h`, which now ends at d, it has apex c
   };
+  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Requires: the edge is not fixed, and the four
+  /// corners of the quadrilateral are distinct.
   Flipped flip(HalfEdge h);
 
   /// A triangle of a polygon, counter-clockwise. `from`, `apex` and `to` are the positions of its corners in the list
@@ -127,23 +128,24 @@ class TriangleMesh {
   struct Triangle {
     std::uint32_t from, apex, to;
   };
-  /// Fills a hole with triangles. `sides` are consecutive half-edges on the hole's border, with the hole on their left;
-  /// their faces are those that the hole consists of, and the new triangles use these faces again. `triangles` has one
-  /// entry fewer than `sides`. Its first triangle lies on the hole's base, which runs from the end of the last side to
-  /// the start of the first. Each triangle precedes the triangles on its edges from - apex and apex - to. Returns the
-  /// half-edge of the base, which has no twin until link() or close() sets it. Overwrites `sides`. Requires: no two of
-  /// `sides` belong to one face; the other half-edges of these faces lie inside the hole.
-  HalfEdge refill(std::span<HalfEdge> sides, std::span<const Triangle> triangles);
-  /// Closes a hole whose base is also a side of its border: `base`, from refill(), replaces `side`, and the face of
-  /// `side` is freed.
-  void close(HalfEdge base, HalfEdge side);
+  /// Fills a hole with triangles. `border` lists consecutive half-edges on the hole's border, with the hole on their
+  /// left. The hole consists of the faces of these half-edges, and the new triangles use the slots of these faces. One
+  /// edge of the hole is not in `border`: the base, from the end of the last half-edge to the start of the first.
+  /// `triangles` has one entry fewer than `border`. Its first triangle lies on the base. Each triangle precedes the
+  /// triangles on its edges from - apex and apex - to. Returns the half-edge of the base, which has no twin until
+  /// link() or close() sets it. Overwrites `border`. Requires: no two half-edges of `border` belong to one face; the
+  /// other half-edges of these faces lie inside the hole.
+  HalfEdge refill(std::span<HalfEdge> border, std::span<const Triangle> triangles);
+  /// Closes a hole whose base was a half-edge of its border, too: `base`, from refill(), replaces this half-edge,
+  /// `old`. Frees the face of `old`.
+  void close(HalfEdge base, HalfEdge old);
 
   /// Empties the undo log.
   void begin();
   /// Undoes all changes since begin(), the last change first. Allocates nothing. Afterwards the undo log is empty.
   void roll_back();
-  /// Calls visit(face, touch) for each change of a face since begin(), in order; the next function calls visit(vertex,
-  /// touch) for each new or removed vertex.
+  /// Calls visit(face, touch) for each change of a face since begin(), in order. The next function does the same for
+  /// vertices: it calls visit(vertex, touch) for each new or removed vertex.
   template <class Visit>
   void for_each_touched_face(Visit&& visit) const {
     journal_.for_each([&](const Undo& change) {
@@ -234,7 +236,7 @@ class TriangleMesh {
   void save(Face f);
   void restore(Face f, const SavedFace& saved);
   void drop(Face f);
-  void join(HalfEdge h, HalfEdge side);
+  void join(HalfEdge h, HalfEdge old);
   [[nodiscard]] bool is_open(HalfEdge h) const { return corners_[number(h)].twin == number(kNoHalfEdge); }
   void push_free_face(Face f);
   [[nodiscard]] Face pop_free_face();

@@ -14,13 +14,13 @@ using mesh::HalfEdge;
 // update() works in four steps:
 // - It takes the changed faces out of their components.
 // - It divides the new faces into groups. A group is connected through new faces alone.
-// - It finds the parts into which the old components have fallen, and makes one component of all groups and parts that
-//   are connected.
+// - It finds the pieces into which the change has divided the old components, and makes one component of all groups and
+//   pieces that are connected.
 // - It updates the covers.
 void Components::update(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   make_room(mesh);
-  constexpr std::uint32_t kMarksToSpare = 0x40000000;  // more than one update uses
+  constexpr std::uint32_t kMarksToSpare = 0x40000000;  // one update uses fewer marks than this
   if (next_mark_ > ~kMarksToSpare) {
     marks_.clear();
     next_mark_ = 1;
@@ -80,7 +80,7 @@ void Components::remove_changed_faces(std::span<const Face> gone) {
 }
 
 /// Finds the groups of new faces, and the old faces at their borders (the contacts). The edges of an old face have not
-/// changed. So each piece of an old component that lost a face has a contact.
+/// changed. So if an old component lost a face, each of its pieces has a contact.
 void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   groups_.clear();
   group_sets_.clear();
@@ -97,8 +97,8 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     set_mark(f, group_mark);
     faces_.push_back(f);
     for (std::size_t i = begin; i < faces_.size(); ++i) {
-      for (std::uint32_t side = 0; side < 3; ++side) {
-        const HalfEdge h{3 * number(faces_[i]) + side};
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const HalfEdge h{3 * number(faces_[i]) + k};
         if (!PointAgent::can_cross(mesh, h)) continue;
         const Face other = mesh::face(mesh.twin(h));
         if (ids_[number(other)] != kNone) {
@@ -192,11 +192,12 @@ std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mes
   }
 }
 
-/// Looks at the old neighbours of one face. It can skip the new ones: searches from one group are one search already.
+/// Looks at the old neighbours of one face. It skips new neighbours, because all contacts of one group belong to one
+/// search already.
 void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   const Face f = search.found[search.next++];
-  for (std::uint32_t side = 0; side < 3; ++side) {
-    const HalfEdge h{3 * number(f) + side};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge h{3 * number(f) + i};
     const Face other = mesh::face(mesh.twin(h));
     if (PointAgent::can_cross(mesh, h) && ids_[number(other)] != kNone) find(search, other);
   }
@@ -225,7 +226,7 @@ void Components::add_piece(std::uint32_t search, Id component) {
   remainders_.push_back({component, searches_[search].group, end - begin, true, begin, end});
 }
 
-// Makes one component of each set of connected groups and the parts that they connect. The component takes the id
+// Makes one component of each set of connected groups and the remainders that they connect. The component takes the id
 // of the largest rest of an old component among them, if there is one.
 void Components::assign_components(const mesh::TriangleMesh& mesh) {
   for (const Remainder& remainder : remainders_) {
@@ -275,8 +276,8 @@ void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remain
   while (!stack_.empty()) {
     const Face f = stack_.back();
     stack_.pop_back();
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const HalfEdge h{3 * number(f) + side};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h{3 * number(f) + i};
       if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }

@@ -20,18 +20,18 @@
 namespace waywright::nav {
 
 /// The components of the faces of the box. Two faces are in one component if a chain of passages connects them. The
-/// same polygons cover all faces of a component, so each component stores its cover.
+/// same polygons cover all faces of a component. So the cover is stored once for each component.
 ///
-/// update() carries the components over from one mesh to the next. If a change may have disconnected a component,
-/// searches from all its pieces run in turn until at most one of them is unfinished. If components meet, the smaller
-/// ones take the id of the largest. Ids can only be compared for equality: which id a component has depends on
+/// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
+/// one search starts from each piece. The searches take turns until at most one of them is unfinished. If components
+/// meet, the smaller ones take the id of the largest. Compare ids only for equality: the id of a component depends on
 /// the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xffffffff;
 
-  /// The components of a triangulation. Cost: linear. Needs scratch memory only for the walls between components.
+  /// Finds the components of a triangulation. Cost: linear. Needs scratch memory only for the walls between components.
   explicit Components(const constraint::ExactTriangulation& triangulation);
 
   /// Returns the component of a face of the box.
@@ -93,7 +93,7 @@ class Components {
     std::uint32_t size = 0;  ///< of a free record: the next free one
     Uses cover = constraint::UseLists::kNone;
   };
-  /// A set of new faces that new faces alone connect with one another.
+  /// A largest set of new faces that are connected through new faces alone.
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Id id = kNone;
@@ -105,24 +105,25 @@ class Components {
     std::uint32_t group;
     mesh::Face face;
   };
-  /// A search through the rest of an old component, from contacts in connected groups.
+  /// A search through the old faces of a component. It starts at the contacts of one group, or of several connected
+  /// groups.
   struct Search {
     std::uint32_t group;
     std::vector<mesh::Face> found;
     std::size_t next = 0;  ///< index of the first face in `found` whose neighbours the search has not looked at
   };
-  /// A connected part of what is left of an old component: a piece whose faces a search has listed, or the rest, whose
-  /// faces are not listed.
+  /// Old faces of one component that are still connected: a piece, whose faces a search has listed, or the rest of the
+  /// component, whose faces no search has listed completely.
   struct Remainder {
     Id component;
     std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
     bool is_piece;
-    std::uint32_t begin, end;  ///< a piece: its faces in `piece_faces_`; else: the contacts in `contacts_`
+    std::uint32_t begin, end;  ///< for a piece: its faces in `piece_faces_`; for the rest: the contacts in `contacts_`
   };
 
   // Building from scratch.
-  /// A half-edge with a wall on it and another component beyond it. Its face is in `component`, or is a ghost face.
+  /// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face.
   struct Door {
     Id component;
     mesh::HalfEdge h;

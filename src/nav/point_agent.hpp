@@ -4,13 +4,13 @@
 
 namespace waywright::nav {
 
-/// What an agent without a size can do on a mesh. The searches and the abstraction ask only this class about an agent.
-/// They never read the labels of edges for this purpose: an edge that the mesh must keep (TriangleMesh::is_fixed) and
-/// an edge that an agent cannot cross need not be the same.
+/// Says which edges of a mesh an agent without extent can cross. The searches and the abstraction ask only this class
+/// about an agent. They do not call TriangleMesh::is_fixed for this purpose. That function says which edges the mesh
+/// must keep, and an agent of another kind may be able to cross some of these, or may be too large for others.
 ///
-/// For a point agent every constrained edge is a wall. Other agents will have a class like this one: it says which
-/// edges they can cross, which width they need, and what crossing costs. All functions are inline and have no state, so
-/// they cost no more than the calls of the mesh in them.
+/// For a point agent every constrained edge is a wall. An agent of another kind needs a class like this one, which says
+/// which edges it can cross, which width it needs, and what crossing costs. The functions are inline and the class has
+/// no state. So a call costs no more than the call of the mesh in it.
 class PointAgent {
  public:
   /// Returns whether the agent can cross the edge of `h`, so that the edge is a passage between its two faces.

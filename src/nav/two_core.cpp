@@ -14,8 +14,8 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
     if (!triangulation.triangulation().is_in_box(Face{f})) continue;
     State& state = states_.unrecorded(f);
     state = kCore;
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const HalfEdge h{3 * f + side};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge h{3 * f + i};
       if (PointAgent::can_cross(mesh, h)) state |= passage_bit(h);
     }
   }
@@ -26,20 +26,20 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   states_.shrink_to_fit();
 }
 
-// update() starts with a set of faces that surely contains the core, and peels it until every face in it has two
-// passages. The set consists of
+// update() starts with a set of faces that surely contains the core. It peels the set: it removes faces with fewer than
+// two passages until no such face is left. The set consists of
 // - the old core,
 // - every new face, and
-// - for each old tree face that is adjacent to a new face: the faces from there up to the core. A tree face that hangs
-//   on a new face is an exception: its tree is connected to nothing but that new face, so it stays a tree.
+// - for each old tree face that is adjacent to a new face: the faces from there up to the core. There is one exception:
+//   if the tree face hangs on a new face, then its tree is connected only to that new face. So it stays a tree.
 //
 // All faces outside the set are then in trees that hang on the set.
 //
-// Often just one old tree face is adjacent to the new faces, and the core is far away. Then the climb to the core is
-// long, and mostly useless: the new faces only replace others that hung on the tree face. So update() first peels the
-// new faces as if the tree face were in the core. It climbs only if this leaves a ring. This is not allowed if there is
-// a second such tree face, or if a root or a face of the core was removed: then the climb might lead through another
-// changed region and back.
+// Often only one old tree face is adjacent to the new faces, and the core is far away. Then the climb to the core is
+// long and mostly useless, because the new faces only replace other faces that hung on the tree face. So update() first
+// peels the new faces as if the tree face were in the core. It climbs only if a cycle is left. It does not take this
+// short cut if there is a second tree face of this kind, or if a root or a face of the core was removed: then the climb
+// might lead through another changed region and back.
 void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
   states_.cover(mesh.face_slots(), kAbsent);
   Surroundings around;
@@ -121,7 +121,7 @@ void TwoCore::climb(const mesh::TriangleMesh& mesh, HalfEdge back) {
   }
 }
 
-/// Takes loose faces out of the core until every face of the core has two passages.
+/// Takes faces with fewer than two passages out of the core until none is left.
 void TwoCore::peel(const mesh::TriangleMesh& mesh) {
   while (!to_peel_.empty()) {
     const Face f = to_peel_.back();
@@ -130,7 +130,8 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
   }
 }
 
-/// Takes a face out of the core if it has fewer than two passages, then the face on which it hung, and so on.
+/// Takes a face out of the core if it has fewer than two passages. Then does the same with the face on which it hangs,
+/// and so on.
 void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
   while (is_core(f) && degree(f) < 2) {
     if (degree(f) == 0) return write(f, kRoot);

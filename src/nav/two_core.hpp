@@ -17,29 +17,30 @@
 
 namespace waywright::nav {
 
-/// The 2-core of the graph whose nodes are the faces and whose edges are the passages between them: what is
-/// left after all faces with at most one passage have been removed repeatedly. Besides the 2-core this class knows the
-/// trees that hang on it. Each face outside the core (a *tree face*) knows the passage that leads towards the core. In
-/// a component without a core, it knows the passage towards one face, the root. Every face of such a component could be
+/// The two-core of the graph whose nodes are the faces and whose edges are the passages between them: the faces that
+/// are left if faces with at most one passage are removed again and again. The other faces (*tree faces*) form trees
+/// that hang on the core. For each tree face, the class stores the passage that leads towards the core. In a component
+/// without a core, it stores the passage that leads towards one face, the root. Every face of such a component could be
 /// its root.
 ///
-/// The code calls a passage from one face of the core to another a `way`.
+/// The functions is_passage(), passages() and degree() count only passages from one face of the core to another.
 ///
-/// update() carries the core over from one mesh to the next. Its cost depends on the number of faces that changed and
+/// update() updates the core after a change of the mesh. Its cost depends on the number of faces that have changed and
 /// of faces whose state changes. Memory: one byte per face.
 ///
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the abstraction; degree 1 is a
 /// tree, 2 a corridor, 3 a junction). Departure: their abstraction is rebuilt after each change.
 class TwoCore {
  public:
-  /// The 2-core of the faces in the box. Cost: linear. Needs scratch memory only for the longest dead end.
+  /// Finds the two-core of the faces in the box. Cost: linear. Needs scratch memory only for the undo log of the
+  /// longest dead end.
   explicit TwoCore(const constraint::ExactTriangulation& triangulation);
 
-  /// Returns whether the face is in the core: it lies on a ring of passages, or on a connection between two rings.
+  /// Returns whether the face is in the core: it lies on a cycle of the graph, or on a connection between two cycles.
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Returns whether `h` is a passage from one face of the core to another.
   [[nodiscard]] bool is_passage(mesh::HalfEdge h) const { return is_passage(mesh::face(h), h); }
-  /// The same for a half-edge of `f`, which saves the division that finds the face.
+  /// Does the same for a half-edge of `f`. Saves the division that finds the face.
   [[nodiscard]] bool is_passage(mesh::Face f, mesh::HalfEdge h) const {
     return (states_[number(f)] >> (number(h) - 3 * number(f)) & 1U) != 0;
   }
@@ -60,9 +61,9 @@ class TwoCore {
     return (state & kCore) == 0 && (state >> kSideShift & 3U) == number(h) % 3;
   }
 
-  /// Updates the core to the mesh. `gone` lists the faces, by slot, that have changed since the last update, `made`
-  /// those of them that are in the graph now. Each list contains a face once. Allocates before it changes anything that
-  /// roll_back() cannot restore.
+  /// Updates the core to the mesh. `gone` lists the faces, by slot, that have changed since the last update. `made`
+  /// lists those faces of `gone` that are in the graph now. Each list contains a face once. If memory runs out,
+  /// roll_back() restores the old core.
   void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
 
   /// Returns whether the face was not in the graph after the last update.
@@ -117,9 +118,9 @@ class TwoCore {
   [[nodiscard]] std::vector<mesh::Face> tops(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> faces) const;
   void write(mesh::Face f, State state);
   void add_passage(mesh::HalfEdge h);
-  /// The old faces that are adjacent to the new faces, and what was removed.
+  /// Facts about the old faces that are adjacent to the new faces, and about the removed faces.
   struct Surroundings {
-    std::size_t trees = 0;  ///< number of adjacent tree faces that do not hang on a new face
+    std::size_t trees = 0;  ///< the number of adjacent tree faces that do not hang on a new face
     bool has_core = false;
     bool had_top = false;  ///< whether a root or a face of the core was removed
   };

@@ -7,7 +7,7 @@ namespace waywright::path {
 
 namespace {
 
-/// The number of triangles between two looks at the clock.
+/// The search reads the clock each time it has entered this many triangles.
 constexpr std::size_t kSlice = 256;
 
 /// From this number of goals on, one search without a heuristic finds the paths to all of them. For fewer goals, each
@@ -62,9 +62,8 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   }
 }
 
-/// Marks the faces from which the ends were found as looked at. These faces are not known one by one if the search is
-/// already done, if an end was moved, or if the algorithm is `tra`, which has not started to search. Then all faces are
-/// marked.
+/// Marks the faces that were read to find the ends as looked at. Marks all faces if these faces are not known one by
+/// one: if the search is already done, if an end was moved, or if the algorithm is `tra`, which records no faces.
 void Finder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();

@@ -18,12 +18,13 @@ class Finder {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search. Requires: both ends lie in the domain; the algorithm is a supported one; `tra` has an
-  /// abstraction; the triangulation and the abstraction do not change until the search is done or given up.
+  /// Starts a search. Requires: both ends lie in the domain; the library supports the algorithm; for `tra`,
+  /// `abstraction` is not null; the triangulation and the abstraction do not change until the search is done or
+  /// cancelled.
   ///
   /// If `looked_at` is not null, the search records there at which faces it looks. Then the mesh may change during the
-  /// search, as long as the change touches none of these faces. A change touches a face if it makes, rebuilds or frees
-  /// a face that shares a corner with it, or if it changes the face's entry in the abstraction.
+  /// search, as long as no change touches one of these faces. A change touches a face if it makes, rebuilds or frees a
+  /// face that shares a corner with it, or if it changes the face's entry in the abstraction.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
              Path& path, LookedAt* looked_at = nullptr);
   /// Continues the search for at most `expansions` triangles, or a few more. Returns whether the search is done. `path`
@@ -59,15 +60,15 @@ class Finder {
   LookedAt* looked_at_ = nullptr;                  ///< or null
   PathQuery query_;
   bool is_done_ = true;
-  bool is_searched_ = false;  ///< whether a search was necessary at all
-  bool is_proving_ = false;   ///< whether `ta` has no channel left and `optimal` searches on
+  bool is_searched_ = false;  ///< whether a search was necessary
+  bool is_proving_ = false;   ///< whether `ta` has no channel left, and `optimal` continues the search
   double ta_bound_ = 0.0;     ///< the lower bound that `ta` has proven
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;
   TraStar tra_;
   Optimal optimal_;
-  std::vector<std::size_t> searched_;  ///< the goals of a query of many goals that are not settled yet
+  std::vector<std::size_t> searched_;  ///< in a query of many goals: the goals that wait for settle()
 };
 
 }  // namespace waywright::path

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The search looks at the bound of a window again after it has followed the window over this many faces.
+/// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenLooks = 8;
 
 }  // namespace
 
-/// The cone of a window. Tells on which side of the cone's two bounds a point lies.
+/// The cone of a window. Decides whether a point lies left or right of each of the cone's two bounds.
 class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)
@@ -135,8 +135,8 @@ void Optimal::cover_mesh() {
 }
 
 /// Returns the index of a component's entry in the list of components, or the index where it would be.
-std::size_t Optimal::place_of(nav::Components::Id component) const {
-  const auto comes_before = [](const GoalsInComponent& p, nav::Components::Id label) { return p.component < label; };
+std::size_t Optimal::index_of(nav::Components::Id component) const {
+  const auto comes_before = [](const GoalsInComponent& p, nav::Components::Id id) { return p.component < id; };
   const auto at = std::lower_bound(goals_in_components_.begin(), goals_in_components_.end(), component, comes_before);
   return static_cast<std::size_t>(at - goals_in_components_.begin());
 }
@@ -144,7 +144,7 @@ std::size_t Optimal::place_of(nav::Components::Id component) const {
 /// Counts a goal face in its component, and at each face from there up to the core.
 void Optimal::count_goal_face(mesh::Face f) {
   const nav::Components::Id component = components_->component_of(f);
-  const std::size_t at = place_of(component);
+  const std::size_t at = index_of(component);
   if (at < goals_in_components_.size() && goals_in_components_[at].component == component) {
     ++goals_in_components_[at].count;
   }
@@ -162,7 +162,7 @@ void Optimal::count_goal_face(mesh::Face f) {
 
 /// Returns how many goal faces lie in the face's component. Requires: this is a component of a start face.
 std::uint32_t Optimal::goals_around(mesh::Face f) const {
-  return goals_in_components_[place_of(components_->component_of(f))].count;
+  return goals_in_components_[index_of(components_->component_of(f))].count;
 }
 
 /// Returns whether no goal face lies beyond `exit`. Requires: `exit` is a passage, but not one in the core, and its
@@ -173,7 +173,7 @@ bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
-// The start sees all edges of its faces, except the edges on which it lies.
+// All edges of the start's faces are visible from the start, except the edges on which it lies.
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
   const locate::Spot spot = ends_->start_place().spot;
@@ -250,7 +250,7 @@ void Optimal::follow_window(Node window) {
       } else if (is_barred(f, mesh::previous(window.entry))) {
         cone.set_left(window.left = apex);
       } else {
-        return part(window, cone, apex);
+        return divide(window, cone, apex);
       }
     }
     if (is_barred(f, exit)) return;
@@ -263,7 +263,7 @@ void Optimal::follow_window(Node window) {
   }
 }
 
-void Optimal::part(const Node& window, const Cone& cone, mesh::Vertex apex) {
+void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
   const Point to_apex{place(apex).x - cone.root().x, place(apex).y - cone.root().y};
   Node right = window;
   right.entry = mesh_->twin(mesh::next(window.entry));
@@ -297,14 +297,14 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 }
 
 //          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
-//        /    \          its left. A path that turns at v, around the walls there, can reach what lies on that side.
+//        /    \          its left. A path that turns left at v, around the walls, can reach the area left of the bound.
 //       /      \         No wall at v lies to the right of the path, because the cone has passed there. So if v has
 //   v -------- target    no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
-  const mesh::HalfEdge near_side = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
-  const mesh::HalfEdge far_side = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool leads_on = !is_barred(near_side) || (sees_apex && !is_barred(far_side));
+  const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
+  const mesh::HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
+  const bool leads_on = !is_barred(near_edge) || (sees_apex && !is_barred(far_edge));
   if (!leads_on) {
     bool is_at_goal = false;
     for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
@@ -349,9 +349,10 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
-//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. From v it
-//    .  |  \             sees two things: the piece of the face's far side between the path's straight continuation
-//   walls - v - target   (dotted) and the apex, and the far sides of the next faces around v, up to the walls.
+//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. Two
+//   things
+//    .  |  \             are visible from v: the piece of the face's far edge between the path's straight continuation
+//   walls - v - target   (dotted) and the apex; and the far edges of the next faces around v, up to the walls.
 void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;
@@ -364,9 +365,9 @@ void Optimal::make_left_turn(const Node& turn) {
     const bool is_seen = cone.side_of_right(Geometry::view(goals_[goal].point)) != Sign::negative;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  const mesh::HalfEdge far_side = mesh::next(turn.entry);
-  if (sees_apex && !is_barred(far_side)) {
-    window.entry = mesh_->twin(far_side);
+  const mesh::HalfEdge far_edge = mesh::next(turn.entry);
+  if (sees_apex && !is_barred(far_edge)) {
+    window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
@@ -397,9 +398,9 @@ void Optimal::make_right_turn(const Node& turn) {
     const bool is_seen = cone.side_of_left(Geometry::view(goals_[goal].point)) != Sign::positive;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  const mesh::HalfEdge far_side = mesh::previous(turn.entry);
-  if (sees_apex && !is_barred(far_side)) {
-    window.entry = mesh_->twin(far_side);
+  const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
+  if (sees_apex && !is_barred(far_edge)) {
+    window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
@@ -424,7 +425,8 @@ void Optimal::offer(const Node& window) {
 
 void Optimal::offer(const Node& window, const Point& left, const Point& right) {
   const double least = bound(window, left, right);
-  if (least >= longest_ || is_outdone(window, window.entry) || is_outdone(window, mesh_->twin(window.entry))) return;
+  if (least >= longest_ || is_dominated(window, window.entry) || is_dominated(window, mesh_->twin(window.entry)))
+    return;
   if (least <= at_once_bound_) {
     at_once_.push_back(window);
     return;
@@ -438,14 +440,14 @@ void Optimal::offer(const Node& window, const Point& left, const Point& right) {
 /// inequality it then also reaches every position between them sooner, so no shortest path comes through the window.
 /// "Sooner" means by more than the rounding error of a sum of lengths: of two equally long paths, neither rules out the
 /// other.
-bool Optimal::is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const {
+bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
   constexpr double kSurely = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
   const Point& other_end = place(mesh_->target(from_end));
   const Root& root = roots_[window.root];
   const bool is_sooner =
-      (way.length + distance(place(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
-  return is_sooner && are_in_one_wedge(from_end, way.spoke);
+      (known.length + distance(place(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
+  return is_sooner && are_in_one_wedge(from_end, known.spoke);
 }
 
 /// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` without crossing a
@@ -478,9 +480,9 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   const double length = roots_[window.root].length;
   const bool has_one_goal = goals_.size() == 1;
   const Point q = has_one_goal ? on_left(a, edge, goals_.front().point) : foot(p, a, edge);
-  const Point way{q.x - p.x, q.y - p.y};
-  const bool passes_left = cross(left, way) > 0.0;
-  if (!passes_left && !(cross(right, way) < 0.0)) return length + distance(p, q);
+  const Point to_q{q.x - p.x, q.y - p.y};
+  const bool passes_left = cross(left, to_q) > 0.0;
+  if (!passes_left && !(cross(right, to_q) < 0.0)) return length + distance(p, q);
   const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
   if (has_one_goal) return length + (end ? length_by_way_of(p, *end, q) : distance_by_way_of(p, a, b, q));
   return end ? length + distance(p, *end) : length;

@@ -17,20 +17,22 @@
 
 namespace waywright::path {
 
-/// The shortest path of a point agent: A* over windows. A window is what a corner of the path, its *root*, sees of an
-/// edge of the mesh.
+/// The shortest path of a point agent: A* over windows. A window is the piece of an edge of the mesh that is visible
+/// from its *root*. The root is a turn of the path, or its start.
 ///
-/// A window consists of the edge, the root, and the cone of sight between two vertices that bound it, left and right.
-/// When a cone crosses a face, it continues across one or both of the other edges: this depends on whether the face's
-/// apex lies left of the cone, inside it, or right of it. So only orientations of mesh vertices decide where a cone
-/// continues. Lengths decide only which node the search expands first, and which of two paths is shorter. Where a cone
-/// touches a vertex with walls, a path can turn around these walls. The vertex is then the root of new windows.
+/// A window consists of the edge, the root, and the two vertices that bound the cone of sight on the left and on the
+/// right. When a cone has entered a face, it leaves the face across one or both of the other edges. If the face's apex
+/// lies inside the cone, it leaves across both, as far as an agent can cross them. If the apex lies left or right of
+/// the cone, it leaves across one. So only orientations of mesh vertices decide where a cone continues. Lengths decide
+/// only which node the search expands first, and which of two paths is shorter. Where a cone touches a vertex with
+/// walls, a path can turn around these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and the rule that drops roots which a shorter path has reached. Departures:
 /// - The search never computes the end of an interval to decide where it goes.
 /// - It makes the windows beyond a turn only when no other node has a smaller bound.
-/// - It follows windows whose bound is not above the least bound at once, without the open list.
+/// - If the bound of a window is not above the least bound, the search follows this window at once, without the open
+///   list.
 /// - It drops a window if a path by way of an end of its edge reaches all positions on it sooner (Xin and Wang,
 ///   *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
 class Optimal {
@@ -66,11 +68,11 @@ class Optimal {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
-  /// Stands in a node for the vertex that bounds a cone. It says that the bound is the straight continuation of the
-  /// path's segment to the root.
+  /// A value of Node::left and Node::right that is not a vertex. The cone is then bounded by the straight continuation
+  /// of the path's last segment, beyond the root.
   static constexpr mesh::Vertex kContinuation = mesh::kNoVertex;
 
-  /// A corner of paths, or their start.
+  /// A turn of paths, or their start.
   struct Root {
     Point point;
     mesh::Vertex vertex;  ///< kNoVertex for the start
@@ -132,7 +134,7 @@ class Optimal {
 
   void forget_last_query();
   void list_components();
-  [[nodiscard]] std::size_t place_of(nav::Components::Id component) const;
+  [[nodiscard]] std::size_t index_of(nav::Components::Id component) const;
   void count_goal_face(mesh::Face f);
   [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
   void leave_start();
@@ -141,7 +143,7 @@ class Optimal {
   }
   void follow(Node node);
   void follow_window(Node window);
-  void part(const Node& window, const Cone& cone, mesh::Vertex apex);
+  void divide(const Node& window, const Cone& cone, mesh::Vertex apex);
   void meet_goals(const Node& window, const Cone& cone);
   void note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
   void make_left_turn(const Node& turn);
@@ -149,11 +151,12 @@ class Optimal {
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
   void offer(const Node& window, const Point& left, const Point& right);
   void offer(const Node& window);
-  [[nodiscard]] bool is_outdone(const Node& window, mesh::HalfEdge from_end) const {
-    const Reached& way = reached_[number(mesh_->origin(from_end))];
-    return way.query == stamp_.value() && way.spoke != mesh::kNoHalfEdge && is_outdone_by(way, window, from_end);
+  [[nodiscard]] bool is_dominated(const Node& window, mesh::HalfEdge from_end) const {
+    const Reached& known = reached_[number(mesh_->origin(from_end))];
+    return known.query == stamp_.value() && known.spoke != mesh::kNoHalfEdge &&
+           is_dominated_by(known, window, from_end);
   }
-  [[nodiscard]] bool is_outdone_by(const Reached& way, const Node& window, mesh::HalfEdge from_end) const;
+  [[nodiscard]] bool is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const;
   [[nodiscard]] bool are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const;
   /// Returns whether there may be a goal at the face. For most faces the answer is false.
   [[nodiscard]] bool may_have_goals(mesh::Face f) const { return (goal_bits_ & bit_of(f)) != 0; }

@@ -9,7 +9,8 @@
 #include "world/change_check.hpp"
 #include "world/world_impl.hpp"
 
-// The functions that change a world. Each checks all its arguments, and then makes the change in one operation.
+// The functions that change a world. Each function first checks all its arguments, and then makes the change in one
+// operation.
 
 namespace waywright {
 
@@ -17,7 +18,8 @@ namespace {
 
 constexpr char kNoThread[] = "BulkOptions: `threads` is 0; the calling thread is one";
 
-/// The crew calls `progress` only for less than `total`; the caller reports `total` when all is done.
+/// Returns a crew that calls `progress` only while less than `total` is done. The caller itself reports `total` at the
+/// end.
 threads::Crew crew_of(const BulkOptions& options, std::size_t total) {
   threads::Crew::Report report;
   if (options.progress) {
@@ -33,8 +35,8 @@ ChangeCheck check_one(const constraint::ExactTriangulation& triangulation) {
   return {triangulation, ChangeCheck::Record::no};
 }
 
-/// Returns the error in the change, or nothing. Replaces a null `id` of an insertion by the id that the world will
-/// give.
+/// Returns the error in the change, or nothing. If the change is an insertion and `id` is null, sets `id` to the id
+/// that the world will choose.
 std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId& id) {
   switch (change.kind) {
     case Change::Kind::insert:
@@ -47,7 +49,8 @@ std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId
   return std::nullopt;
 }
 
-/// Returns the error as one of element number `i` of a list. The message calls the element `element`.
+/// Returns the error with the position `i` of the refused element in a list, and with the noun for the element in the
+/// message.
 Error in_list(const char* element, std::size_t i, Error error) {
   error.index = i;
   error.words.list = element;

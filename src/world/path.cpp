@@ -149,7 +149,7 @@ PathPosition Path::advance(const PathPosition& from, double step, Precision prec
   }
 }
 
-PathPosition Path::nearest(const Point& place, Precision precision) const {
+PathPosition Path::nearest(const Point& point, Precision precision) const {
   const base::FloatEnvironment environment;
   WAYWRIGHT_ASSERT(!points.empty(), "Path::nearest: the path has no points");
   if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
@@ -161,12 +161,12 @@ PathPosition Path::nearest(const Point& place, Precision precision) const {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Point direction{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
     const double segment_length = waywright::distance(points[i], points[i + 1]);
-    const Point foot = path::foot(place, points[i], direction);
+    const Point foot = path::foot(point, points[i], direction);
     const double ahead = (foot.x - points[i].x) * direction.x + (foot.y - points[i].y) * direction.y;
     const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), segment_length);
     const double share = segment_length > 0.0 ? along / segment_length : 0.0;
     const double distance =
-        waywright::distance(place, {points[i].x + share * direction.x, points[i].y + share * direction.y});
+        waywright::distance(point, {points[i].x + share * direction.x, points[i].y + share * direction.y});
     if (distance < best_distance) {
       best_distance = distance;
       best_along = along;

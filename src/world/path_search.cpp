@@ -38,8 +38,8 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     begin();
   }
 
-  /// Stops the search when the step ends, if the search is then done. If memory runs out during the step, `is_done` is
-  /// still true, so the search stops then as well.
+  /// The guard of one step. When the step ends, stops the search if it is done. The constructor sets `is_done` to true.
+  /// So if memory runs out during the step, the search stops, too.
   class Step {
    public:
     explicit Step(Impl& impl) : impl_(impl) { impl_.is_done = true; }
@@ -54,7 +54,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   };
 
   std::shared_ptr<TouchLog> touch_log;  ///< null unless a search is running
-  const World::Impl* world = nullptr;   ///< does not move until `touch_log` says that the world is gone
+  const World::Impl* world = nullptr;   ///< stays at this address until `touch_log` says that the world is gone
   std::uint64_t version = 0;            ///< of the world when the search last saw it
   PathQuery query;
   path::Finder finder;
@@ -82,7 +82,7 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   return {};
 }
 
-// If memory runs out during a step, the search is given up.
+// If memory runs out during a step, Impl::Step cancels the search.
 Result<bool> PathSearch::step(std::size_t expansions) {
   const base::FloatEnvironment environment;
   if (!is_running()) return true;
