@@ -118,10 +118,10 @@ class SectorsOfSearches {
 template <class Strategy, class Geometry>
 [[nodiscard]] locate::Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {
   const mesh::HalfEdge start = strategy.start(ground, point);
-  const locate::Located place =
+  const locate::Located location =
       locate::walk(ground.mesh, ground.geometry, ground.geometry.view(point), point, mesh::face(start), ground.ghost);
-  strategy.found(point, place.h);
-  return place;
+  strategy.found(point, location.h);
+  return location;
 }
 
 }  // namespace waywright::bench

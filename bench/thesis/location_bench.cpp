@@ -107,7 +107,7 @@ void time_location(benchmark::State& state, std::size_t count) {
   time_once(state, places.size(), [&] {
     Way way(workload.domain);
     const auto begin = std::chrono::steady_clock::now();
-    for (const Point& place : places) benchmark::DoNotOptimize(way.find(triangulation, place));
+    for (const Point& located : places) benchmark::DoNotOptimize(way.find(triangulation, located));
     return seconds_since(begin);
   });
   state.counters["vertices"] = static_cast<double>(triangulation.topology().vertex_count() - 1);

@@ -40,8 +40,8 @@ class RivalGeometry {
 
   explicit RivalGeometry(const Box& /*box*/) {}
 
-  void place(std::uint32_t vertex, const Point& point) { put(vertex, Arithmetic::at(point)); }
-  void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  void set_position(std::uint32_t vertex, const Point& point) { put(vertex, Arithmetic::at(point)); }
+  void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     put(vertex, Arithmetic::crossing(places_[a], places_[b], places_[c], places_[d]));
   }
   void clear(std::uint32_t) {}  // the next vertex with this slot overwrites it

@@ -174,7 +174,7 @@ struct WAYWRIGHT_API Path {
   /// Cost: linear in the turns before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
-  /// result is rounded as for at().
+  /// result is rounded as for at(). NaN counts as 0.
   /// Requires: this path returned `from`. `points` is not empty, and has not changed since then.
   /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,

@@ -58,7 +58,7 @@ struct SvgRay {
 };
 
 /// A query of World::locate and its answer. The colour and shape of the mark show the answer.
-struct SvgPlace {
+struct SvgLocation {
   Point at;
   Location answer = {};
 };
@@ -108,7 +108,7 @@ struct SvgKey {
 /// overlay.keys.push_back({.text = "our units", .colour = "#d55e00"});
 /// overlay.polylines.push_back({.points = {{5, 5}, {9, 8}, {5, 11}}, .width = 4, .dashed = true});
 /// overlay.rays.push_back({start, goal, world.ray(start, goal).value()});
-/// overlay.places.push_back({goal, world.locate(goal).value()});
+/// overlay.locations.push_back({goal, world.locate(goal).value()});
 /// overlay.failed_paths.push_back({start, {50, 50}, PathStatus::goal_blocked});
 /// const std::string svg = to_svg(world, overlay, {}).value();
 /// @endcode
@@ -116,7 +116,7 @@ struct SvgOverlay {
   std::vector<Path> paths = {};  ///< the picture omits paths without points
   std::vector<SvgRay> rays = {};
   std::vector<SvgFailedPath> failed_paths = {};
-  std::vector<SvgPlace> places = {};
+  std::vector<SvgLocation> locations = {};
   std::vector<SvgPolyline> polylines = {};
   std::vector<SvgDisc> discs = {};
   /// SVG elements in the coordinates of the picture (SvgFrame). to_svg writes them as they are and clips them to the

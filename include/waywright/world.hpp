@@ -103,10 +103,10 @@ struct MeshHash {
 [[nodiscard]] WAYWRIGHT_API std::string to_string(const MeshHash& hash);
 
 /// The kind of a location in the mesh.
-enum class Place : std::uint8_t { vertex, edge, face };
+enum class LocationKind : std::uint8_t { vertex, edge, face };
 
 /// Returns the name of the kind in the output of world scripts: `vertex`, `edge`, `face`.
-[[nodiscard]] WAYWRIGHT_API std::string_view to_string(Place place);
+[[nodiscard]] WAYWRIGHT_API std::string_view to_string(LocationKind kind);
 
 /// The answer of World::locate: what the mesh has at a point.
 ///
@@ -116,7 +116,7 @@ enum class Place : std::uint8_t { vertex, edge, face };
 /// for (std::size_t i = 0; i < location.corner_count; ++i) std::puts(to_string(location.corners[i]).c_str());
 /// @endcode
 struct Location {
-  Place at = Place::face;
+  LocationKind at = LocationKind::face;
   /// The vertices of the location, each coordinate rounded to the nearest double: 1 vertex, the 2 ends of an edge, or
   /// the 3 corners of a face. The vertices of a face are counter-clockwise. An edge and a face start with the vertex
   /// that comes first in (x, y) order.
@@ -546,8 +546,9 @@ class WAYWRIGHT_API World {
   /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
   /// Frees most of the memory that memory() calls spare, and the world's own context for queries. Call it if memory is
-  /// short, after you have loaded a level or removed many items. The next operations allocate their scratch again. No
-  /// answer and no hash depends on it.
+  /// short, for example after you have loaded a level. The next operations allocate their scratch again. No answer and
+  /// no hash depends on it. The tables keep the slots of removed items for the next ones: to make a world smaller from
+  /// which you have removed most items, insert its items() into a new world.
   /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 

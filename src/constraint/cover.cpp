@@ -72,7 +72,7 @@ void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Vis
 
 }  // namespace
 
-void faces_at(const ExactTriangulation& triangulation, const locate::Located& place,
+void faces_at(const ExactTriangulation& triangulation, const locate::Located& location,
               std::vector<mesh::HalfEdge>& faces) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
@@ -80,21 +80,21 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& pl
   const auto add = [&](mesh::HalfEdge h) {
     if (!delaunay.is_ghost_face(h)) faces.push_back(h);
   };
-  if (place.spot == locate::Spot::vertex) {
-    const mesh::HalfEdge start = first_neighbour(triangulation, mesh.origin(place.h));
+  if (location.spot == locate::Spot::vertex) {
+    const mesh::HalfEdge start = first_neighbour(triangulation, mesh.origin(location.h));
     mesh::HalfEdge h = start;
     do {
       add(h);
       h = mesh.next_around(h);
     } while (h != start);
-  } else if (place.spot == locate::Spot::edge) {
-    const bool ascends = delaunay.comes_before(mesh.origin(place.h), mesh.target(place.h));
-    const mesh::HalfEdge left = ascends ? place.h : mesh.twin(place.h);
+  } else if (location.spot == locate::Spot::edge) {
+    const bool ascends = delaunay.comes_before(mesh.origin(location.h), mesh.target(location.h));
+    const mesh::HalfEdge left = ascends ? location.h : mesh.twin(location.h);
     add(left);
     add(mesh.twin(left));
   } else {
-    mesh::HalfEdge h = place.h;
-    for (const mesh::HalfEdge side : {mesh::next(place.h), mesh::previous(place.h)}) {
+    mesh::HalfEdge h = location.h;
+    for (const mesh::HalfEdge side : {mesh::next(location.h), mesh::previous(location.h)}) {
       if (delaunay.comes_before(mesh.origin(side), mesh.origin(h))) h = side;
     }
     add(h);
@@ -124,12 +124,12 @@ std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdg
   return turns;
 }
 
-void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& place) {
+void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& location) {
   touching_.clear();
-  if (place.spot == locate::Spot::edge) append_polygons(triangulation, place.h, touching_);
-  if (place.spot == locate::Spot::vertex) {
+  if (location.spot == locate::Spot::edge) append_polygons(triangulation, location.h, touching_);
+  if (location.spot == locate::Spot::vertex) {
     const mesh::TriangleMesh& mesh = triangulation.topology();
-    const mesh::Vertex v = mesh.origin(place.h);
+    const mesh::Vertex v = mesh.origin(location.h);
     mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) { append_polygons(triangulation, h, touching_); });
     triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) {
       if (triangulation.items().is_polygon(item)) touching_.push_back(item);
@@ -138,12 +138,12 @@ void Cover::collect_touching(const ExactTriangulation& triangulation, const loca
   keep_one_of_each(touching_);
 }
 
-const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& triangulation,
-                                                  const locate::Located& place) {
+const std::vector<std::uint32_t>& Cover::of_location(const ExactTriangulation& triangulation,
+                                                     const locate::Located& location) {
   covering_.clear();
   if (!triangulation.items().has_polygons()) return covering_;
-  collect_touching(triangulation, place);
-  faces_at(triangulation, place, around_);
+  collect_touching(triangulation, location);
+  faces_at(triangulation, location, around_);
   // A polygon without a side or corner at this location covers either all faces around it or none.
   covering_ = of_face(triangulation, around_.front());
   covering_.insert(covering_.end(), touching_.begin(), touching_.end());
@@ -152,22 +152,22 @@ const std::vector<std::uint32_t>& Cover::of_place(const ExactTriangulation& tria
 }
 
 const std::vector<std::uint32_t>& Cover::strictly_covering(const ExactTriangulation& triangulation,
-                                                           const locate::Located& place) {
-  collect_touching(triangulation, place);
-  faces_at(triangulation, place, around_);
+                                                           const locate::Located& location) {
+  collect_touching(triangulation, location);
+  faces_at(triangulation, location, around_);
   covering_ = of_face(triangulation, around_.front());
   std::erase_if(covering_,
                 [&](std::uint32_t item) { return std::binary_search(touching_.begin(), touching_.end(), item); });
   return covering_;
 }
 
-bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place) {
-  return !strictly_covering(triangulation, place).empty();
+bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& location) {
+  return !strictly_covering(triangulation, location).empty();
 }
 
 const std::vector<mesh::HalfEdge>& Cover::open_faces(const ExactTriangulation& triangulation,
-                                                     const locate::Located& place) {
-  faces_at(triangulation, place, open_);
+                                                     const locate::Located& location) {
+  faces_at(triangulation, location, open_);
   std::erase_if(open_, [&](mesh::HalfEdge h) { return is_covered(triangulation, h); });
   return open_;
 }

@@ -27,23 +27,25 @@ class Cover {
   }
 
   /// The polygons, by slot, that cover the location or have it on their boundary; each once, in no particular order.
-  const std::vector<std::uint32_t>& of_place(const ExactTriangulation& triangulation, const locate::Located& place);
+  const std::vector<std::uint32_t>& of_location(const ExactTriangulation& triangulation,
+                                                const locate::Located& location);
 
   /// Whether the location lies strictly inside a polygon: the polygon covers it and has no side or corner there.
-  bool is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& place);
+  bool is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& location);
 
   /// The polygons, by slot, that have the location strictly inside; each once, in no particular order.
   const std::vector<std::uint32_t>& strictly_covering(const ExactTriangulation& triangulation,
-                                                      const locate::Located& place);
+                                                      const locate::Located& location);
 
   /// The faces around the location that no polygon covers, each by a half-edge. At a vertex, it starts at the vertex;
   /// on an edge, it lies on the edge; inside a face, it is the one whose origin comes first in (x, y) order. The order
   /// of the faces depends only on the geometry of the mesh: counter-clockwise around a vertex from its first neighbour
   /// in (x, y) order; on an edge, first the face left of the edge in (x, y) order.
-  const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation, const locate::Located& place);
+  const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation,
+                                                const locate::Located& location);
 
  private:
-  void collect_touching(const ExactTriangulation& triangulation, const locate::Located& place);
+  void collect_touching(const ExactTriangulation& triangulation, const locate::Located& location);
 
   std::vector<std::uint32_t> crossed_;   ///< an entry for each side crossed; then the polygons that cover the face
   std::vector<std::uint32_t> touching_;  ///< the polygons with a side or corner at the location; ascending
@@ -54,7 +56,7 @@ class Cover {
 
 /// Finds the faces that meet at the location, by the half-edges and in the order that Cover::open_faces describes,
 /// without ghost faces.
-void faces_at(const ExactTriangulation& triangulation, const locate::Located& place,
+void faces_at(const ExactTriangulation& triangulation, const locate::Located& location,
               std::vector<mesh::HalfEdge>& faces);
 
 /// The winding number of the polygon in the face of `h`. For an even-odd polygon only its parity counts. The function

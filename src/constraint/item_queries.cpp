@@ -190,12 +190,12 @@ class BoxFlood {
 void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point, ItemQueryScratch& scratch,
               std::vector<ItemId>& result) {
   const auto& delaunay = triangulation.triangulation();
-  const locate::Located place = delaunay.locate(point);
+  const locate::Located location = delaunay.locate(point);
   Slots& slots = scratch.slots;
-  slots = cover.of_place(triangulation, place);
-  if (place.spot == locate::Spot::edge) append_items_of_edge(triangulation, place.h, slots);
-  if (place.spot == locate::Spot::vertex) {
-    const mesh::Vertex v = triangulation.topology().origin(place.h);
+  slots = cover.of_location(triangulation, location);
+  if (location.spot == locate::Spot::edge) append_items_of_edge(triangulation, location.h, slots);
+  if (location.spot == locate::Spot::vertex) {
+    const mesh::Vertex v = triangulation.topology().origin(location.h);
     append_items_around(triangulation, v, slots);
     triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) { slots.push_back(item); });
   }
@@ -226,9 +226,9 @@ void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& 
   const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
                     {std::min(box.max.x, domain.max.x), std::min(box.max.y, domain.max.y)}};
   const auto& delaunay = triangulation.triangulation();
-  const locate::Located place = delaunay.locate(clipped.min);
-  scratch.slots = cover.of_place(triangulation, place);
-  faces_at(triangulation, place, scratch.faces);
+  const locate::Located location = delaunay.locate(clipped.min);
+  scratch.slots = cover.of_location(triangulation, location);
+  faces_at(triangulation, location, scratch.faces);
   BoxFlood(triangulation, clipped, scratch).run(scratch.faces.front());
   fill_ids(triangulation, scratch.slots, result);
 }

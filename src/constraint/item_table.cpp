@@ -21,7 +21,7 @@ void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   if (free_items_.is_empty()) {
     items_.emplace_back();
-    items_.back().place = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
+    items_.back().position = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
   }
   const std::uint32_t slot = free_items_.first();
   const bool is_slot_id = id.value == slot;
@@ -32,7 +32,7 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
     ids_[slot] = id;
   }
   journal_.add({slot, false});
-  free_items_.pop(items_[slot].place);
+  free_items_.pop(items_[slot].position);
   items_[slot] = {kNone, kind, is_slot_id, false, kind == ItemKind::polygon ? fill : FillRule::even_odd};
   enter(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
@@ -45,7 +45,7 @@ void ItemTable::set_outline(std::uint32_t item, const Outline& outline) {
   const ItemKind kind = items_[item].kind;
   const auto& corners = outline.corners;
   if (kind == ItemKind::point) {
-    items_[item].place = number(corners[0]);
+    items_[item].position = number(corners[0]);
     return;
   }
   std::uint32_t begin = 0;
@@ -64,7 +64,7 @@ void ItemTable::add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to,
     sides_.back().next = free_sides_.push(static_cast<std::uint32_t>(sides_.size() - 1));
   }
   const std::uint32_t slot = free_sides_.pop(sides_[free_sides_.first()].next & ~kEndsRing);
-  std::uint32_t& last = items_[item].place;
+  std::uint32_t& last = items_[item].position;
   std::uint32_t next = slot;
   if (last != kNone) {
     std::uint32_t& link = sides_[last].next;
@@ -121,11 +121,11 @@ void ItemTable::roll_back() {
 /// Frees the slot of an item and the slots of its sides, which are linked in a ring.
 void ItemTable::recycle(std::uint32_t slot) {
   Record& record = items_[slot];
-  if (record.kind != ItemKind::point && record.place != kNone) {
-    const std::uint32_t first = sides_[record.place].next & ~kEndsRing;
-    sides_[record.place].next = free_sides_.push(first);  // the whole ring
+  if (record.kind != ItemKind::point && record.position != kNone) {
+    const std::uint32_t first = sides_[record.position].next & ~kEndsRing;
+    sides_[record.position].next = free_sides_.push(first);  // the whole ring
   }
-  record.place = free_items_.push(slot);
+  record.position = free_items_.push(slot);
 }
 
 void ItemTable::enter(std::uint32_t slot) {

@@ -144,7 +144,7 @@ class ItemTable {
 
   struct Record {
     /// For a point: its corner. For other items: the slot of their last side. For a free slot: the next free slot.
-    std::uint32_t place = kNone;
+    std::uint32_t position = kNone;
     ItemKind kind = ItemKind::point;
     bool is_slot_id = true;
     bool is_alive = false;  ///< false for the domain, too
@@ -162,7 +162,7 @@ class ItemTable {
   template <class Visit>
   void for_each_link(std::uint32_t item, Visit&& visit) const {
     if (items_[item].kind == ItemKind::point) return;
-    const std::uint32_t last = items_[item].place;
+    const std::uint32_t last = items_[item].position;
     std::uint32_t slot = last;
     do {
       slot = sides_[slot].next & ~kEndsRing;
@@ -198,7 +198,7 @@ class ItemTable {
   std::vector<Record> items_;
   memory::Pages<ItemId> ids_;  ///< by slot, for items whose slot is not their id
   std::vector<Link> sides_;
-  memory::FreeList free_items_;       ///< linked by Record::place
+  memory::FreeList free_items_;       ///< linked by Record::position
   memory::FreeList free_sides_;       ///< linked by Link::next
   std::vector<std::uint32_t> index_;  ///< slots of items whose slot is not their id; at most two thirds are in use
   std::size_t index_size_ = 0;
@@ -218,7 +218,7 @@ class ItemTable {
 template <class Visit>
 void ItemTable::for_each_corner(std::uint32_t item, Visit&& visit) const {
   const ItemKind kind = items_[item].kind;
-  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item].place}, true);
+  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item].position}, true);
   for_each_link(item, [&](std::uint32_t slot) {
     const auto& [side, next] = sides_[slot];
     const bool ends_ring = (next & kEndsRing) != 0;

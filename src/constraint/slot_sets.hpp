@@ -51,7 +51,7 @@ class SlotSet {
     return true;
   }
   void clear() {
-    for (const std::uint32_t place : places_) table_[place] = kEmpty;
+    for (const std::uint32_t position : places_) table_[position] = kEmpty;
     places_.clear();
   }
 
@@ -70,10 +70,10 @@ class SlotSet {
     std::vector<std::uint32_t> old(std::max<std::size_t>(2 * table_.size(), 64), kEmpty);
     places_.reserve(old.size());
     old.swap(table_);
-    for (std::uint32_t& place : places_) {
-      const std::uint32_t number = old[place];
-      place = static_cast<std::uint32_t>(place_of(number));
-      table_[place] = number;
+    for (std::uint32_t& position : places_) {
+      const std::uint32_t number = old[position];
+      position = static_cast<std::uint32_t>(place_of(number));
+      table_[position] = number;
     }
   }
 

@@ -105,13 +105,13 @@ void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, s
   const std::size_t degree = star.spokes.size();
   const std::size_t count = from < to ? to - from : to + degree - from;
   hole_sides_.resize(count);
-  hole_places_.resize(count + 1);
+  hole_positions_.resize(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = from + i < degree ? from + i : from + i - degree;
     hole_sides_[i] = next(star.spokes[at]);
-    hole_places_[i] = view(mesh_.origin(hole_sides_[i]));
+    hole_positions_[i] = view(mesh_.origin(hole_sides_[i]));
   }
-  hole_places_[count] = view(mesh_.target(hole_sides_[count - 1]));
+  hole_positions_[count] = view(mesh_.target(hole_sides_[count - 1]));
 }
 
 /// Triangulates the polygon whose border is the hole's sides and the base, which runs from its last vertex to its
@@ -150,11 +150,11 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 template <class Geometry>
 typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_over(std::uint32_t from,
                                                                                   std::uint32_t to) const {
-  const View& a = hole_places_[from];
-  const View& b = hole_places_[to];
+  const View& a = hole_positions_[from];
+  const View& b = hole_positions_[to];
   std::uint32_t apex = from + 1;
   for (std::uint32_t i = apex + 1; i < to; ++i) {
-    if (circle_holds(geometry_, a, hole_places_[apex], b, hole_places_[i])) apex = i;
+    if (circle_holds(geometry_, a, hole_positions_[apex], b, hole_positions_[i])) apex = i;
   }
   return {from, apex, to};
 }

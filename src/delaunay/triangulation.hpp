@@ -88,7 +88,7 @@ class Triangulation {
   /// the same label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
   Inserted insert(const Point& point);
   /// Like insert(point), if the caller knows the location of the point.
-  Inserted insert(const Point& point, const locate::Located& place);
+  Inserted insert(const Point& point, const locate::Located& location);
 
   /// Splits the fixed edge of `h` at its crossing with the line through `a` and `b`. The fixed edge lies on the line
   /// through `c` and `d`. Returns the new vertex. Requires: `a`, `b`, `c` and `d` are explicit.
@@ -176,7 +176,7 @@ class Triangulation {
     mesh::HalfEdge base;  ///< kNoHalfEdge if the edge is a chain edge
   };
 
-  void place_all(std::vector<Point>&& points);
+  void set_positions(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Prefetches the face beyond an edge. The second function prefetches the position of the apex of this face. Call it
@@ -227,7 +227,7 @@ class Triangulation {
   Star star_;
   std::vector<mesh::HalfEdge> clockwise_;
   std::vector<mesh::HalfEdge> hole_sides_;
-  std::vector<View> hole_places_;
+  std::vector<View> hole_positions_;
   std::vector<Triangle> triangles_;
   Chain left_chain_, right_chain_;
   std::vector<std::uint32_t> dangling_;

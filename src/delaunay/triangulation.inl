@@ -30,7 +30,7 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
   const std::size_t vertex_count = sorted.points.size() + 1;
   sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory
   sorted.points.insert(sorted.points.begin(), Point{});  // the point of the ghost
-  place_all(std::move(sorted.points));
+  set_positions(std::move(sorted.points));
   mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
   fix_border(side_labels);
@@ -38,11 +38,11 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::place_all(std::vector<Point>&& points) {
-  if constexpr (requires { geometry_.place_all(std::move(points)); }) {
-    geometry_.place_all(std::move(points));
+void Triangulation<Geometry>::set_positions(std::vector<Point>&& points) {
+  if constexpr (requires { geometry_.set_positions(std::move(points)); }) {
+    geometry_.set_positions(std::move(points));
   } else {
-    for (std::uint32_t v = 0; v < points.size(); ++v) geometry_.place(v, points[v]);
+    for (std::uint32_t v = 0; v < points.size(); ++v) geometry_.set_position(v, points[v]);
   }
 }
 
@@ -72,7 +72,7 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_,
+  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_,
                       triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
 }
 
@@ -81,7 +81,7 @@ void Triangulation<Geometry>::shrink_to_fit() {
   mesh_.shrink_to_fit();
   if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
   sectors_.shrink_to_fit();
-  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_places_, triangles_,
+  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_, triangles_,
                   left_chain_, right_chain_, dangling_, cavity_, corners_);
 }
 
@@ -110,8 +110,8 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {
-    const Point& place = geometry_.rounded(number(from));
-    return (place.x - point.x) * (place.x - point.x) + (place.y - point.y) * (place.y - point.y);
+    const Point& location = geometry_.rounded(number(from));
+    return (location.x - point.x) * (location.x - point.x) + (location.y - point.y) * (location.y - point.y);
   };
   mesh::Vertex nearest = mesh_.origin(recent_);
   double least = squared_distance(nearest);
@@ -149,29 +149,29 @@ mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
 
 template <class Geometry>
 typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point) {
-  const locate::Located place = locate(point);
-  if (place.steps > kLongWalk) divide_sector(point);
-  return insert(point, place);
+  const locate::Located location = locate(point);
+  if (location.steps > kLongWalk) divide_sector(point);
+  return insert(point, location);
 }
 
 template <class Geometry>
 typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point,
-                                                                           const locate::Located& place) {
-  if (place.spot == locate::Spot::vertex) {
-    remember(place.h);
-    return {mesh_.origin(place.h), false, mesh::kNoHalfEdge};
+                                                                           const locate::Located& location) {
+  if (location.spot == locate::Spot::vertex) {
+    remember(location.h);
+    return {mesh_.origin(location.h), false, mesh::kNoHalfEdge};
   }
   // In a large world, an insertion mostly waits for memory. So the code first prefetches the adjacent faces, and then
   // makes the vertex.
-  for (const mesh::HalfEdge h : {place.h, next(place.h), previous(place.h)}) prefetch_face_beyond(h);
+  for (const mesh::HalfEdge h : {location.h, next(location.h), previous(location.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
-  const bool splits_fixed_edge = place.spot == locate::Spot::edge && mesh_.is_fixed(place.h);
-  const mesh::Vertex end = mesh_.origin(place.h);
+  const bool splits_fixed_edge = location.spot == locate::Spot::edge && mesh_.is_fixed(location.h);
+  const mesh::Vertex end = mesh_.origin(location.h);
   in_doubt_.clear();
-  if (place.spot == locate::Spot::face) {
-    for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(place.h), v)) in_doubt_.push_back(h);
+  if (location.spot == locate::Spot::face) {
+    for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(location.h), v)) in_doubt_.push_back(h);
   } else {
-    for (const mesh::HalfEdge h : mesh_.split_edge(place.h, v)) {
+    for (const mesh::HalfEdge h : mesh_.split_edge(location.h, v)) {
       if (!is_ghost_face(h)) in_doubt_.push_back(h);
     }
   }
@@ -184,7 +184,7 @@ template <class Geometry>
 mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Vertex a, mesh::Vertex b, mesh::Vertex c,
                                                       mesh::Vertex d) {
   const mesh::Vertex v = mesh_.add_vertex();
-  geometry_.place_crossing(number(v), number(a), number(b), number(c), number(d));
+  geometry_.set_crossing(number(v), number(a), number(b), number(c), number(d));
   sectors_.remember(geometry_.rounded(number(v)), v, mesh_.vertex_count());
   in_doubt_.clear();
   for (const mesh::HalfEdge opposite : mesh_.split_edge(h, v)) in_doubt_.push_back(opposite);
@@ -195,7 +195,7 @@ mesh::Vertex Triangulation<Geometry>::insert_crossing(mesh::HalfEdge h, mesh::Ve
 template <class Geometry>
 mesh::Vertex Triangulation<Geometry>::add_vertex(const Point& point) {
   const mesh::Vertex v = mesh_.add_vertex();
-  geometry_.place(number(v), point);
+  geometry_.set_position(number(v), point);
   sectors_.remember(point, v, mesh_.vertex_count());
   return v;
 }

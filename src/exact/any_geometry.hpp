@@ -22,8 +22,8 @@ template <class G>
 concept AnyGeometry = std::constructible_from<G, const Box&> && std::semiregular<typename G::View> &&
     requires(G& changed, const G& asked, std::uint32_t vertex, const Point& point, const typename G::View& view) {
   // These functions set and clear positions. roll_back() takes all changes since the last begin() back.
-  changed.place(vertex, point);
-  changed.place_crossing(vertex, vertex, vertex, vertex, vertex);
+  changed.set_position(vertex, point);
+  changed.set_crossing(vertex, vertex, vertex, vertex, vertex);
   changed.clear(vertex);
   changed.begin();
   changed.roll_back();

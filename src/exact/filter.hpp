@@ -38,9 +38,9 @@
 // to 0 than any explicit coordinate, so products may underflow. Each underflow loses less than 2^-1022, and the code
 // trusts a sign only if the determinant exceeds 2^-1000.
 //
-// This was the fine bound. The coarse bound treats all points as constructed and uses squares in place of magnitudes.
-// Let s = t^2 be the sum of the squares of all d^, and let q = |p|^2 be the sum of the squares of the last point's
-// coordinates. Then m <= |p| + t, and |p| t <= 2^-11 q + 2^9 s, because (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
+// This was the fine bound. The coarse bound treats all points as constructed and uses squares in position of
+// magnitudes. Let s = t^2 be the sum of the squares of all d^, and let q = |p|^2 be the sum of the squares of the last
+// point's coordinates. Then m <= |p| + t, and |p| t <= 2^-11 q + 2^9 s, because (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
 //   Orientation: |l| + |r| <= s / 2 and S <= 2 t, so the error is at most u times
 //     (3 / 2) s + 4 t (|p| + t) <= 2053.5 s + q / 512,
 //   plus 8 u^2 m^2, which is negligible beside these terms.
@@ -75,8 +75,8 @@ inline constexpr double kUnderflow = 0x1p-1000;
   return Sign::zero;
 }
 
-template <class Place>
-[[nodiscard]] double orientation_determinant(const Place& a, const Place& b, const Place& c) {
+template <class LocationKind>
+[[nodiscard]] double orientation_determinant(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
@@ -88,8 +88,9 @@ struct CircleTerms {
   double determinant;
 };
 
-template <class Place>
-[[nodiscard]] CircleTerms circle_terms(const Place& a, const Place& b, const Place& c, const Place& d) {
+template <class LocationKind>
+[[nodiscard]] CircleTerms circle_terms(const LocationKind& a, const LocationKind& b, const LocationKind& c,
+                                       const LocationKind& d) {
   const double adx = a.x - d.x;
   const double ady = a.y - d.y;
   const double bdx = b.x - d.x;
@@ -119,8 +120,8 @@ template <class Place>
 }
 
 /// Compares the rounded coordinates: first x, then y.
-template <class Place>
-[[nodiscard]] std::strong_ordering order(const Place& p, const Place& q) {
+template <class LocationKind>
+[[nodiscard]] std::strong_ordering order(const LocationKind& p, const LocationKind& q) {
   const bool by_x = p.x != q.x;
   const double one = by_x ? p.x : p.y;
   const double other = by_x ? q.x : q.y;
@@ -134,55 +135,57 @@ template <class Place>
 namespace coarse {
 
 inline constexpr double kOrientationBySquares = 2100.0 * kHalfUlp;
-inline constexpr double kOrientationByPlace = kHalfUlp / 500.0;
+inline constexpr double kOrientationByPosition = kHalfUlp / 500.0;
 inline constexpr double kInCircleBySquares = 3450.0 * kHalfUlp;
-inline constexpr double kInCircleByPlace = kHalfUlp / 300.0;
+inline constexpr double kInCircleByPosition = kHalfUlp / 300.0;
 
-template <class Place>
-[[nodiscard]] Sign orientation(const Place& a, const Place& b, const Place& c) {
+template <class LocationKind>
+[[nodiscard]] Sign orientation(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
   const double acx = a.x - c.x;
   const double acy = a.y - c.y;
   const double bcx = b.x - c.x;
   const double bcy = b.y - c.y;
   const double squares = (acx * acx + acy * acy) + (bcx * bcx + bcy * bcy);
-  const double place = c.x * c.x + c.y * c.y;
-  const double error = kOrientationBySquares * squares + (kOrientationByPlace * place + kUnderflow);
+  const double position = c.x * c.x + c.y * c.y;
+  const double error = kOrientationBySquares * squares + (kOrientationByPosition * position + kUnderflow);
   return sign_beyond(acx * bcy - acy * bcx, error);
 }
 
-/// `place` is in_circle_place() of the last point, or of a box that contains all four points.
-template <class Place>
-[[nodiscard]] Sign in_circle(const Place& a, const Place& b, const Place& c, const Place& d, double place) {
+/// `position` is in_circle_position_term() of the last point, or of a box that contains all four points.
+template <class LocationKind>
+[[nodiscard]] Sign in_circle(const LocationKind& a, const LocationKind& b, const LocationKind& c, const LocationKind& d,
+                             double position) {
   const CircleTerms terms = circle_terms(a, b, c, d);
   const double squares = terms.a_lift + terms.b_lift + terms.c_lift;
-  const double error = squares * (kInCircleBySquares * squares + place) + kUnderflow;
+  const double error = squares * (kInCircleBySquares * squares + position) + kUnderflow;
   return sign_beyond(terms.determinant, error);
 }
-template <class Place>
-[[nodiscard]] double in_circle_place(const Place& last) {
-  return kInCircleByPlace * (last.x * last.x + last.y * last.y);
+template <class LocationKind>
+[[nodiscard]] double in_circle_position_term(const LocationKind& last) {
+  return kInCircleByPosition * (last.x * last.x + last.y * last.y);
 }
-[[nodiscard]] inline double in_circle_place(const Box& box) {
+[[nodiscard]] inline double in_circle_position_term(const Box& box) {
   const double largest = largest_magnitude(box);
-  return kInCircleByPlace * (largest * largest);
+  return kInCircleByPosition * (largest * largest);
 }
 
 }  // namespace coarse
 
 /// Whether three explicit points lie on a line parallel to an axis, or the last point equals one of the others. Then
 /// both products of the determinant have a factor 0. Where walls lie on a grid, this is the most common tie by far.
-template <class Place>
-[[nodiscard]] bool is_flat(const Place& a, const Place& b, const Place& c) {
+template <class LocationKind>
+[[nodiscard]] bool is_flat(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
   if (a.x == c.x) return b.x == c.x || a.y == c.y;
   return b.y == c.y && (a.y == c.y || b.x == c.x);
 }
 
 /// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. Such points lie on a
 /// circle, so nothing needs to be computed. Where walls lie on a grid, this is the most common tie by far.
-template <class Place>
-[[nodiscard]] bool is_rectangle(const Place& a, const Place& b, const Place& c, const Place& d) {
-  const auto is_opposite = [&](const Place& p, const Place& q,
-                               const Place& r) {  // whether d - p and q - r are opposite sides
+template <class LocationKind>
+[[nodiscard]] bool is_rectangle(const LocationKind& a, const LocationKind& b, const LocationKind& c,
+                                const LocationKind& d) {
+  const auto is_opposite = [&](const LocationKind& p, const LocationKind& q,
+                               const LocationKind& r) {  // whether d - p and q - r are opposite sides
     return q.x == r.x && ((q.y == d.y && r.y == p.y) || (q.y == p.y && r.y == d.y));
   };
   if (d.x == a.x) return is_opposite(a, b, c);

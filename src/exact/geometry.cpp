@@ -4,18 +4,17 @@
 
 namespace waywright::exact {
 
-void Geometry::place(std::uint32_t vertex, const Point& point) {
-  while (vertex >= places_.size()) places_.emplace_back();  // nearly always adds at most one entry
+void Geometry::set_position(std::uint32_t vertex, const Point& point) {
+  while (vertex >= positions_.size()) positions_.emplace_back();  // nearly always adds at most one entry
   log(vertex);
-  places_[vertex] = point;
+  positions_[vertex] = point;
   if (vertex < crossing_of_.size()) crossing_of_[vertex] = kExplicit;
 }
 
-void Geometry::place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                              std::uint32_t d) {
+void Geometry::set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   const Crossing crossing{rounded(a), rounded(b), rounded(c), rounded(d)};
   const RoundedCrossing rounded = round_to_nearest(crossing);
-  place(vertex, rounded.nearest);
+  set_position(vertex, rounded.nearest);
   if (rounded.is_exact) return;
   while (vertex >= crossing_of_.size()) crossing_of_.push_back(kExplicit);
   crossing_of_[vertex] = add_crossing(crossing);
@@ -36,7 +35,7 @@ void Geometry::begin() {
 
 void Geometry::roll_back() {
   journal_.roll_back([&](const Undo& change) {
-    places_[change.vertex] = change.place;
+    positions_[change.vertex] = change.position;
     if (change.vertex >= crossing_of_.size()) return;
     std::uint32_t& crossing = crossing_of_[change.vertex];
     if (crossing != kExplicit) free_crossings_.push_back(crossing);

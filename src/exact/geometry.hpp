@@ -50,17 +50,17 @@ class Geometry {
   /// Requires: all vertices, and all points that are passed to view(), lie in the box.
   explicit Geometry(const Box& box)
       : orientation_error_(filter::largest_orientation_error(box)),
-        in_circle_place_(filter::coarse::in_circle_place(box)) {}
+        in_circle_position_term_(filter::coarse::in_circle_position_term(box)) {}
 
   /// Sets the position of `vertex` to an explicit point. Makes the table longer if needed. Requires: the point is in
   /// range.
-  void place(std::uint32_t vertex, const Point& point);
+  void set_position(std::uint32_t vertex, const Point& point);
   /// Sets the positions of the vertices from 0 on to explicit points. The undo log does not record this. Requires:
   /// there are no positions yet, and the points are in range.
-  void place_all(std::vector<Point>&& points) { places_ = std::move(points); }
+  void set_positions(std::vector<Point>&& points) { positions_ = std::move(points); }
   /// Sets the position of `vertex` to the crossing of the lines through (a, b) and (c, d). Requires: these four
   /// vertices are explicit.
-  void place_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+  void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
   /// Removes the position of `vertex`, which frees its crossing.
   void clear(std::uint32_t vertex);
 
@@ -70,15 +70,15 @@ class Geometry {
   void roll_back();
 
   [[nodiscard]] View view(std::uint32_t vertex) const {
-    const Point& place = places_[vertex];
-    return {place.x, place.y, vertex};
+    const Point& position = positions_[vertex];
+    return {position.x, position.y, vertex};
   }
   /// Prefetches the memory that view(vertex) reads.
-  void prefetch(std::uint32_t vertex) const { base::prefetch(&places_[vertex]); }
+  void prefetch(std::uint32_t vertex) const { base::prefetch(&positions_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return {point.x, point.y, kNoVertex}; }
 
   /// The coordinates of the vertex, each rounded to the nearest double.
-  [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return places_[vertex]; }
+  [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return positions_[vertex]; }
   [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return crossing_of(vertex) == kExplicit; }
   /// Whether there may be a constructed vertex. If the result is false, there is none.
   [[nodiscard]] bool has_constructed() const { return !crossing_of_.empty(); }
@@ -105,7 +105,7 @@ class Geometry {
     return finer_orientation(copy(line.from), copy(line.to), copy(c));
   }
   [[nodiscard]] Sign in_circle(const View& a, const View& b, const View& c, const View& d) const {
-    if (const Sign sign = filter::coarse::in_circle(a, b, c, d, in_circle_place_); sign != Sign::zero) {
+    if (const Sign sign = filter::coarse::in_circle(a, b, c, d, in_circle_position_term_); sign != Sign::zero) {
       ++counts.in_circle.doubles;
       return sign;
     }
@@ -118,7 +118,7 @@ class Geometry {
   }
 
   void count_memory(MemoryUse& use) const {
-    memory::count(use, &MemoryUse::vertices, places_);
+    memory::count(use, &MemoryUse::vertices, positions_);
     memory::count(use, &MemoryUse::crossings, crossing_of_);
     memory::count(use, &MemoryUse::crossings, crossings_);
     memory::count_spare(use, free_crossings_, left_crossings_);
@@ -127,7 +127,7 @@ class Geometry {
   /// Frees spare memory, except that of `free_crossings_`, which roll_back() needs. Requires: nothing has changed since
   /// begin().
   void shrink_to_fit() {
-    memory::shrink(places_, crossing_of_, crossings_);
+    memory::shrink(positions_, crossing_of_, crossings_);
     memory::release(left_crossings_);
     journal_.release();
   }
@@ -136,7 +136,7 @@ class Geometry {
   static constexpr std::uint32_t kExplicit = 0xffffffff;
 
   struct Undo {
-    Point place;  ///< the position before the change
+    Point position;  ///< the position before the change
     std::uint32_t vertex;
     std::uint32_t crossing;  ///< the crossing before the change
   };
@@ -152,13 +152,13 @@ class Geometry {
     return vertex < crossing_of_.size() ? crossing_of_[vertex] : kExplicit;
   }
   [[nodiscard]] bool is_explicit(const View& view) const { return is_explicit(view.vertex); }
-  void log(std::uint32_t vertex) { journal_.add({places_[vertex], vertex, crossing_of(vertex)}); }
+  void log(std::uint32_t vertex) { journal_.add({positions_[vertex], vertex, crossing_of(vertex)}); }
   [[nodiscard]] ExactPoint exact(const View& view) const;
   [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
   double orientation_error_;
-  double in_circle_place_;
-  std::vector<Point> places_;
+  double in_circle_position_term_;
+  std::vector<Point> positions_;
   std::vector<std::uint32_t> crossing_of_;  ///< by vertex, up to the last constructed one
   std::vector<Crossing> crossings_;
   std::vector<std::uint32_t> free_crossings_;  ///< always has capacity for all crossings

@@ -46,7 +46,8 @@ namespace detail {
 /// inside, negative outside, zero on it. The sign is reversed if they are clockwise.
 [[nodiscard]] inline Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                     const ExactPoint& d) {
-  if (const Sign sign = filter::coarse::in_circle(a, b, c, d, filter::coarse::in_circle_place(d)); sign != Sign::zero) {
+  if (const Sign sign = filter::coarse::in_circle(a, b, c, d, filter::coarse::in_circle_position_term(d));
+      sign != Sign::zero) {
     ++counts.in_circle.doubles;
     return sign;
   }

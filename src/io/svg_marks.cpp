@@ -44,7 +44,7 @@ std::string filled_mark(const Palette& palette, std::span<const Point> corners, 
 
 }  // namespace
 
-std::string place_text(const Point& place) {
+std::string point_text(const Point& place) {
   std::string text = "(";
   text::append_number(text, place.x);
   text += ", ";

@@ -35,17 +35,17 @@ std::string words_of(PathStatus status) {
 }
 
 /// The answers of World::locate() that have their own mark and colour.
-enum class PlaceKind : unsigned char { in_face, on_edge, on_vertex, covered };
-constexpr std::array<PlaceKind, 4> kPlaceKinds{PlaceKind::in_face, PlaceKind::on_edge, PlaceKind::on_vertex,
-                                               PlaceKind::covered};
+enum class MarkKind : unsigned char { in_face, on_edge, on_vertex, covered };
+constexpr std::array<MarkKind, 4> kMarkKinds{MarkKind::in_face, MarkKind::on_edge, MarkKind::on_vertex,
+                                             MarkKind::covered};
 
-PlaceKind kind_of(const Location& location) {
-  if (!location.inside.empty()) return PlaceKind::covered;
-  if (location.at == Place::face) return PlaceKind::in_face;
-  return location.at == Place::edge ? PlaceKind::on_edge : PlaceKind::on_vertex;
+MarkKind kind_of(const Location& location) {
+  if (!location.inside.empty()) return MarkKind::covered;
+  if (location.at == LocationKind::face) return MarkKind::in_face;
+  return location.at == LocationKind::edge ? MarkKind::on_edge : MarkKind::on_vertex;
 }
 
-Ink ink_of(PlaceKind kind) {
+Ink ink_of(MarkKind kind) {
   constexpr std::array<Ink, 4> kInks{Ink::in_face, Ink::on_edge, Ink::on_vertex, Ink::covered};
   return kInks[static_cast<std::size_t>(kind)];
 }
@@ -55,13 +55,13 @@ class QueryDrawer {
   QueryDrawer(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette)
       : overlay_(overlay), frame_(frame), palette_(palette) {
     const std::size_t count =
-        overlay.paths.size() + overlay.rays.size() + overlay.failed_paths.size() + overlay.places.size();
+        overlay.paths.size() + overlay.rays.size() + overlay.failed_paths.size() + overlay.locations.size();
     has_hints_ = count <= kMostHints;
     const bool is_crowded = overlay.paths.size() + overlay.failed_paths.size() >= kMany;
     path_width_ = is_crowded ? 2.0 : 4.5;
     end_radius_ = is_crowded ? 4.0 : 8.0;
     ray_part_ = overlay.rays.size() >= kMany ? 0.6 : 1.0;
-    place_part_ = overlay.places.size() >= 10 * kMany ? 0.6 : 1.0;
+    location_part_ = overlay.locations.size() >= 10 * kMany ? 0.6 : 1.0;
   }
 
   [[nodiscard]] OverlayDrawing draw() {
@@ -74,7 +74,7 @@ class QueryDrawer {
     draw_failed_paths();
     drawing_.clipped += "</g>\n";
     drawing_.whole += "</g>\n<g id=\"places\">\n";
-    draw_places();
+    draw_locations();
     drawing_.whole += "</g>\n";
     return std::move(drawing_);
   }
@@ -119,10 +119,10 @@ class QueryDrawer {
     const Point& goal = path.points.back();
     if (is_shown(start)) {
       add_mark(disc_mark(palette_, frame_.to_picture(start), end_radius_, {Ink::start}, {Ink::page}, 2.0,
-                         hint("start " + place_text(start))));
+                         hint("start " + point_text(start))));
     }
     if (is_shown(goal)) {
-      add_mark(goal_mark(palette_, frame_.to_picture(goal), end_radius_, colour, hint("goal " + place_text(goal))));
+      add_mark(goal_mark(palette_, frame_.to_picture(goal), end_radius_, colour, hint("goal " + point_text(goal))));
     }
     return !data.empty() || is_shown(start);
   }
@@ -148,8 +148,8 @@ class QueryDrawer {
   void draw_ray(const SvgRay& ray) {
     const Paint colour{Ink::ray};
     const Point& stop = ray.answer.hit ? ray.answer.at : ray.to;
-    std::string about = "ray from " + place_text(ray.from) + " to " + place_text(ray.to);
-    about += ray.answer.hit ? ", hits " + ids_text(ray.answer.items) + " at " + place_text(stop) : ", hits nothing";
+    std::string about = "ray from " + point_text(ray.from) + " to " + point_text(ray.to);
+    about += ray.answer.hit ? ", hits " + ids_text(ray.answer.items) + " at " + point_text(stop) : ", hits nothing";
     PathData way(frame_);
     way.add_segment(ray.from, stop);
     add_line(way, colour, 2.2 * ray_part_, hint(about));
@@ -160,15 +160,15 @@ class QueryDrawer {
     const double radius = 4.0 * ray_part_;
     if (is_shown(ray.to) && stop != ray.from) {
       add_mark(disc_mark(palette_, frame_.to_picture(ray.to), radius, colour, {Ink::page}, 1.5,
-                         hint("end " + place_text(ray.to))));
+                         hint("end " + point_text(ray.to))));
     }
     if (is_shown(ray.from)) {
       add_mark(disc_mark(palette_, frame_.to_picture(ray.from), radius, {Ink::page}, colour, 2.0 * ray_part_,
-                         hint("start " + place_text(ray.from))));
+                         hint("start " + point_text(ray.from))));
     }
     if (ray.answer.hit && is_shown(stop)) {
       add_mark(cross_mark(palette_, frame_.to_picture(stop), 5.0 * ray_part_, colour,
-                          hint("hit " + place_text(stop) + ": " + ids_text(ray.answer.items))));
+                          hint("hit " + point_text(stop) + ": " + ids_text(ray.answer.items))));
     }
   }
 
@@ -214,7 +214,7 @@ class QueryDrawer {
   void draw_failed_path(const SvgFailedPath& failed) {
     const Paint colour{Ink::failed};
     const std::string reason = words_of(failed.status);
-    const std::string ends = " from " + place_text(failed.start) + " to " + place_text(failed.goal);
+    const std::string ends = " from " + point_text(failed.start) + " to " + point_text(failed.goal);
     PathData data(frame_);
     data.add_segment(failed.start, failed.goal);
     const double width = path_width_ * 0.6;
@@ -228,11 +228,11 @@ class QueryDrawer {
     const double radius = end_radius_ * 0.85;
     if (is_shown(failed.start)) {
       add_mark(disc_mark(palette_, frame_.to_picture(failed.start), radius, {Ink::page}, colour, radius * 0.4,
-                         hint("start " + place_text(failed.start) + ": " + reason)));
+                         hint("start " + point_text(failed.start) + ": " + reason)));
     }
     if (is_shown(failed.goal)) {
       add_mark(goal_mark(palette_, frame_.to_picture(failed.goal), end_radius_, colour,
-                         hint("goal " + place_text(failed.goal) + ": " + reason)));
+                         hint("goal " + point_text(failed.goal) + ": " + reason)));
     }
     const bool is_blocked = failed.status == PathStatus::start_blocked || failed.status == PathStatus::goal_blocked;
     const Point& blocked = failed.status == PathStatus::start_blocked ? failed.start : failed.goal;
@@ -259,30 +259,31 @@ class QueryDrawer {
     }
   }
 
-  [[nodiscard]] std::string place_mark(Place at, const Point& pixels, double part, const Paint& colour,
+  [[nodiscard]] std::string place_mark(LocationKind at, const Point& pixels, double part, const Paint& colour,
                                        const std::string& about) const {
-    if (at == Place::edge) return square_mark(palette_, pixels, 5.0 * part, colour, about);
-    if (at == Place::vertex) return diamond_mark(palette_, pixels, 7.0 * part, colour, about);
+    if (at == LocationKind::edge) return square_mark(palette_, pixels, 5.0 * part, colour, about);
+    if (at == LocationKind::vertex) return diamond_mark(palette_, pixels, 7.0 * part, colour, about);
     return disc_mark(palette_, pixels, 5.5 * part, colour, {Ink::page}, 1.5, about);
   }
 
-  void draw_places() {
-    std::array<std::size_t, kPlaceKinds.size()> counts{};
-    for (const SvgPlace& place : overlay_.places) {
+  void draw_locations() {
+    std::array<std::size_t, kMarkKinds.size()> counts{};
+    for (const SvgLocation& place : overlay_.locations) {
       if (!is_shown(place.at)) continue;
-      const PlaceKind kind = kind_of(place.answer);
-      std::string about = place_text(place.at) + ": " + std::string(to_string(place.answer.at));
-      if (kind == PlaceKind::covered) about += ", inside " + ids_text(place.answer.inside);
-      add_mark(place_mark(place.answer.at, frame_.to_picture(place.at), place_part_, {ink_of(kind)}, hint(about)));
+      const MarkKind kind = kind_of(place.answer);
+      std::string about = point_text(place.at) + ": " + std::string(to_string(place.answer.at));
+      if (kind == MarkKind::covered) about += ", inside " + ids_text(place.answer.inside);
+      add_mark(place_mark(place.answer.at, frame_.to_picture(place.at), location_part_, {ink_of(kind)}, hint(about)));
       ++counts[static_cast<std::size_t>(kind)];
     }
-    add_place_entries(counts);
+    add_location_entries(counts);
   }
 
-  void add_place_entries(const std::array<std::size_t, kPlaceKinds.size()>& counts) {
+  void add_location_entries(const std::array<std::size_t, kMarkKinds.size()>& counts) {
     constexpr std::array<std::string_view, 4> kWords{" in a face", " on an edge", " on a vertex", " in polygons"};
-    constexpr std::array<Place, 4> kShapes{Place::face, Place::edge, Place::vertex, Place::face};
-    for (const PlaceKind kind : kPlaceKinds) {
+    constexpr std::array<LocationKind, 4> kShapes{LocationKind::face, LocationKind::edge, LocationKind::vertex,
+                                                  LocationKind::face};
+    for (const MarkKind kind : kMarkKinds) {
       const auto i = static_cast<std::size_t>(kind);
       if (counts[i] == 0) continue;
       std::string label = counted(counts[i], "place", "places");
@@ -298,8 +299,8 @@ class QueryDrawer {
   bool has_hints_ = true;
   double path_width_ = 0.0;
   double end_radius_ = 0.0;
-  double ray_part_ = 1.0;    // size of the marks and lines of rays, as a fraction of the full size
-  double place_part_ = 1.0;  // size of the marks of located points, likewise
+  double ray_part_ = 1.0;       // size of the marks and lines of rays, as a fraction of the full size
+  double location_part_ = 1.0;  // size of the marks of located points, likewise
 };
 
 }  // namespace

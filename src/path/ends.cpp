@@ -18,7 +18,7 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
   explicit StraightLine(Ends& ends)
       : ends_(ends),
         mesh_(ends.triangulation_->topology()),
-        is_at_start_(ends.start_place_.spot != locate::Spot::face) {
+        is_at_start_(ends.start_location_.spot != locate::Spot::face) {
     ends_.crossed_.clear();
   }
 
@@ -74,7 +74,7 @@ void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction*
   cover_.use(abstraction);
   start_ = start;
   tolerance_ = tolerance;
-  start_place_ = triangulation.triangulation().locate(start);
+  start_location_ = triangulation.triangulation().locate(start);
   is_start_known_ = false;
   may_start_move_ = true;
   moved_start_.reset();
@@ -93,7 +93,7 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
   moved_goal_.reset();
   if (sees_goal()) return PathStatus::found;
   if (!is_start_known_) find_start_faces();
-  goal_place_ = triangulation_->triangulation().locate(goal_);
+  goal_location_ = triangulation_->triangulation().locate(goal_);
   find_goal_faces();
   const bool is_blocked = start_faces_.empty() || goal_faces_.empty();
   const bool has_moved = is_blocked ? move_blocked_ends() : move_end_across_wall();
@@ -105,9 +105,9 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
 std::optional<PathStatus> Ends::known_status() {
   std::swap(tried_, crossed_);
   crossed_.clear();
-  const bool is_start_blocked = start_faces_.empty() && cover_.is_strictly_inside(*triangulation_, start_place_);
+  const bool is_start_blocked = start_faces_.empty() && cover_.is_strictly_inside(*triangulation_, start_location_);
   if (is_start_blocked) return PathStatus::start_blocked;
-  const bool is_goal_blocked = goal_faces_.empty() && cover_.is_strictly_inside(*triangulation_, goal_place_);
+  const bool is_goal_blocked = goal_faces_.empty() && cover_.is_strictly_inside(*triangulation_, goal_location_);
   if (is_goal_blocked) return PathStatus::goal_blocked;
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
@@ -121,23 +121,23 @@ std::optional<PathStatus> Ends::known_status() {
 
 bool Ends::sees_goal() {
   StraightLine way(*this);
-  constraint::SegmentWalk(*triangulation_, start_, goal_, start_place_).run(way);
+  constraint::SegmentWalk(*triangulation_, start_, goal_, start_location_).run(way);
   return way.is_free();
 }
 
 // A position strictly inside a polygon has no open face around it.
 void Ends::find_start_faces() {
-  start_faces_ = cover_.open_faces(*triangulation_, start_place_);
+  start_faces_ = cover_.open_faces(*triangulation_, start_location_);
   is_start_known_ = true;
 }
 
-void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, goal_place_); }
+void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, goal_location_); }
 
 /// Moves the ends that have no open face around them. Returns whether both ends now have one.
 bool Ends::move_blocked_ends() {
   if (start_faces_.empty() && may_start_move_) move_start(goal_faces_);
   if (goal_faces_.empty() && !start_faces_.empty()) {
-    if (const auto found = find_free_position(goal_, goal_place_, start_faces_)) move_goal_to(*found);
+    if (const auto found = find_free_position(goal_, goal_location_, start_faces_)) move_goal_to(*found);
   }
   return !start_faces_.empty() && !goal_faces_.empty();
 }
@@ -148,49 +148,49 @@ bool Ends::move_end_across_wall() {
   if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_connected(abstraction_->components())) return false;
   const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));
   if (may_start_move_) {
-    if (const auto found = find_connected_position(start_, start_place_, goal_faces_, rounding)) {
+    if (const auto found = find_connected_position(start_, start_location_, goal_faces_, rounding)) {
       move_start_to(*found);
       return true;
     }
   }
-  const auto found = find_connected_position(goal_, goal_place_, start_faces_, rounding);
+  const auto found = find_connected_position(goal_, goal_location_, start_faces_, rounding);
   if (found) move_goal_to(*found);
   return found.has_value();
 }
 
 void Ends::move_start(const std::vector<HalfEdge>& goal_faces) {
-  if (const auto found = find_free_position(start_, start_place_, goal_faces)) move_start_to(*found);
+  if (const auto found = find_free_position(start_, start_location_, goal_faces)) move_start_to(*found);
 }
 
-void Ends::move_start_to(const Point& place) {
-  moved_start_ = MovedEnd{start_, place};
-  start_ = place;
-  start_place_ = triangulation_->triangulation().locate(start_);
+void Ends::move_start_to(const Point& location) {
+  moved_start_ = MovedEnd{start_, location};
+  start_ = location;
+  start_location_ = triangulation_->triangulation().locate(start_);
   find_start_faces();
 }
 
-void Ends::move_goal_to(const Point& place) {
-  moved_goal_ = MovedEnd{goal_, place};
-  goal_ = place;
-  goal_place_ = triangulation_->triangulation().locate(goal_);
+void Ends::move_goal_to(const Point& location) {
+  moved_goal_ = MovedEnd{goal_, location};
+  goal_ = location;
+  goal_location_ = triangulation_->triangulation().locate(goal_);
   find_goal_faces();
 }
 
 /// Returns the free position nearest to an end. If some free positions within the limit are connected with the other
 /// end, returns the nearest of these.
-std::optional<Point> Ends::find_free_position(const Point& end, const locate::Located& place,
+std::optional<Point> Ends::find_free_position(const Point& end, const locate::Located& location,
                                               const std::vector<HalfEdge>& other_faces) {
   const double limit = tolerance();
   if (!(limit > 0.0)) return std::nullopt;
   if (abstraction_ != nullptr && !other_faces.empty()) {
-    if (const auto found = find_connected_position(end, place, other_faces, limit)) return found;
+    if (const auto found = find_connected_position(end, location, other_faces, limit)) return found;
   }
-  return free_positions_.nearest(*triangulation_, cover_, end, place, limit, {});
+  return free_positions_.nearest(*triangulation_, cover_, end, location, limit, {});
 }
 
-std::optional<Point> Ends::find_connected_position(const Point& end, const locate::Located& place,
+std::optional<Point> Ends::find_connected_position(const Point& end, const locate::Located& location,
                                                    const std::vector<HalfEdge>& other_faces, double limit) {
-  return free_positions_.nearest(*triangulation_, cover_, end, place, limit,
+  return free_positions_.nearest(*triangulation_, cover_, end, location, limit,
                                  {&abstraction_->components(), &other_faces});
 }
 
@@ -199,7 +199,8 @@ void Ends::write_moved_and_blocked(PathStatus status, Path& path) {
   path.moved_goal = moved_goal_;
   const bool is_start = status == PathStatus::start_blocked;
   if (!is_start && status != PathStatus::goal_blocked) return;
-  for (const std::uint32_t slot : cover_.strictly_covering(*triangulation_, is_start ? start_place_ : goal_place_)) {
+  for (const std::uint32_t slot :
+       cover_.strictly_covering(*triangulation_, is_start ? start_location_ : goal_location_)) {
     path.blockers.push_back(triangulation_->items().id(slot));
   }
   std::sort(path.blockers.begin(), path.blockers.end());

@@ -44,7 +44,7 @@ class Ends {
   /// were moved.
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
-  [[nodiscard]] const locate::Located& start_place() const { return start_place_; }
+  [[nodiscard]] const locate::Located& start_location() const { return start_location_; }
   /// The open faces around the end, named and ordered as constraint::Cover::open_faces() does it. Requires:
   /// find_status_without_search() returned nothing.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
@@ -78,15 +78,15 @@ class Ends {
   void find_goal_faces();
   [[nodiscard]] std::optional<PathStatus> known_status();
   [[nodiscard]] bool move_blocked_ends();
-  [[nodiscard]] std::optional<Point> find_free_position(const Point& end, const locate::Located& place,
+  [[nodiscard]] std::optional<Point> find_free_position(const Point& end, const locate::Located& location,
                                                         const std::vector<mesh::HalfEdge>& other_faces);
-  [[nodiscard]] std::optional<Point> find_connected_position(const Point& end, const locate::Located& place,
+  [[nodiscard]] std::optional<Point> find_connected_position(const Point& end, const locate::Located& location,
                                                              const std::vector<mesh::HalfEdge>& other_faces,
                                                              double limit);
   [[nodiscard]] bool move_end_across_wall();
   void move_start(const std::vector<mesh::HalfEdge>& goal_faces);
-  void move_start_to(const Point& place);
-  void move_goal_to(const Point& place);
+  void move_start_to(const Point& location);
+  void move_goal_to(const Point& location);
   [[nodiscard]] bool are_connected(const nav::Components& components) const;
 
   const Triangulation* triangulation_ = nullptr;
@@ -94,8 +94,8 @@ class Ends {
   Point start_;
   Point goal_;
   std::optional<double> tolerance_;
-  locate::Located start_place_;
-  locate::Located goal_place_;
+  locate::Located start_location_;
+  locate::Located goal_location_;
   bool is_start_known_ = false;  ///< whether `start_faces_` is up to date
   bool may_start_move_ = true;
   std::optional<MovedEnd> moved_start_;

@@ -91,9 +91,9 @@ void Finder::write_straight(bool wants_channel, Path& path) const {
   if (!wants_channel) return;
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
-  const auto place = [&](mesh::Vertex v) { return geometry.rounded(number(v)); };
+  const auto position_of = [&](mesh::Vertex v) { return geometry.rounded(number(v)); };
   for (const mesh::HalfEdge h : ends_.crossed()) {
-    path.channel.push_back({place(mesh.target(h)), place(mesh.origin(h))});
+    path.channel.push_back({position_of(mesh.target(h)), position_of(mesh.origin(h))});
   }
 }
 

@@ -22,8 +22,11 @@ constexpr double kNoLimit = 0x1p110;
 /// A limit below this is smaller than every distance between a position and a wall on which it does not lie.
 constexpr double kLeastLimit = 0x1p-1000;
 
-/// The number of edges at which choose() tries to find a free double next to the nearest position.
+/// The number of edges at which one call of choose() looks for a free double next to the nearest position.
 constexpr std::size_t kTries = 8;
+/// The number of searches. Each one looks farther away than the one before, because the gaps beyond the nearest edges
+/// are too narrow for a double.
+constexpr std::size_t kRounds = 32;
 
 /// Returns the coordinate at `value`, which is 0 if `value` is too small for one, and the two coordinates next to it.
 std::array<double, 3> neighbours(double value) {
@@ -34,7 +37,7 @@ std::array<double, 3> neighbours(double value) {
 }  // namespace
 
 std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, constraint::Cover& cover,
-                                            const Point& point, const locate::Located& place, double limit,
+                                            const Point& point, const locate::Located& location, double limit,
                                             const Connection& connection) {
   if (limit < kLeastLimit) return std::nullopt;
   triangulation_ = &triangulation;
@@ -44,18 +47,23 @@ std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, 
   const double largest =
       std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
   slack_ = largest * 0x1p-46;
-  flood(place, limit, connection);
-  return choose(limit, connection);
+  refused_.clear();
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    flood(location, limit, connection);
+    if (candidates_.empty()) return std::nullopt;
+    if (const auto found = choose(limit, connection)) return found;
+  }
+  return std::nullopt;
 }
 
 /// Collects the edges between covered and open faces that may contain the nearest free position. The straight segment
 /// to it passes only through covered faces, so each edge that it crosses is at most as far as the position itself.
-void FreePositions::flood(const locate::Located& place, double limit, const Connection& connection) {
+void FreePositions::flood(const locate::Located& location, double limit, const Connection& connection) {
   stamp_.next(1, marks_);
   marks_.cover(triangulation_->topology().face_slots());
   candidates_.clear();
   nearest_ = limit + slack_;
-  constraint::faces_at(*triangulation_, place, waiting_);
+  constraint::faces_at(*triangulation_, location, waiting_);
   for (const HalfEdge h : waiting_) {
     marks_.make_room(number(mesh::face(h)));
     marks_[number(mesh::face(h))] = stamp_.value();
@@ -66,13 +74,15 @@ void FreePositions::flood(const locate::Located& place, double limit, const Conn
   }
 }
 
-/// Looks at the face beyond `h`, which is a half-edge of a covered face.
+/// Looks at the face beyond `h`, which is a half-edge of a covered face, or of a gap that is too narrow for a double.
 void FreePositions::visit(HalfEdge h, const Connection& connection) {
   const HalfEdge beyond = triangulation_->topology().twin(h);
   if (triangulation_->triangulation().is_ghost_face(beyond)) return;
   const double distance = distance_to(h);
   if (distance > nearest_ + slack_) return;
-  if (!nav::PointAgent::can_cross(triangulation_->topology(), h) && is_open(beyond, connection)) {
+  const bool is_wall = !nav::PointAgent::can_cross(triangulation_->topology(), h);
+  const bool is_refused = std::find(refused_.begin(), refused_.end(), h) != refused_.end();
+  if (is_wall && !is_refused && is_open(beyond, connection)) {
     nearest_ = std::min(nearest_, distance + slack_);
     return candidates_.push_back({h, distance});
   }
@@ -102,23 +112,28 @@ bool FreePositions::is_open(HalfEdge h, const Connection& connection) {
                      [&](HalfEdge other) { return connection.components->component_of(mesh::face(other)) == own; });
 }
 
-/// Returns a free double for the candidate that is exactly nearest or, if there is none, for the next, and so on.
+/// Returns a free double for the candidate that is exactly nearest or, if there is none, for the next, and so on. The
+/// edges without one go to `refused_`.
 std::optional<Point> FreePositions::choose(double limit, const Connection& connection) {
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.distance > nearest_ + slack_; });
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
-  std::vector<exact::NearestOnSegment> places;
+  std::vector<std::pair<exact::NearestOnSegment, HalfEdge>> positions;
   for (const auto& [h, distance] : candidates_) {
     const constraint::Side& side = triangulation_->items().side(triangulation_->uses().any(mesh.label(h)));
-    const exact::NearestOnSegment place(point_, geometry.exact(number(mesh.origin(h))),
-                                        geometry.exact(number(mesh.target(h))), geometry.rounded(number(side.from)),
-                                        geometry.rounded(number(side.to)));
-    if (limit >= kNoLimit || place.is_within(limit)) places.push_back(place);
+    const exact::NearestOnSegment candidate_position(
+        point_, geometry.exact(number(mesh.origin(h))), geometry.exact(number(mesh.target(h))),
+        geometry.rounded(number(side.from)), geometry.rounded(number(side.to)));
+    if (limit >= kNoLimit || candidate_position.is_within(limit)) positions.emplace_back(candidate_position, h);
   }
-  std::sort(places.begin(), places.end(),
-            [](const auto& p, const auto& q) { return exact::NearestOnSegment::compare(p, q) < 0; });
-  for (std::size_t i = 0; i < std::min(places.size(), kTries); ++i) {
-    if (const auto found = round_to_free(places[i].rounded(), connection)) return found;
+  std::sort(positions.begin(), positions.end(),
+            [](const auto& p, const auto& q) { return exact::NearestOnSegment::compare(p.first, q.first) < 0; });
+  for (std::size_t i = 0; i < std::min(positions.size(), kTries); ++i) {
+    if (const auto found = round_to_free(positions[i].first.rounded(), connection)) return found;
+    refused_.push_back(positions[i].second);
+  }
+  if (positions.empty()) {  // the candidates lie beyond the limit by less than a rounding error
+    for (const Candidate& candidate : candidates_) refused_.push_back(candidate.h);
   }
   return std::nullopt;
 }

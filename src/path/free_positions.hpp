@@ -31,10 +31,10 @@ class FreePositions {
   /// Returns the nearest free position, rounded to a free double, or nothing if its distance is larger than `limit`. An
   /// exact computation decides which position is nearest and whether it is near enough. If two are equally near, the
   /// first in (x, y) order is taken. The answer is the free one, among the doubles around the nearest position, that is
-  /// nearest to its rounded coordinates. Requires: no face around `place` is open, `point` lies at `place`, `limit` is
-  /// positive. Cost: the covered faces within the distance of the answer, or of `limit`.
+  /// nearest to its rounded coordinates. Requires: no face around `location` is open, `point` lies at `location`,
+  /// `limit` is positive. Cost: the covered faces within the distance of the answer, or of `limit`.
   [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::Cover& cover,
-                                             const Point& point, const locate::Located& place, double limit,
+                                             const Point& point, const locate::Located& location, double limit,
                                              const Connection& connection);
 
  private:
@@ -44,7 +44,7 @@ class FreePositions {
     double distance;
   };
 
-  void flood(const locate::Located& place, double limit, const Connection& connection);
+  void flood(const locate::Located& location, double limit, const Connection& connection);
   void visit(mesh::HalfEdge h, const Connection& connection);
   [[nodiscard]] double distance_to(mesh::HalfEdge h) const;
   [[nodiscard]] bool is_open(mesh::HalfEdge h, const Connection& connection);
@@ -61,6 +61,7 @@ class FreePositions {
   memory::Stamp stamp_;
   std::vector<mesh::HalfEdge> waiting_;
   std::vector<Candidate> candidates_;
+  std::vector<mesh::HalfEdge> refused_;  ///< edges that have no free double next to their nearest position
 };
 
 }  // namespace waywright::path

@@ -11,19 +11,19 @@ void TautTree::reset(const Geometry& geometry, const Point& start) {
 }
 
 Sign TautTree::side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const {
-  return geometry_->orientation(nodes_[p].place, nodes_[q].place, v);
+  return geometry_->orientation(nodes_[p].position, nodes_[q].position, v);
 }
 
 std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
-  const Geometry::View place = geometry_->view(number(v));
-  nodes_.push_back({place, parent, nodes_[parent].length + distance(point(parent), {place.x, place.y})});
+  const Geometry::View position = geometry_->view(number(v));
+  nodes_.push_back({position, parent, nodes_[parent].length + distance(point(parent), {position.x, position.y})});
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
 // A string of length zero has no direction, so no turn can be measured against it. So a vertex at the start is the root
 // itself.
 std::uint32_t TautTree::add_seen(mesh::Vertex v) {
-  return geometry_->order(nodes_[kRoot].place, geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
+  return geometry_->order(nodes_[kRoot].position, geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
 }
 
 /// Collects the nodes from `end` back to `apex`, without `apex`.

@@ -40,8 +40,8 @@ class TautTree {
   /// face beyond the portal.
   [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
 
-  [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].place.x, nodes_[node].place.y}; }
-  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
+  [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].position.x, nodes_[node].position.y}; }
+  [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
   /// The length of the string from the start to the node.
   [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
   [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }
@@ -49,7 +49,7 @@ class TautTree {
 
  private:
   struct Node {
-    Geometry::View place;
+    Geometry::View position;
     std::uint32_t parent;
     double length;
   };

@@ -176,7 +176,7 @@ bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
 // All edges of the start's faces are visible from the start, except the edges on which it lies.
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
-  const locate::Spot spot = ends_->start_place().spot;
+  const locate::Spot spot = ends_->start_location().spot;
   at_once_bound_ = -1.0;  // do not follow any window at once
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
@@ -230,13 +230,13 @@ void Optimal::follow_window(Node window) {
     look(f);
     if (may_have_goals(f)) meet_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
-    const Geometry::View place = geometry_->view(number(apex));
+    const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
-    if (const Sign left = cone.side_of_left(place); left != Sign::negative) {
+    if (const Sign left = cone.side_of_left(position); left != Sign::negative) {
       if (window.left == mesh_->origin(window.entry)) note_turn(window, cone, Kind::left_turn, left == Sign::positive);
       exit = mesh::next(window.entry);
       if (left == Sign::zero) cone.set_left(window.left = apex);
-    } else if (const Sign right = cone.side_of_right(place); right != Sign::positive) {
+    } else if (const Sign right = cone.side_of_right(position); right != Sign::positive) {
       if (window.right == mesh_->target(window.entry)) {
         note_turn(window, cone, Kind::right_turn, right == Sign::negative);
       }
@@ -264,7 +264,7 @@ void Optimal::follow_window(Node window) {
 }
 
 void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
-  const Point to_apex{place(apex).x - cone.root().x, place(apex).y - cone.root().y};
+  const Point to_apex{position_of(apex).x - cone.root().x, position_of(apex).y - cone.root().y};
   Node right = window;
   right.entry = mesh_->twin(mesh::next(window.entry));
   right.trace = traced(right.entry, window.trace);
@@ -279,8 +279,8 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
 
 void Optimal::meet_goals(const Node& window, const Cone& cone) {
   for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
-    const Geometry::View place = Geometry::view(goals_[goal].point);
-    if (cone.side_of_left(place) == Sign::positive || cone.side_of_right(place) == Sign::negative) return;
+    const Geometry::View position = Geometry::view(goals_[goal].point);
+    if (cone.side_of_left(position) == Sign::positive || cone.side_of_right(position) == Sign::negative) return;
     end_at(goal, window.root, window.trace);
   });
 }
@@ -311,7 +311,7 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
     if (!is_at_goal) return;
   }
   const mesh::Vertex v = is_left ? window.left : window.right;
-  const Point& at = place(v);
+  const Point& at = position_of(v);
   const double length = roots_[window.root].length + distance(cone.root(), at);
   const double least = length + bound_from(at);
   if (least >= longest_) return;
@@ -344,7 +344,7 @@ bool Optimal::has_walls(mesh::Vertex v) const {
 }
 
 std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
-  const Point& at = place(v);
+  const Point& at = position_of(v);
   roots_.push_back({at, v, before, roots_[before].length + distance(roots_[before].point, at)});
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
@@ -443,10 +443,10 @@ void Optimal::offer(const Node& window, const Point& left, const Point& right) {
 bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
   constexpr double kSurely = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
-  const Point& other_end = place(mesh_->target(from_end));
+  const Point& other_end = position_of(mesh_->target(from_end));
   const Root& root = roots_[window.root];
   const bool is_sooner =
-      (known.length + distance(place(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
+      (known.length + distance(position_of(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
   return is_sooner && are_in_one_wedge(from_end, known.spoke);
 }
 
@@ -473,8 +473,8 @@ double Optimal::bound_from(const Point& p) const {
 /// that doubles cannot tell where, the function assumes the widest case: with one goal, that the window is as wide as
 /// the edge; with several, that the path from the root to the window has length zero.
 double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
-  const Point& a = place(mesh_->origin(window.entry));
-  const Point& b = place(mesh_->target(window.entry));
+  const Point& a = position_of(mesh_->origin(window.entry));
+  const Point& b = position_of(mesh_->target(window.entry));
   const Point& p = roots_[window.root].point;
   const Point edge{b.x - a.x, b.y - a.y};
   const double length = roots_[window.root].length;
@@ -516,7 +516,7 @@ void Optimal::write_channel(std::size_t goal, Path& path) const {
   path.channel.clear();
   for (std::uint32_t trace = goals_[goal].trace; trace != kNone; trace = traces_[trace].before) {
     const mesh::HalfEdge entry = traces_[trace].entry;
-    path.channel.push_back({place(mesh_->origin(entry)), place(mesh_->target(entry))});
+    path.channel.push_back({position_of(mesh_->origin(entry)), position_of(mesh_->target(entry))});
   }
   std::reverse(path.channel.begin(), path.channel.end());
 }

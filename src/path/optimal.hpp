@@ -182,7 +182,7 @@ class Optimal {
   [[nodiscard]] bool has_walls(mesh::Vertex v) const;
   [[nodiscard]] Reached& reached(mesh::Vertex v);
   [[nodiscard]] std::uint32_t traced(mesh::HalfEdge entry, std::uint32_t before);
-  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
+  [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
   [[nodiscard]] Geometry::View view(const Root& root) const;
   [[nodiscard]] double bound(const Node& window, const Point& left, const Point& right) const;
   [[nodiscard]] double bound_from(const Point& p) const;

@@ -88,8 +88,8 @@ void PolylineWalk::collect_crossings_at(const Point& point) {
 /// Walks from all states straight to `target`, and adds the states there to `arrived_`.
 void PolylineWalk::walk_piece(const View& target) {
   for (const State& start : states_) {
-    line_ = {start.place, target};
-    const auto order = geometry().order(start.place, target);
+    line_ = {start.location, target};
+    const auto order = geometry().order(start.location, target);
     if (order == 0) {
       add_arrived(start);
       continue;
@@ -227,7 +227,7 @@ void PolylineWalk::arrive(Spot spot, HalfEdge h) { add_arrived({spot, h, line_.t
 
 void PolylineWalk::add_arrived(const State& state) {
   const auto is_same = [&](const State& other) {
-    return other.h == state.h && other.spot == state.spot && other.place.vertex == state.place.vertex;
+    return other.h == state.h && other.spot == state.spot && other.location.vertex == state.location.vertex;
   };
   if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
 }
@@ -239,9 +239,9 @@ void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
   const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));
   if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
-  const View place = view(mesh_->origin(outgoing));
-  if (geometry().order(place, line_.to) == 0) return arrive(Spot::vertex, wedge);
-  waiting_.push_back({Spot::vertex, wedge, place});
+  const View location = view(mesh_->origin(outgoing));
+  if (geometry().order(location, line_.to) == 0) return arrive(Spot::vertex, wedge);
+  waiting_.push_back({Spot::vertex, wedge, location});
 }
 
 /// Names the wedge between walls that contains the face of `outgoing` by its first half-edge, counter-clockwise. A

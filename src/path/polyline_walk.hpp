@@ -41,7 +41,7 @@ class PolylineWalk {
   struct State {
     locate::Spot spot;
     mesh::HalfEdge h;
-    View place;
+    View location;
   };
 
   [[nodiscard]] const exact::Geometry& geometry() const { return triangulation_->triangulation().geometry(); }

@@ -117,7 +117,7 @@ void TaStar::write_channel(Path& path) const {
   path.channel.clear();
   for (std::uint32_t node = best_node_; node != kNone; node = nodes_[node].before) {
     const mesh::HalfEdge entry = nodes_[node].entry;
-    path.channel.push_back({tree_.place(mesh_->origin(entry)), tree_.place(mesh_->target(entry))});
+    path.channel.push_back({tree_.position_of(mesh_->origin(entry)), tree_.position_of(mesh_->target(entry))});
   }
   std::reverse(path.channel.begin(), path.channel.end());
 }

@@ -29,38 +29,38 @@ bool TautString::is_at_start(mesh::Vertex v) const {
 //     /        . '                  apex on, as long as v lies to the right of the next piece.
 //   apex --- . --- right end
 void TautString::move_left(mesh::Vertex v) {
-  const View place = geometry_->view(number(v));
-  while (left_ < apex_ && geometry_->orientation(row_[left_ + 1], row_[left_], place) != Sign::positive) ++left_;
+  const View position = geometry_->view(number(v));
+  while (left_ < apex_ && geometry_->orientation(row_[left_ + 1], row_[left_], position) != Sign::positive) ++left_;
   if (left_ == apex_) {
-    while (apex_ < right_ && geometry_->orientation(row_[apex_], row_[apex_ + 1], place) == Sign::negative) {
+    while (apex_ < right_ && geometry_->orientation(row_[apex_], row_[apex_ + 1], position) == Sign::negative) {
       turn_at(row_[apex_++]);
     }
     left_ = apex_;
   }
-  row_[--left_] = place;
+  row_[--left_] = position;
 }
 
 /// The mirror image of move_left().
 void TautString::move_right(mesh::Vertex v) {
-  const View place = geometry_->view(number(v));
-  while (right_ > apex_ && geometry_->orientation(row_[right_ - 1], row_[right_], place) != Sign::negative) --right_;
+  const View position = geometry_->view(number(v));
+  while (right_ > apex_ && geometry_->orientation(row_[right_ - 1], row_[right_], position) != Sign::negative) --right_;
   if (right_ == apex_) {
-    while (apex_ > left_ && geometry_->orientation(row_[apex_], row_[apex_ - 1], place) == Sign::positive) {
+    while (apex_ > left_ && geometry_->orientation(row_[apex_], row_[apex_ - 1], position) == Sign::positive) {
       turn_at(row_[apex_--]);
     }
     right_ = apex_;
   }
-  row_[++right_] = place;
+  row_[++right_] = position;
 }
 
 void TautString::end_at(const Point& goal) {
-  const View place = Geometry::view(goal);
+  const View position = Geometry::view(goal);
   const std::size_t first = apex_;
-  while (apex_ > left_ && geometry_->orientation(row_[apex_], row_[apex_ - 1], place) == Sign::positive) {
+  while (apex_ > left_ && geometry_->orientation(row_[apex_], row_[apex_ - 1], position) == Sign::positive) {
     turn_at(row_[apex_--]);
   }
   if (apex_ == first) {
-    while (apex_ < right_ && geometry_->orientation(row_[apex_], row_[apex_ + 1], place) == Sign::negative) {
+    while (apex_ < right_ && geometry_->orientation(row_[apex_], row_[apex_ + 1], position) == Sign::negative) {
       turn_at(row_[apex_++]);
     }
   }

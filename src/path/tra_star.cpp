@@ -24,7 +24,7 @@ void TraStar::find(Path& path) {
   nodes_.clear();
   open_.clear();
   forget_marks();
-  mark_ways_to_goal();
+  mark_passages_to_goal();
   for (const HalfEdge h : ends_->start_faces()) mark(mesh::face(h), kChosen);
   for (const HalfEdge h : ends_->start_faces()) {
     if (is_connected_to_goal(mesh::face(h))) leave_start_face(h);
@@ -62,7 +62,7 @@ bool TraStar::is_connected_to_goal(Face f) const {
   });
 }
 
-void TraStar::mark_ways_to_goal() {
+void TraStar::mark_passages_to_goal() {
   tops_.clear();
   for (const HalfEdge h : ends_->goal_faces()) climb_from_goal(mesh::face(h));
   if (ends_->goal_faces().size() > 1) mark_ways_between_goals();
@@ -94,7 +94,7 @@ void TraStar::mark_ways_between_goals() {
   while (!tops_.empty()) {
     const Face f = tops_.back();
     tops_.pop_back();
-    const unsigned down = ways_down(f);
+    const unsigned down = passages_down(f);
     const bool is_elsewhere = (marks_of(f) & (kGoal | kGoalElsewhere)) != 0 || std::popcount(down) > 1;
     for (std::uint32_t side = 0; side < 3; ++side) {
       if ((down >> side & 1U) == 0) continue;
@@ -106,12 +106,12 @@ void TraStar::mark_ways_between_goals() {
 }
 
 /// Returns the passages down towards the goal, and also those up if there are goal faces elsewhere. In a tree without a
-/// core, the result of ways_on() does not depend on which face is the root.
+/// core, the result of passages_on() does not depend on which face is the root.
 unsigned TraStar::ways_above_goal(Face f, std::uint32_t marks) const {
-  return (marks & kGoalElsewhere) == 0 ? ways_down(f) : ways_down(f) | ways_up(f);
+  return (marks & kGoalElsewhere) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
 }
 
-unsigned TraStar::ways_down(Face f) const {
+unsigned TraStar::passages_down(Face f) const {
   unsigned ways = 0;
   for (std::uint32_t side = 0; side < 3; ++side) {
     const HalfEdge exit{3 * number(f) + side};
@@ -127,21 +127,21 @@ unsigned TraStar::ways_down(Face f) const {
 // Seen from inside the face, the left end of an edge is its target.
 void TraStar::leave_start_face(HalfEdge h) {
   const Face f = mesh::face(h);
-  const unsigned ways = ways_on(f, marks_of(f));
+  const unsigned ways = passages_on(f, marks_of(f));
   for (const HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
     if ((ways >> (number(exit) - 3 * number(f)) & 1U) == 0) continue;
-    follow(exit, kNone, {ends_->start(), place(mesh_->target(exit)), place(mesh_->origin(exit))});
+    follow(exit, kNone, {ends_->start(), position_of(mesh_->target(exit)), position_of(mesh_->origin(exit))});
   }
 }
 
 void TraStar::leave(const Node& node, std::uint32_t position) {
   const HalfEdge left = mesh::previous(node.entry);
   const HalfEdge right = mesh::next(node.entry);
-  const Point& apex = place(mesh_->origin(left));
+  const Point& apex = position_of(mesh_->origin(left));
   Sight to_right = node.sight;
-  to_right.move_left(apex, place(mesh_->origin(right)));
+  to_right.move_left(apex, position_of(mesh_->origin(right)));
   Sight to_left = node.sight;
-  to_left.move_right(apex, place(mesh_->origin(node.entry)));
+  to_left.move_right(apex, position_of(mesh_->origin(node.entry)));
   follow(right, position, to_right);
   follow(left, position, to_left);
 }
@@ -160,16 +160,16 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
     if ((marks & kChosen) != 0) return;
     const HalfEdge left = mesh::previous(entry);
     const HalfEdge right = mesh::next(entry);
-    const unsigned ways = ways_on(f, marks);
+    const unsigned ways = passages_on(f, marks);
     const bool goes_left = (ways >> (number(left) - 3 * number(f)) & 1U) != 0;
     const bool goes_right = (ways >> (number(right) - 3 * number(f)) & 1U) != 0;
     if ((marks & kGoal) != 0 || (goes_left && goes_right)) return open(exit, entry, before, sight);
     if (!goes_left && !goes_right) return;
-    const Point& apex = place(mesh_->origin(left));
+    const Point& apex = position_of(mesh_->origin(left));
     if (goes_left) {
-      sight.move_right(apex, place(mesh_->origin(entry)));
+      sight.move_right(apex, position_of(mesh_->origin(entry)));
     } else {
-      sight.move_left(apex, place(mesh_->origin(right)));
+      sight.move_left(apex, position_of(mesh_->origin(right)));
     }
     out = goes_left ? left : right;
   }
@@ -179,7 +179,7 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
 void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
   constexpr double kHaste = 1.0 / 128;
   const Point& goal = ends_->goal();
-  const double bound = sight.length_to(goal) + kHaste * distance(place(mesh_->origin(entry)), goal);
+  const double bound = sight.length_to(goal) + kHaste * distance(position_of(mesh_->origin(entry)), goal);
   open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
   nodes_.push_back({exit, entry, before, sight});
 }
@@ -195,7 +195,7 @@ void TraStar::collect_channel(std::uint32_t goal_node) {
     for (HalfEdge entry = mesh_->twin(node.exit); entry != node.entry; entry = mesh_->twin(exits_.back())) {
       const Face f = mesh::face(entry);
       const HalfEdge left = mesh::previous(entry);
-      const bool goes_left = (ways_on(f, marks_of(f)) >> (number(left) - 3 * number(f)) & 1U) != 0;
+      const bool goes_left = (passages_on(f, marks_of(f)) >> (number(left) - 3 * number(f)) & 1U) != 0;
       exits_.push_back(goes_left ? left : mesh::next(entry));
     }
   }
@@ -223,7 +223,8 @@ void TraStar::write_path(Path& path) {
 
 void TraStar::write_channel(Path& path) const {
   path.channel.clear();
-  for (const HalfEdge exit : exits_) path.channel.push_back({place(mesh_->target(exit)), place(mesh_->origin(exit))});
+  for (const HalfEdge exit : exits_)
+    path.channel.push_back({position_of(mesh_->target(exit)), position_of(mesh_->origin(exit))});
 }
 
 }  // namespace waywright::path

@@ -62,28 +62,28 @@ class TraStar {
   }
   void mark(mesh::Face f, std::uint32_t mark);
   [[nodiscard]] bool is_connected_to_goal(mesh::Face f) const;
-  void mark_ways_to_goal();
+  void mark_passages_to_goal();
   void climb_from_goal(mesh::Face goal);
   void mark_ways_between_goals();
   /// Returns the passages through which a path to the goal can leave the face, as one bit for each of its half-edges.
-  [[nodiscard]] unsigned ways_on(mesh::Face f, std::uint32_t marks) const {
-    return (marks & kAboveGoal) == 0 ? ways_up(f) : ways_above_goal(f, marks);
+  [[nodiscard]] unsigned passages_on(mesh::Face f, std::uint32_t marks) const {
+    return (marks & kAboveGoal) == 0 ? passages_up(f) : ways_above_goal(f, marks);
   }
   /// In a dead end: the passage up. In the core: all passages in the core.
-  [[nodiscard]] unsigned ways_up(mesh::Face f) const {
+  [[nodiscard]] unsigned passages_up(mesh::Face f) const {
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
   }
   [[nodiscard]] unsigned ways_above_goal(mesh::Face f, std::uint32_t marks) const;
-  [[nodiscard]] unsigned ways_down(mesh::Face f) const;
+  [[nodiscard]] unsigned passages_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
   void leave(const Node& node, std::uint32_t position);
   void follow(mesh::HalfEdge exit, std::uint32_t before, Sight sight);
   void open(mesh::HalfEdge exit, mesh::HalfEdge entry, std::uint32_t before, const Sight& sight);
   void collect_channel(std::uint32_t goal_node);
   void write_path(Path& path);
-  [[nodiscard]] const Point& place(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
+  [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
 
   const Ends* ends_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -23,13 +24,18 @@ class Crew {
  public:
   using Report = std::function<void(std::size_t done)>;
 
+  /// A larger number of threads counts as this one: to start more takes longer than they save.
+  static constexpr std::size_t kMostThreads = 256;
+
   /// A crew of one thread, the calling one.
   Crew() = default;
   /// From time to time, the thread that makes this object calls `report`, if it is not empty. `jobs` does the work if
   /// it is not null. Requires: `threads` is 1 or more. If the system has no threads and `jobs` is null, the calling
   /// thread works alone.
   Crew(std::size_t threads, Report report, JobSystem* jobs = nullptr)
-      : threads_(base::kHasThreads || jobs != nullptr ? threads : 1), report_(std::move(report)), jobs_(jobs) {}
+      : threads_(base::kHasThreads || jobs != nullptr ? std::min(threads, kMostThreads) : 1),
+        report_(std::move(report)),
+        jobs_(jobs) {}
 
   [[nodiscard]] std::size_t threads() const { return threads_; }
 

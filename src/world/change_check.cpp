@@ -61,6 +61,7 @@ std::optional<Error> ChangeCheck::add_replacement(ItemId id, const Shape& shape)
 }
 
 std::optional<Error> ChangeCheck::add_points(std::span<const Point> points, ItemId first) {
+  if (points.empty()) return check_new_id(first);
   const Box& domain = triangulation_.domain();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ItemId id{first.value + i};

@@ -65,12 +65,12 @@ Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
 
 /// A path turns around walls. So near a turn, the walls that it touches lie on the side to which it turns. Returns the
 /// other side: positive is left of the segment, zero means that nothing is known.
-Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& place) {
+Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& point) {
   const Turn before = turn_before(points, segment);
   const Turn after = turn_after(points, segment);
   const bool counts_after =
       before.direction == Sign::zero ||
-      (after.direction != Sign::zero && distance(place, points[after.corner]) < distance(place, points[before.corner]));
+      (after.direction != Sign::zero && distance(point, points[after.corner]) < distance(point, points[before.corner]));
   const Sign turn = counts_after ? after.direction : before.direction;
   if (turn == Sign::zero) return Sign::zero;
   return turn == Sign::positive ? Sign::negative : Sign::positive;
@@ -84,22 +84,22 @@ double moved_coordinate(double value, double direction, double step, Precision p
   return (moved - value) * direction > 0.0 ? moved : next_coordinate(value, direction, precision);
 }
 
-/// Returns a point near `place` that does not lie on the wrong side of the line from `a` to `b`. The first step is as
+/// Returns a point near `point` that does not lie on the wrong side of the line from `a` to `b`. The first step is as
 /// long as the rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of
 /// neighbouring doubles.
-Point on_free_side(const Point& a, const Point& b, const Point& place, Sign side, Precision precision) {
+Point on_free_side(const Point& a, const Point& b, const Point& point, Sign side, Precision precision) {
   const auto is_allowed = [&](const Point& p) {
     const Sign own = side_of(a, b, p);
     return own == Sign::zero || own == side;
   };
-  if (side == Sign::zero || is_allowed(place)) return place;
+  if (side == Sign::zero || is_allowed(point)) return point;
   const double sign = side == Sign::positive ? 1.0 : -1.0;
   const Point direction{-sign * (b.y - a.y), sign * (b.x - a.x)};
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   for (double step = largest * 0x1p-52;; step *= 2.0) {
-    const Point next{moved_coordinate(place.x, direction.x, step, precision),
-                     moved_coordinate(place.y, direction.y, step, precision)};
-    for (const Point& candidate : {Point{next.x, place.y}, Point{place.x, next.y}, next}) {
+    const Point next{moved_coordinate(point.x, direction.x, step, precision),
+                     moved_coordinate(point.y, direction.y, step, precision)};
+    for (const Point& candidate : {Point{next.x, point.y}, Point{point.x, next.y}, next}) {
       if (is_allowed(candidate)) return candidate;
     }
   }
@@ -116,14 +116,19 @@ PathPosition position_on(const std::vector<Point>& points, std::size_t segment, 
   const double share = length > 0.0 ? along / length : 0.0;
   const bool is_corner = along <= 0.0 || along >= length;
   const Point corner = along <= 0.0 ? a : b;
-  const Point exact_place = is_corner ? corner : Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+  const Point exact_position = is_corner ? corner : Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
   if (is_corner && precision == Precision::float64) {
     position.at = corner;
     return position;
   }
-  const Point place{fitted(exact_place.x, precision), fitted(exact_place.y, precision)};
-  position.at = on_free_side(a, b, place, free_side(points, segment, place), precision);
+  const Point point{fitted(exact_position.x, precision), fitted(exact_position.y, precision)};
+  position.at = on_free_side(a, b, point, free_side(points, segment, point), precision);
   return position;
+}
+
+/// The only position on a path of one point.
+PathPosition only_position(const Point& point, Precision precision) {
+  return {{fitted(point.x, precision), fitted(point.y, precision)}, {}, 0, 0.0, 0.0};
 }
 
 }  // namespace
@@ -132,13 +137,13 @@ PathPosition Path::at(double distance, Precision precision) const { return advan
 
 PathPosition Path::advance(const PathPosition& from, double step, Precision precision) const {
   const base::FloatEnvironment environment;
-  WAYWRIGHT_ASSERT(!points.empty(), "Path::advance: the path has no points");
-  const double asked = from.distance + step;
+  WAYWRIGHT_ASSERT(!points.empty(), "Path::at and Path::advance: the path has no points");
+  const double asked = from.distance + (std::isnan(step) ? 0.0 : step);
   const double total = asked > 0.0 ? asked : 0.0;  // NaN gives 0
   const bool goes_on = total >= from.before && from.segment + 1 < points.size();
   std::size_t segment = goes_on ? from.segment : 0;
   double before = goes_on ? from.before : 0.0;
-  if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
+  if (points.size() == 1) return only_position(points.front(), precision);
   for (;;) {
     const double segment_length = waywright::distance(points[segment], points[segment + 1]);
     if (total - before < segment_length || segment + 2 == points.size()) {
@@ -152,7 +157,7 @@ PathPosition Path::advance(const PathPosition& from, double step, Precision prec
 PathPosition Path::nearest(const Point& point, Precision precision) const {
   const base::FloatEnvironment environment;
   WAYWRIGHT_ASSERT(!points.empty(), "Path::nearest: the path has no points");
-  if (points.size() == 1) return {points.front(), {}, 0, 0.0, 0.0};
+  if (points.size() == 1) return only_position(points.front(), precision);
   double best_distance = std::numeric_limits<double>::infinity();
   double best_along = 0.0;
   double best_before = 0.0;

@@ -66,7 +66,8 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
 
 Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                             JobSystem* jobs) const {
-  std::vector<QueryContext> contexts(std::min(threads, std::max(queries.size(), std::size_t{1})));
+  std::vector<QueryContext> contexts(
+      std::min({threads, std::max(queries.size(), std::size_t{1}), threads::Crew::kMostThreads}));
   std::vector<Path> paths;
   if (auto done = find_paths(queries, contexts, paths, jobs); !done) return done.error();
   return paths;

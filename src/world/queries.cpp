@@ -30,12 +30,12 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   if (auto error = find_point_error(triangulation.domain(), point, 0, "the point")) return *std::move(error);
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
-  const locate::Located place = delaunay.locate(point);
-  constexpr std::array<Place, 3> kPlaces = {Place::vertex, Place::edge, Place::face};
-  const auto spot = static_cast<std::size_t>(place.spot);
-  location.at = kPlaces[spot];
+  const locate::Located located = delaunay.locate(point);
+  constexpr std::array<LocationKind, 3> kKinds = {LocationKind::vertex, LocationKind::edge, LocationKind::face};
+  const auto spot = static_cast<std::size_t>(located.spot);
+  location.at = kKinds[spot];
   location.corner_count = spot + 1;
-  std::array<mesh::Vertex, 3> corners = {mesh.origin(place.h), mesh.target(place.h), mesh.apex(place.h)};
+  std::array<mesh::Vertex, 3> corners = {mesh.origin(located.h), mesh.target(located.h), mesh.apex(located.h)};
   const auto end = corners.begin() + static_cast<std::ptrdiff_t>(location.corner_count);
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); };
   std::rotate(corners.begin(), std::min_element(corners.begin(), end, before), end);
@@ -45,7 +45,7 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   location.inside.clear();
   nav::KeptCover& cover = context.scratch_->cover;
   cover.use(impl.kept_abstraction());
-  for (const std::uint32_t item : cover.of_place(triangulation, place)) {
+  for (const std::uint32_t item : cover.of_location(triangulation, located)) {
     location.inside.push_back(triangulation.items().id(item));
   }
   std::sort(location.inside.begin(), location.inside.end());

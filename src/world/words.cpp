@@ -61,13 +61,13 @@ std::optional<PathAlgorithm> path_algorithm(std::string_view name) {
   return std::nullopt;
 }
 
-std::string_view to_string(Place place) {
-  switch (place) {
-    case Place::vertex:
+std::string_view to_string(LocationKind kind) {
+  switch (kind) {
+    case LocationKind::vertex:
       return "vertex";
-    case Place::edge:
+    case LocationKind::edge:
       return "edge";
-    case Place::face:
+    case LocationKind::face:
       return "face";
   }
   return "unknown";

@@ -29,12 +29,12 @@ Point random_point(Random& random) {
   return {static_cast<double>(random.below(65)) / 2, static_cast<double>(random.below(65)) / 2};
 }
 
-/// Returns the number of the vertex, edge or face of `place`. Two results with the same name are the same location.
-std::uint32_t name(const Triangulation& triangulation, const Located& place) {
+/// Returns the number of the vertex, edge or face of `location`. Two results with the same name are the same location.
+std::uint32_t name(const Triangulation& triangulation, const Located& location) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  if (place.spot == Spot::vertex) return number(mesh.origin(place.h));
-  if (place.spot == Spot::edge) return number(std::min(place.h, mesh.twin(place.h)));
-  return number(mesh::face(place.h));
+  if (location.spot == Spot::vertex) return number(mesh.origin(location.h));
+  if (location.spot == Spot::edge) return number(std::min(location.h, mesh.twin(location.h)));
+  return number(mesh::face(location.h));
 }
 
 /// Inserts and removes points between the searches, so that what a strategy remembers becomes out of date.
@@ -56,11 +56,11 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
     const Point point = random_point(random);
     const Ground ground = ground_of(triangulation);
     ASSERT_TRUE(ground.holds(strategy.start(ground, point)));
-    const Located place = bench::locate_by(strategy, ground, point);
+    const Located location = bench::locate_by(strategy, ground, point);
     const Located right = locate::search_all(ground.mesh, ground.geometry, exact::Geometry::view(point), ground.ghost);
-    ASSERT_EQ(place.spot, right.spot);
-    ASSERT_EQ(name(triangulation, place), name(triangulation, right));
-    ++counts[static_cast<std::size_t>(place.spot)];
+    ASSERT_EQ(location.spot, right.spot);
+    ASSERT_EQ(name(triangulation, location), name(triangulation, right));
+    ++counts[static_cast<std::size_t>(location.spot)];
   }
   for (const std::size_t count : counts) EXPECT_GT(count, 10U);
 }

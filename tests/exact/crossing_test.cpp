@@ -174,7 +174,7 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
   exact::Geometry geometry(Box{{0, 0}, {8, 8}});
   std::uint32_t count = 0;
   const auto add = [&](double x, double y) {
-    geometry.place(count, {x, y});
+    geometry.set_position(count, {x, y});
     return count++;
   };
   const std::array<std::uint32_t, 5> corners = {add(rounded, 0), add(1, 0), add(1, 1), add(rounded, 1),
@@ -186,7 +186,7 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
 
   const std::array<std::uint32_t, 4> ends = {add(0, 0), add(1, 3), add(0, 1), add(8, 1)};
   const std::uint32_t made = count++;
-  geometry.place_crossing(made, ends[0], ends[1], ends[2], ends[3]);
+  geometry.set_crossing(made, ends[0], ends[1], ends[2], ends[3]);
   const exact::Geometry::View crossing = geometry.view(made);
   ASSERT_FALSE(geometry.is_explicit(made));
   ASSERT_EQ(crossing.x, rounded);
@@ -214,15 +214,15 @@ TEST(Geometry, TellsOrientationsAndSidesOfLines) {
     if (std::abs(point.x) > 4.0 || std::abs(point.y) > 4.0) continue;
     places.push_back(rational(point));
     if (point.is_explicit()) {
-      geometry.place(count++, {point.x, point.y});
+      geometry.set_position(count++, {point.x, point.y});
       continue;
     }
     const auto [a, b, c, d] = *point.crossing;
     for (const Point& end : {a, b, c, d}) {
-      geometry.place(count++, end);
+      geometry.set_position(count++, end);
       places.insert(places.end() - 1, rational(end));
     }
-    geometry.place_crossing(count, count - 4, count - 3, count - 2, count - 1);
+    geometry.set_crossing(count, count - 4, count - 3, count - 2, count - 1);
     ++count;
   }
   ASSERT_EQ(count, places.size());
@@ -256,19 +256,19 @@ TEST(Geometry, TellsTinyTrianglesFromTies) {
 
 TEST(Geometry, CrossingsThatAreDoublesBecomeExplicit) {
   exact::Geometry geometry(Box{{0, 0}, {4, 4}});
-  geometry.place(0, {0, 0});
-  geometry.place(1, {2, 2});
-  geometry.place(2, {0, 2});
-  geometry.place(3, {2, 0});
-  geometry.place(4, {3, 0});
-  geometry.place_crossing(5, 0, 1, 2, 3);
+  geometry.set_position(0, {0, 0});
+  geometry.set_position(1, {2, 2});
+  geometry.set_position(2, {0, 2});
+  geometry.set_position(3, {2, 0});
+  geometry.set_position(4, {3, 0});
+  geometry.set_crossing(5, 0, 1, 2, 3);
   EXPECT_TRUE(geometry.is_explicit(5));
   EXPECT_EQ(geometry.rounded(5), (Point{1, 1}));
-  geometry.place_crossing(6, 0, 1, 2, 4);
+  geometry.set_crossing(6, 0, 1, 2, 4);
   EXPECT_FALSE(geometry.is_explicit(6));
   EXPECT_EQ(geometry.rounded(6), (Point{1.2, 1.2}));
   geometry.clear(6);
-  geometry.place_crossing(7, 1, 0, 4, 2);
+  geometry.set_crossing(7, 1, 0, 4, 2);
   EXPECT_EQ(exact::to_fractions(geometry.exact(7)), "6 5 6 5");
 }
 

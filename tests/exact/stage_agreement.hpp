@@ -132,12 +132,12 @@ inline exact::Sign in_circle_in_box(const exact::ExactPoint& a, const exact::Exa
                                     const exact::ExactPoint& d) {
   const Box box = {{std::min({a.x, b.x, c.x, d.x}), std::min({a.y, b.y, c.y, d.y})},
                    {std::max({a.x, b.x, c.x, d.x}), std::max({a.y, b.y, c.y, d.y})}};
-  return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_place(box));
+  return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_position_term(box));
 }
 /// Returns the sign that the coarse bound gives from the position of the last point alone.
 inline exact::Sign coarse_in_circle(const exact::ExactPoint& a, const exact::ExactPoint& b, const exact::ExactPoint& c,
                                     const exact::ExactPoint& d) {
-  return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_place(d));
+  return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_position_term(d));
 }
 
 /// Compares the first stage, with each of its bounds, with the second stage in all calls. Compares both with the last

@@ -23,23 +23,23 @@ Triangulation lattice_world(std::uint64_t seed) {
   return triangulation;
 }
 
-/// Checks that `place` is the location of `point`, by orientation tests on the face, edge or vertex that it names.
-void expect_true(const Triangulation& triangulation, const Located& place, const Point& point) {
+/// Checks that `location` is the location of `point`, by orientation tests on the face, edge or vertex that it names.
+void expect_true(const Triangulation& triangulation, const Located& location, const Point& point) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto view = exact::Geometry::view(point);
   const auto side = [&](HalfEdge h) {
     return triangulation.geometry().orientation(triangulation.view(mesh.origin(h)), triangulation.view(mesh.target(h)),
                                                 view);
   };
-  ASSERT_FALSE(triangulation.is_ghost_face(place.h) && place.spot == Spot::face);
-  const Point origin = triangulation.geometry().rounded(number(mesh.origin(place.h)));
-  switch (place.spot) {
+  ASSERT_FALSE(triangulation.is_ghost_face(location.h) && location.spot == Spot::face);
+  const Point origin = triangulation.geometry().rounded(number(mesh.origin(location.h)));
+  switch (location.spot) {
     case Spot::vertex:
       EXPECT_EQ(origin, point);
       break;
     case Spot::edge: {
-      EXPECT_EQ(side(place.h), exact::Sign::zero);
-      const Point target = triangulation.geometry().rounded(number(mesh.target(place.h)));
+      EXPECT_EQ(side(location.h), exact::Sign::zero);
+      const Point target = triangulation.geometry().rounded(number(mesh.target(location.h)));
       const double along = (point.x - origin.x) * (target.x - origin.x) + (point.y - origin.y) * (target.y - origin.y);
       const double length =
           (target.x - origin.x) * (target.x - origin.x) + (target.y - origin.y) * (target.y - origin.y);
@@ -48,7 +48,7 @@ void expect_true(const Triangulation& triangulation, const Located& place, const
       break;
     }
     case Spot::face:
-      for (const HalfEdge h : {place.h, mesh::next(place.h), mesh::previous(place.h)}) {
+      for (const HalfEdge h : {location.h, mesh::next(location.h), mesh::previous(location.h)}) {
         EXPECT_EQ(side(h), exact::Sign::positive);
       }
   }
@@ -65,9 +65,9 @@ TEST(Walk, AnswersVertexEdgeOrFaceFromAnyStart) {
         for (std::uint32_t f = 0; f < mesh.face_slots(); f += 5) {
           const HalfEdge start = mesh::first(mesh::Face{f});
           if (triangulation.is_ghost_face(start)) continue;
-          const Located place = triangulation.locate(point, start);
-          expect_true(triangulation, place, point);
-          ++counts[static_cast<std::size_t>(place.spot)];
+          const Located location = triangulation.locate(point, start);
+          expect_true(triangulation, location, point);
+          ++counts[static_cast<std::size_t>(location.spot)];
         }
       }
     }

@@ -194,5 +194,45 @@ TEST(BlockedEnds, AreMovedToTheNearestFreePlace) {
   EXPECT_GT(moved, 100U);
 }
 
+// One polygon rests on another. The gap between them is nearer than the outside, but no double lies in it.
+TEST(BlockedEnds, AreMovedPastGapsThatAreTooNarrowForADouble) {
+  const double ulp = std::nextafter(5.0, 6.0) - 5.0;
+  for (const bool keep_abstraction : {false, true}) {
+    World world = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = keep_abstraction}).value();
+    world.insert_polygon({{2, 2}, {8, 2}, {8, 5 + ulp}, {2, 5}}, 1).value();
+    world.insert_polygon({{2, 5}, {7.5, 5 + ulp}, {7.5, 9}, {2, 9}}, 2).value();
+    PathQuery query;
+    query.start = {5, 4};
+    query.goal = {0.5, 0.5};
+    for (const double tolerance : {2.0, 2.9, 100.0, std::numeric_limits<double>::infinity()}) {
+      query.end_tolerance = tolerance;
+      const Path path = world.find_path(query).value();
+      ASSERT_EQ(path.status, PathStatus::found) << tolerance;
+      ASSERT_TRUE(path.moved_start.has_value());
+      EXPECT_EQ(path.moved_start->to, (Point{5, 2}));
+    }
+    query.end_tolerance = 1.9;
+    EXPECT_EQ(world.find_path(query).value().status, PathStatus::start_blocked);
+  }
+}
+
+// A polygon fills the hole of another one but for a gap around it, in which no double lies.
+TEST(BlockedEnds, AreMovedOutOfAPolygonThatSuchAGapSurrounds) {
+  const double below = std::nextafter(4.0, 0.0);
+  const double above = std::nextafter(6.0, 9.0);
+  World world = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
+  const std::vector<std::vector<Point>> ring = {{{1, 1}, {9, 1}, {9, 9}, {1, 9}},
+                                                {{below, below}, {above, below}, {above, above}, {below, above}}};
+  world.insert_polygon(ring).value();
+  world.insert_polygon({{4, 4}, {6, 4}, {6, 6}, {4, 6}}).value();
+  PathQuery query;
+  query.start = {5, 4.5};
+  query.goal = {0.5, 0.5};
+  query.end_tolerance = 5.0;
+  const Path path = world.find_path(query).value();
+  ASSERT_TRUE(path.moved_start.has_value());
+  EXPECT_NE(path.status, PathStatus::start_blocked);
+}
+
 }  // namespace
 }  // namespace waywright::test

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -109,7 +110,6 @@ TEST(PathPosition, IsFoundNextToTheOriginAtOnce) {
 TEST(PathPosition, AtADistanceThatIsNoNumberIsTheStart) {
   const double nan = std::nan("");
   expect_position(kCorner.at(nan), {0, 0}, {1, 0}, 0, 0);
-  expect_position(kCorner.advance(kCorner.at(5), nan, Precision::float32), {0, 0}, {1, 0}, 0, 0);
 }
 
 // The wall has no thickness and reaches from boundary to boundary. No path leads from its other side to the goal.
@@ -129,6 +129,20 @@ TEST(PathPosition, StaysOnItsSideOfAThinWall) {
       EXPECT_LE(again.length, path.length - position.distance + 1e-5) << i;
     }
   }
+}
+
+TEST(PathPosition, OnAPathOfOnePointIsRoundedToo) {
+  const Path path = path_of({{0.1, 0.2}});
+  const Point expected{static_cast<double>(0.1F), static_cast<double>(0.2F)};
+  EXPECT_EQ(path.at(1, Precision::float32).at, expected);
+  EXPECT_EQ(path.nearest({5, 5}, Precision::float32).at, expected);
+  EXPECT_EQ(path.at(1).at, (Point{0.1, 0.2}));
+}
+
+TEST(PathPosition, AStepThatIsNaNIsNoStep) {
+  const Path path = path_of({{0, 0}, {8, 0}});
+  const PathPosition from = path.at(3);
+  EXPECT_EQ(path.advance(from, std::numeric_limits<double>::quiet_NaN()).at, from.at);
 }
 
 }  // namespace

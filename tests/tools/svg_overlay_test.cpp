@@ -84,7 +84,7 @@ TEST(ToSvg, ColoursPlacesByTheirAnswer) {
   world.insert_segment({6, 1}, {6, 9}, {2}).value();
   SvgOverlay overlay;
   for (const Point& place : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}, Point{4, 2}, Point{4, 4}}) {
-    overlay.places.push_back({place, world.locate(place).value()});
+    overlay.locations.push_back({place, world.locate(place).value()});
   }
   const json drawn = drawing_of(world, overlay, bare_options());
   EXPECT_EQ(drawn["labels"], json({"1 solid", "1 wall", "1 place in a face", "1 place on an edge",
@@ -106,7 +106,7 @@ TEST(ToSvg, ShortensLongListsOfIds) {
   for (std::uint64_t id = 1; id <= 1000; ++id) {
     world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {id}).value();
   }
-  const json drawn = drawing_of(world, {.places = {{{2, 2}, world.locate({2, 2}).value()}}});
+  const json drawn = drawing_of(world, {.locations = {{{2, 2}, world.locate({2, 2}).value()}}});
   const std::string hint = hints_of(drawn, "places").at(0);
   EXPECT_TRUE(hint.ends_with("inside 1, 2, 3, 4, 5, 6, 7, 8 and 992 more")) << hint;
 }

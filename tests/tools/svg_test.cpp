@@ -89,7 +89,7 @@ TEST(ToSvg, IsTheSameTextEveryTimeWhateverTheLocale) {
   World other = make_world({{0, 0}, {1e4, 1e4}});
   put(other, ItemKind::segment, {{{1.25, 1}, {9000, 8000}}});
   const SvgOverlay overlay{.paths = {path_through({{0.5, 0.5}, {1234.5, 6}}, 1234.5)},
-                           .places = {{{1234.25, 6000.5}, {}}}};
+                           .locations = {{{1234.25, 6000.5}, {}}}};
   const std::string text = picture_of(world, overlay);
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new ForeignDigits));
   EXPECT_EQ(picture_of(other, overlay), text);
@@ -232,7 +232,7 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
   SvgOverlay overlay{.paths = {path_through({{0, 250}, {1000, 250}}), path_through({{0, 0}, {1, 1}})},
                      .rays = {{{400, 400}, {420, 420}, {}}},
                      .failed_paths = {{{1, 1}, {2, 2}, PathStatus::no_path}},
-                     .places = {{{700, 700}, {}}, {{500, 250}, {}}},
+                     .locations = {{{700, 700}, {}}, {{500, 250}, {}}},
                      .polylines = {{.points = {{0, 0}, {10, 0}}}},
                      .discs = {{{900, 900}, 20, "", ""}, {{480, 240}, 15, "", ""}},
                      .labels = {{.at = {900, 900}, .text = "outside"}, {.at = {500, 240}, .text = "inside"}}};

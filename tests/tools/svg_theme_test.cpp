@@ -28,7 +28,7 @@ json colourful(SvgTheme theme) {
                      .discs = {{{8, 8}, 1, "", ""}},
                      .labels = {{.at = {8, 8}, .text = "label"}}};
   for (const Point& place : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}}) {
-    overlay.places.push_back({place, world.locate(place).value()});
+    overlay.locations.push_back({place, world.locate(place).value()});
   }
   SvgOptions options;
   options.title = "title";

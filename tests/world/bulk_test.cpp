@@ -135,5 +135,27 @@ TEST(Bulk, ProgressGoesUpToItsTotal) {
   }
 }
 
+TEST(InsertPoints, ChecksTheIdWithoutPointsToo) {
+  World world = World::create({{0, 0}, {1, 1}}).value();
+  world.insert_point({0.5, 0.5}, 7).value();
+  EXPECT_EQ(world.insert_points({}, {~std::uint64_t{0}}).error().code, ErrorCode::bad_id);
+  EXPECT_EQ(world.insert_points({}, 7).error().code, ErrorCode::id_in_use);
+  EXPECT_EQ(world.insert_points({}).value(), ItemId{8});
+}
+
+TEST(InsertPoints, TakesHugeNumbersOfThreads) {
+  World world = World::create({{0, 0}, {1, 1}}).value();
+  std::vector<Point> points;
+  for (int i = 1; i < 500; ++i) points.push_back({i / 500.0, (i * 37 % 500) / 500.0});
+  World other = World::create({{0, 0}, {1, 1}}).value();
+  BulkOptions options;
+  options.threads = std::numeric_limits<std::size_t>::max();
+  world.insert_points(points, {}, options).value();
+  other.insert_points(points).value();
+  EXPECT_EQ(world.mesh_hash(), other.mesh_hash());
+  const std::vector<PathQuery> queries(3, PathQuery{{0.1, 0.1}, {0.9, 0.9}});
+  EXPECT_EQ(world.find_paths(queries, std::numeric_limits<std::size_t>::max()).value().size(), 3U);
+}
+
 }  // namespace
 }  // namespace waywright::test

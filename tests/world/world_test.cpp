@@ -122,15 +122,15 @@ TEST(World, LocateNamesPlaceCornersAndPolygons) {
   EXPECT_EQ(inside(3, 3), nine) << "on a corner";
   EXPECT_TRUE(inside(3.5, 1).empty());
   const Location corner = world.locate({2, 1}).value();
-  EXPECT_EQ(corner.at, Place::vertex);
+  EXPECT_EQ(corner.at, LocationKind::vertex);
   EXPECT_EQ(corner.corner_count, 1U);
   EXPECT_EQ(corner.corners[0], (Point{2, 1}));
   const Location side = world.locate({1.25, 2}).value();
-  EXPECT_EQ(side.at, Place::edge);
+  EXPECT_EQ(side.at, LocationKind::edge);
   EXPECT_EQ(side.corner_count, 2U);
   EXPECT_EQ(side.corners[0], (Point{1, 2}));
   EXPECT_EQ(side.corners[1], (Point{2, 2}));
-  EXPECT_EQ(world.locate({0.5, 0.125}).value().at, Place::face);
+  EXPECT_EQ(world.locate({0.5, 0.125}).value().at, LocationKind::face);
   EXPECT_EQ(world.locate({5, 5}).error().code, ErrorCode::out_of_domain);
   EXPECT_EQ(world.locate({kNan, 5}).error().code, ErrorCode::coordinate_range);
 }

@@ -78,7 +78,7 @@ Outcome Runner::locate(const ScriptLine& operation) {
   const Result<void> located = world_.locate(operation.from, context_, location_);
   if (!located.ok()) return refuse(operation, located.error());
   output_.write_line(json_line(request_of(operation), location_));
-  if (overlay_ != nullptr) overlay_->places.push_back({operation.from, location_});
+  if (overlay_ != nullptr) overlay_->locations.push_back({operation.from, location_});
   return Outcome::done;
 }
 
