@@ -24,8 +24,8 @@ double precision_of(std::string_view word) {
   const std::size_t end = std::min(word.find_first_of("eE"), word.size());
   const double digits = point == std::string_view::npos ? 0.0 : static_cast<double>(end - point - 1);
   const double exponent = end < word.size() ? text::read_number(word.substr(end + 1)).value_or(0.0) : 0.0;
-  const double place = std::clamp(exponent - digits - 1.0, -kBeyondDoubles, kBeyondDoubles);
-  return text::read_number("5e" + std::to_string(static_cast<int>(place))).value_or(0.0);
+  const double position = std::clamp(exponent - digits - 1.0, -kBeyondDoubles, kBeyondDoubles);
+  return text::read_number("5e" + std::to_string(static_cast<int>(position))).value_or(0.0);
 }
 
 /// Reads one scenario. Each function that returns bool returns false after it has stored an error in `error_`.

@@ -12,11 +12,11 @@ namespace {
 constexpr double kScaleBar = 120.0;  // largest length in pixels
 
 void append_line(std::string& data, const Point& from, const Point& to) {
-  for (const auto& [letter, place] : {std::pair{'M', from}, std::pair{'L', to}}) {
+  for (const auto& [letter, position] : {std::pair{'M', from}, std::pair{'L', to}}) {
     data += letter;
-    append_pixels(data, place.x);
+    append_pixels(data, position.x);
     data += ' ';
-    append_pixels(data, place.y);
+    append_pixels(data, position.y);
   }
 }
 
@@ -55,14 +55,14 @@ std::string draw_axes(const Layout& layout, const Palette& palette) {
   std::string marks;
   std::string labels;
   for (const Tick& tick : layout.x_ticks) {
-    const double x = layout.frame.to_picture({tick.place, origin.y}).x;
+    const double x = layout.frame.to_picture({tick.position, origin.y}).x;
     append_line(marks, {x, map.max.y + 1.0}, {x, map.max.y + 1.0 + kTickLength});
     const double half = static_cast<double>(tick.label.size()) * kTickCharacter / 2.0 + 3.0;
     const double middle = std::max(std::min(x, layout.width - half), half);
     labels += label({middle, map.max.y + kTickLength + 14.0}, "middle", tick.label);
   }
   for (const Tick& tick : layout.y_ticks) {
-    const double y = layout.frame.to_picture({origin.x, tick.place}).y;
+    const double y = layout.frame.to_picture({origin.x, tick.position}).y;
     append_line(marks, {map.min.x - 1.0, y}, {map.min.x - 1.0 - kTickLength, y});
     labels += label({map.min.x - kTickLength - 4.0, y + 4.0}, "end", tick.label);
   }
@@ -75,7 +75,7 @@ std::string draw_axes(const Layout& layout, const Palette& palette) {
 void add_axes_entries(std::vector<LegendEntry>& entries, const Layout& layout, bool y_down, const Palette& palette) {
   const double scale = layout.frame.scale();
   const Tick length = scale_bar_length(kScaleBar / scale);
-  const double pixels = length.place * scale;
+  const double pixels = length.position * scale;
   entries.push_back({bar_sample(pixels, palette), length.label, pixels + 2.0});
   entries.push_back({directions_sample(y_down, palette), y_down ? "y down" : "y up", 20.0});
 }

@@ -172,8 +172,8 @@ void PathData::add_ring(PointSpan points) {
   text_ += 'Z';
 }
 
-void PathData::add_dot(const Point& place) {
-  const Point pixels = frame_.to_picture(place);
+void PathData::add_dot(const Point& position) {
+  const Point pixels = frame_.to_picture(position);
   if (!contains(near_, pixels)) return;
   move_to(pixels);
   line_to(pixels);

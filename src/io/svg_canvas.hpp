@@ -47,7 +47,7 @@ class PathData {
   /// Adds a closed line. Cuts it so that its winding number around each point of the map stays the same.
   void add_ring(PointSpan points);
   /// Adds a point, for strokes with round ends.
-  void add_dot(const Point& place);
+  void add_dot(const Point& position);
   void add_segment(const Point& a, const Point& b);
 
   /// Returns the text so far and starts a new one, if it is long: XML readers refuse attributes of 10 MB. Otherwise

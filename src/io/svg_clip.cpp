@@ -34,9 +34,9 @@ double beyond(const Side& side, const Point& point) { return side.sign * point.*
 Point crossing(const Side& side, const Point& a, const Point& b) {
   const double at_a = beyond(side, a);
   const double part = at_a / (at_a - beyond(side, b));
-  Point place{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
-  place.*side.axis = side.sign * side.limit;
-  return place;
+  Point position{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
+  position.*side.axis = side.sign * side.limit;
+  return position;
 }
 
 void clip_to_side(const Side& side, const std::vector<Point>& ring, std::vector<Point>& clipped) {

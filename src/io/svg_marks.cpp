@@ -44,11 +44,11 @@ std::string filled_mark(const Palette& palette, std::span<const Point> corners, 
 
 }  // namespace
 
-std::string point_text(const Point& place) {
+std::string point_text(const Point& position) {
   std::string text = "(";
-  text::append_number(text, place.x);
+  text::append_number(text, position.x);
   text += ", ";
-  text::append_number(text, place.y);
+  text::append_number(text, position.y);
   return text += ')';
 }
 

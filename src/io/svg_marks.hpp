@@ -12,7 +12,7 @@
 namespace waywright::io {
 
 /// Returns the point as text: `(3, 4.5)`.
-[[nodiscard]] std::string point_text(const Point& place);
+[[nodiscard]] std::string point_text(const Point& position);
 
 /// Returns the ids as text. For a long list, the first few and the number of the others. The id 0 becomes `the domain`.
 [[nodiscard]] std::string ids_text(const std::vector<ItemId>& ids);

@@ -88,7 +88,7 @@ class QueryDrawer {
   /// Returns the text, or an empty one if there are too many hints.
   [[nodiscard]] std::string hint(std::string text) const { return has_hints_ ? std::move(text) : std::string(); }
 
-  [[nodiscard]] bool is_shown(const Point& place) const { return contains(frame_.shown(), place); }
+  [[nodiscard]] bool is_shown(const Point& position) const { return contains(frame_.shown(), position); }
 
   void add_mark(const std::string& mark) { drawing_.whole += mark + "\n"; }
 
@@ -150,9 +150,9 @@ class QueryDrawer {
     const Point& stop = ray.answer.hit ? ray.answer.at : ray.to;
     std::string about = "ray from " + point_text(ray.from) + " to " + point_text(ray.to);
     about += ray.answer.hit ? ", hits " + ids_text(ray.answer.items) + " at " + point_text(stop) : ", hits nothing";
-    PathData way(frame_);
-    way.add_segment(ray.from, stop);
-    add_line(way, colour, 2.2 * ray_part_, hint(about));
+    PathData line(frame_);
+    line.add_segment(ray.from, stop);
+    add_line(line, colour, 2.2 * ray_part_, hint(about));
     PathData rest(frame_);
     if (ray.answer.hit && stop != ray.to) rest.add_segment(stop, ray.to);
     if (!rest.empty()) add_stroke(rest, colour, 1.8 * ray_part_, R"( stroke-dasharray="0.1 5")");
@@ -259,8 +259,8 @@ class QueryDrawer {
     }
   }
 
-  [[nodiscard]] std::string place_mark(LocationKind at, const Point& pixels, double part, const Paint& colour,
-                                       const std::string& about) const {
+  [[nodiscard]] std::string position_mark(LocationKind at, const Point& pixels, double part, const Paint& colour,
+                                          const std::string& about) const {
     if (at == LocationKind::edge) return square_mark(palette_, pixels, 5.0 * part, colour, about);
     if (at == LocationKind::vertex) return diamond_mark(palette_, pixels, 7.0 * part, colour, about);
     return disc_mark(palette_, pixels, 5.5 * part, colour, {Ink::page}, 1.5, about);
@@ -268,12 +268,13 @@ class QueryDrawer {
 
   void draw_locations() {
     std::array<std::size_t, kMarkKinds.size()> counts{};
-    for (const SvgLocation& place : overlay_.locations) {
-      if (!is_shown(place.at)) continue;
-      const MarkKind kind = kind_of(place.answer);
-      std::string about = point_text(place.at) + ": " + std::string(to_string(place.answer.at));
-      if (kind == MarkKind::covered) about += ", inside " + ids_text(place.answer.inside);
-      add_mark(place_mark(place.answer.at, frame_.to_picture(place.at), location_part_, {ink_of(kind)}, hint(about)));
+    for (const SvgLocation& located : overlay_.locations) {
+      if (!is_shown(located.at)) continue;
+      const MarkKind kind = kind_of(located.answer);
+      std::string about = point_text(located.at) + ": " + std::string(to_string(located.answer.at));
+      if (kind == MarkKind::covered) about += ", inside " + ids_text(located.answer.inside);
+      add_mark(
+          position_mark(located.answer.at, frame_.to_picture(located.at), location_part_, {ink_of(kind)}, hint(about)));
       ++counts[static_cast<std::size_t>(kind)];
     }
     add_location_entries(counts);
@@ -288,7 +289,7 @@ class QueryDrawer {
       if (counts[i] == 0) continue;
       std::string label = counted(counts[i], "place", "places");
       label += kWords[i];
-      drawing_.entries.push_back({place_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
+      drawing_.entries.push_back({position_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
     }
   }
 

@@ -75,8 +75,8 @@ std::vector<Decimal> multiples_of(const Decimal& step, double min, double max) {
   // A quotient is rounded, so the loop tries one more on each end.
   for (auto i = static_cast<std::int64_t>(std::ceil(min / size)) - 1; i <= last; ++i) {
     const Decimal multiple{i * step.mantissa, step.exponent};
-    const double place = nearest_double(multiple);
-    if (place >= min && place <= max) multiples.push_back(multiple);
+    const double position = nearest_double(multiple);
+    if (position >= min && position <= max) multiples.push_back(multiple);
   }
   return multiples;
 }

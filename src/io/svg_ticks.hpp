@@ -8,7 +8,7 @@ namespace waywright::io {
 
 /// A round number on an axis.
 struct Tick {
-  double place = 0.0;  ///< the double nearest to the number in the label
+  double position = 0.0;  ///< the double nearest to the number in the label
   std::string label;
 };
 

@@ -63,14 +63,14 @@ std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& me
 std::vector<Face> TwoCore::tops(const mesh::TriangleMesh& mesh, std::span<const Face> faces) const {
   constexpr Face kUnknown{0xffffffff};
   std::vector<Face> tops(states_.size(), kUnknown);
-  std::vector<Face> way;
+  std::vector<Face> chain;
   for (Face f : faces) {
-    for (way.clear(); tops[number(f)] == kUnknown; f = mesh::face(mesh.twin(towards_core(f)))) {
-      way.push_back(f);
+    for (chain.clear(); tops[number(f)] == kUnknown; f = mesh::face(mesh.twin(towards_core(f)))) {
+      chain.push_back(f);
       tops[number(f)] = f;
       if (is_core(f) || towards_core(f) == mesh::kNoHalfEdge) break;
     }
-    for (const Face below : way) tops[number(below)] = tops[number(f)];
+    for (const Face below : chain) tops[number(below)] = tops[number(f)];
   }
   return tops;
 }

@@ -60,9 +60,9 @@ inline constexpr double kNoLength = 0x1p-900;
   const Point edge{b.x - a.x, b.y - a.y};
   const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;
   const Point image = is_right ? on_left(a, edge, q) : on_left(b, {-edge.x, -edge.y}, q);
-  const Point way{image.x - p.x, image.y - p.y};
-  const double a_turn = cross(way, {a.x - p.x, a.y - p.y});
-  const double b_turn = cross(way, {b.x - p.x, b.y - p.y});
+  const Point direction{image.x - p.x, image.y - p.y};
+  const double a_turn = cross(direction, {a.x - p.x, a.y - p.y});
+  const double b_turn = cross(direction, {b.x - p.x, b.y - p.y});
   if ((a_turn >= 0.0 && b_turn <= 0.0) || (a_turn <= 0.0 && b_turn >= 0.0)) return distance(p, image);
   return std::min(length_by_way_of(p, a, q), length_by_way_of(p, b, q));
 }

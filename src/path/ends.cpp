@@ -120,9 +120,9 @@ std::optional<PathStatus> Ends::known_status() {
 }
 
 bool Ends::sees_goal() {
-  StraightLine way(*this);
-  constraint::SegmentWalk(*triangulation_, start_, goal_, start_location_).run(way);
-  return way.is_free();
+  StraightLine line(*this);
+  constraint::SegmentWalk(*triangulation_, start_, goal_, start_location_).run(line);
+  return line.is_free();
 }
 
 // A position strictly inside a polygon has no open face around it.

@@ -59,10 +59,10 @@ TEST(TicksBetween, ArePlacedWhereTheirLabelsSayAndEvenlySpaced) {
     with_ticks += ticks.size() >= 2 ? 1 : 0;
     for (std::size_t k = 0; k < ticks.size(); ++k) {
       // Checks the labels with the C library's own conversion.
-      ASSERT_EQ(std::strtod(ticks[k].label.c_str(), nullptr), ticks[k].place) << ticks[k].label;
-      ASSERT_TRUE(ticks[k].place >= min && ticks[k].place <= max);
+      ASSERT_EQ(std::strtod(ticks[k].label.c_str(), nullptr), ticks[k].position) << ticks[k].label;
+      ASSERT_TRUE(ticks[k].position >= min && ticks[k].position <= max);
       if (k == 0) continue;
-      const double spacing = (ticks[k].place - ticks[k - 1].place) * scale;
+      const double spacing = (ticks[k].position - ticks[k - 1].position) * scale;
       ASSERT_GE(spacing, 69.9) << min << ' ' << max;
       ASSERT_GE(spacing, 7.0 * static_cast<double>(ticks[k].label.size()));
     }
@@ -85,7 +85,7 @@ TEST(ScaleBarLength, IsTheLargestRoundNumberThatFits) {
   EXPECT_EQ(scale_bar_length(4.99).label, "2");
   EXPECT_EQ(scale_bar_length(3e-9).label, "2e-9");
   EXPECT_EQ(scale_bar_length(7e20).label, "5e20");
-  EXPECT_EQ(scale_bar_length(7e20).place, 5e20);
+  EXPECT_EQ(scale_bar_length(7e20).position, 5e20);
 }
 
 }  // namespace
