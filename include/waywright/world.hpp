@@ -427,9 +427,9 @@ class WAYWRIGHT_API World {
   /// Finds the shortest path to each goal, in the order of the goals. In each answer, Path::expansions is the sum over
   /// all searches. Error::index is 0 for the start, and i + 1 for goal number i, counted from 0.
   /// Errors: the errors of find_path().
-  /// Cost: for few goals, the cost of as many paths. From some hundreds of goals on, one search from the start finds
-  /// all of them. Its cost depends on the number of triangles that are nearer to the start than the farthest goal. Each
-  /// further goal adds little.
+  /// Cost: for few goals, the cost of one path for each goal. From some hundreds of goals on, one search from the start
+  /// finds all of them. Its cost depends on the number of triangles that are nearer to the start than the farthest
+  /// goal. Each further goal adds little.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
@@ -478,9 +478,10 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
-  /// version `since` has inserted, removed or replaced. If the result is false and the polyline was clear at that
-  /// version, it is still clear. The result is also true if the world no longer has all boxes: it keeps those of at
-  /// least the last 2,048 such items. If an operation changes more than 256 such items, the others share the last box.
+  /// version `since` has inserted or removed. A replacement counts as a removal and an insertion. If the result is
+  /// false and the polyline was clear at that version, it is still clear. The result is also true if the world no
+  /// longer has all boxes since that version: it keeps at least the last 2,048 boxes. An operation has at most 256
+  /// boxes: if it inserts and removes more items, all later items share the last box.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.

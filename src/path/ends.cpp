@@ -143,8 +143,8 @@ bool Ends::move_blocked_ends() {
   return !start_faces_.empty() && !goal_faces_.empty();
 }
 
-/// If the ends are not connected, a rounding error may have put one of them beyond a wall. If an end lies so near to a
-/// wall, moves it across the wall. Returns whether it has moved an end.
+/// A rounding error may have put an end beyond a wall. If the ends are not connected, and an end is at most a rounding
+/// error away from a wall that separates them, moves this end across the wall. Returns whether it has moved an end.
 bool Ends::move_end_across_wall() {
   if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_connected(abstraction_->components())) return false;
   const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));

@@ -298,7 +298,7 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 
 //          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
 //        /    \          its left. A path that turns left at v, around the walls, can reach the area left of the bound.
-//       /      \         No wall at v lies to the right of the path, because the cone has passed there. So if v has
+//       /      \         No wall at v lies to the right of the path, because the cone has passed there. If v has
 //   v -------- target    no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;

@@ -34,7 +34,7 @@ namespace waywright::path {
 /// - It makes the windows beyond a turn only when no other node has a smaller bound.
 /// - If the bound of a window is not above the least bound, the search follows this window at once, without the open
 ///   list.
-/// - It drops a window if a path by way of an end of its edge reaches all positions on it sooner (Xin and Wang,
+/// - It drops a window if a path through an end of its edge reaches all positions on it sooner (Xin and Wang,
 ///   *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
 class Optimal {
  public:

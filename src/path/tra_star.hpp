@@ -70,7 +70,7 @@ class TraStar {
   [[nodiscard]] unsigned passages_on(mesh::Face f, std::uint32_t marks) const {
     return (marks & kAboveGoal) == 0 ? passages_up(f) : ways_above_goal(f, marks);
   }
-  /// Returns the passage up of a face in a dead end, or all passages in the core of a face of the core.
+  /// Returns the passage up if the face lies in a dead end, or the passages to other core faces if it is a core face.
   [[nodiscard]] unsigned passages_up(mesh::Face f) const {
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
