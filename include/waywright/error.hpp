@@ -69,7 +69,7 @@ struct ErrorWords {
 
   std::string text;
   const char* literal = nullptr;
-  /// If an element of a list is refused: the noun for the element, for example `change`. Error::index is its position.
+  /// If an element of a list is refused: the noun for the element, for example `change`. Error::index is its index.
   const char* list = nullptr;
   PointName point_name;  ///< if a point is refused: its name
   Point point;
@@ -95,7 +95,7 @@ struct Error {
   ErrorCode code = ErrorCode::malformed;
   detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
   ItemId item;               ///< the id that caused the error; null if no id did
-  std::uint64_t index = 0;   ///< the position of the refused element in a list (from 0), or a line of a text (from 1)
+  std::uint64_t index = 0;   ///< the index of the refused element in its list (from 0), or a line number (from 1)
 
   /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.
   [[nodiscard]] WAYWRIGHT_API std::string message() const;
@@ -131,7 +131,7 @@ class WAYWRIGHT_API_EXCEPTION BadResult : public std::runtime_error {
 
 namespace detail {
 [[noreturn]] WAYWRIGHT_API void raise(const Error& error);
-/// Calls the assertion handler and aborts. For a caller that took the value of a refused call without checking ok().
+/// Calls the assertion handler and aborts. Result calls it if you take the value of a refused call by `*` or `->`.
 [[noreturn]] WAYWRIGHT_API void fail_value_of(const Error& error);
 }  // namespace detail
 
@@ -211,7 +211,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// The result of a function that returns no value: success, or the Error that says why nothing was done.
+/// The result of a function that returns no value: success, or the Error that says why the function did nothing.
 ///
 /// @code{.cpp}
 /// const Result<void> done = world.replace(1, Shape::rectangle({{30, 30}, {50, 50}}));

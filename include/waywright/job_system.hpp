@@ -49,8 +49,8 @@ class WAYWRIGHT_API JobSystem {
   /// of 2 or more. If several threads use the library with the same job system at once, they call run() at once.
   ///
   /// Exceptions: `job` throws nothing. If memory runs out in a job, the function of the library that called run()
-  /// throws std::bad_alloc after run() has returned. If run() throws, this function passes the exception on and changes
-  /// no world.
+  /// throws std::bad_alloc after run() has returned. If run() throws, the same function passes the exception on and
+  /// changes no world.
   virtual void run(std::size_t count, const std::function<void(std::size_t)>& job) = 0;
 };
 

@@ -164,7 +164,7 @@ struct WAYWRIGHT_API Path {
   /// A path query may start at the result. If doubles can express the exact point on the path, the result is this
   /// point. Otherwise the function rounds the point to the left or to the right of the path, so that it does not fall
   /// beyond a wall: a path turns around walls, so near a left turn these walls lie to the left of the path, and the
-  /// function rounds to the right. Near a right turn it rounds to the left. It looks at the nearer turn. There is one
+  /// function rounds to the right. Near a right turn it rounds to the left. The nearer turn decides. There is one
   /// exception: if segments or polylines touch one straight piece of the path from the left and from the right, the
   /// point can fall beyond one of them. On a path without turns, the function rounds to nearest.
   ///

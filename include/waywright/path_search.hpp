@@ -28,8 +28,8 @@ class World;
 /// Between the slices a program may query the world, run other searches, move the world and change it. If a change
 /// touches the start, the goal, or a face at which the search has looked, the next slice starts the search again.
 /// Otherwise the search continues. While searches run, each operation on the world also records the faces that it
-/// touches, at a cost proportional to their number. A search that has been moved from may only be assigned to or
-/// destroyed.
+/// touches, at a cost proportional to the number of these faces. A search that has been moved from may only be assigned
+/// to or destroyed.
 /// Threads: a search belongs to one thread at a time; step() reads the world.
 class WAYWRIGHT_API PathSearch {
  public:

@@ -158,7 +158,7 @@ class Rings {
 
   std::size_t ring_count_ = 0;
   std::vector<Point> points_;
-  std::vector<std::size_t> later_begins_;  ///< the position in `points_` where each ring but the first begins
+  std::vector<std::size_t> later_begins_;  ///< the index in `points_` at which each ring but the first begins
 };
 
 /// @}

@@ -33,7 +33,7 @@ enum class SvgTheme : std::uint8_t {
 struct SvgOptions {
   double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the height follows from the content
   bool mesh = true;       ///< draw the free edges
-  bool axes = true;       ///< draw ticks with coordinates, a scale bar, and a sign that says where y points
+  bool axes = true;       ///< draw ticks with coordinates, a scale bar, and a sign that shows the direction of y
   bool ids = true;        ///< give each item its id as text on hover
   bool y_down = false;    ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;

@@ -73,9 +73,10 @@ struct BulkOptions {
   JobSystem* jobs = nullptr;
 };
 
-/// The hash of the domain and the live items of a world. World::items_hash returns it. If two worlds have equal items,
-/// their hashes are equal, whatever operations led to these items, and on every machine. In practice, hashes are equal
-/// only if the items are equal. docs/hashes.md defines the hash, so that other programs can compute it.
+/// The hash of the domain and the live items of a world. World::items_hash returns it. Two worlds with equal domains
+/// and equal live items have equal hashes, on every machine and whatever operations led to these items. In practice,
+/// two worlds with equal hashes have equal domains and equal items. docs/hashes.md defines the hash, so that other
+/// programs can compute it.
 ///
 /// @code{.cpp}
 /// const ItemsHash before = world.items_hash();
@@ -118,8 +119,8 @@ enum class LocationKind : std::uint8_t { vertex, edge, face };
 struct Location {
   LocationKind at = LocationKind::face;
   /// The vertices of the location, each coordinate rounded to the nearest double: 1 vertex, the 2 ends of an edge, or
-  /// the 3 corners of a face. The vertices of a face are counter-clockwise. An edge and a face start with the vertex
-  /// that comes first in (x, y) order.
+  /// the 3 vertices of a face, counter-clockwise. Of an edge or a face, the first vertex in the array is the one that
+  /// comes first in (x, y) order.
   std::array<Point, 3> corners{};
   std::size_t corner_count = 0;  ///< the number of vertices in `corners`
   /// The polygons that contain the point in their interior or on their boundary, ascending.
@@ -193,7 +194,7 @@ class WAYWRIGHT_API World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Returns the box that the world covers.
+  /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
 
   /// @}
@@ -211,10 +212,10 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Inserts a shape under `id`. If `id` is null, the world chooses the id: the largest id that it has seen, plus 1.
-  /// Returns the id. If the function refuses a point, Error::index is the position of this point in the shape, counted
+  /// Returns the id. If the function refuses a point, Error::index is the index of this point in the shape, counted
   /// from 0 over all rings.
   /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large.
-  /// Cost: for each point, its location; for each side, the part of the mesh that it crosses.
+  /// Cost: for each point, its location; for each side, the triangles that it crosses.
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
@@ -233,7 +234,7 @@ class WAYWRIGHT_API World {
 
   /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
   /// Errors: unknown_id, bad_id.
-  /// Cost: the part of the mesh that the item touches; it does not depend on the size of the world.
+  /// Cost: the triangles that the item touches. It does not depend on the size of the world.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
@@ -256,21 +257,21 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Inserts many items as one operation. Returns the id of each. This is much faster than one call for each item, most
-  /// of all in a world without items. The index of an error is the position of the item.
+  /// of all in a world without items. Error::index is the index of the refused item in `items`.
   /// Errors: the errors of insert().
-  /// Cost: O(n log n), and the part of the mesh that the sides of the items cross.
+  /// Cost: O(n log n), and the triangles that the sides of the items cross.
   /// Source: Guibas and Stolfi 1985, Dwyer 1987 (for the corners of the first items of a world).
   Result<std::vector<ItemId>> insert_all(std::span<const Item> items, const BulkOptions& options = {});
 
   /// Inserts many points as one operation. The first point has the id `first`, and the id of each further point is one
-  /// more. If `first` is null, the world chooses it as insert() does. Returns the id of the first point. The index of
-  /// an error is the position of the point.
+  /// more. If `first` is null, the world chooses it as insert() does. Returns the id of the first point. Error::index
+  /// is the index of the refused point in `points`.
   /// Errors: the errors of insert().
   /// Cost: as for insert_all().
   Result<ItemId> insert_points(PointSpan points, ItemId first = {}, const BulkOptions& options = {});
 
-  /// Makes several changes, one after the other, as one operation. Returns the id of the item of each change. The index
-  /// of an error is the position of the change.
+  /// Makes several changes, one after the other, as one operation. Returns the id of the item of each change.
+  /// Error::index is the index of the refused change in `changes`.
   /// Errors: the errors of insert(), remove() and replace().
   /// Cost: the cost of the single changes; successive insertions are as fast as insert_all().
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
@@ -304,8 +305,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] std::vector<ItemId> item_ids() const;
   /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
-  /// Returns a copy of the shape of an item as you inserted it, with one exception: a point that equals its predecessor
-  /// is left out.
+  /// Returns a copy of the shape of an item as you inserted it, with one exception: the copy does not contain points
+  /// that equal their predecessor.
   /// Errors: unknown_id, bad_id.
   /// Cost: linear in the points of the item.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
@@ -313,8 +314,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> shape(ItemId id, Shape& shape) const;
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
-  /// into a new world over the same domain, the two worlds differ in one respect only: the ids that they choose, which
-  /// count up from the largest id that each world has seen.
+  /// into a new world over the same domain, the two worlds differ in one respect only: the ids that they choose for
+  /// later items. Each world counts up from the largest id that it has seen.
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const
@@ -336,8 +337,8 @@ class WAYWRIGHT_API World {
 
   /// Finds the vertex, edge or face at a point, and the polygons there.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: a walk over a few triangles, which does not depend on the size of the world, and the size of the answer.
-  /// Allocates nothing if `context` and `location` have been used before.
+  /// Cost: a walk over a few triangles, whose number does not depend on the size of the world; and the size of the
+  /// answer. Allocates nothing if `context` and `location` have been used before.
   /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
   [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
   /// @copydoc locate(Point, QueryContext&, Location&) const
@@ -412,23 +413,23 @@ class WAYWRIGHT_API World {
 
   /// Finds a path for each query, in the order of the queries. Each path is the one that find_path() gives. The
   /// function uses as many threads as there are contexts: threads of the job system or, if `jobs` is null, threads that
-  /// the library starts. The index of an error is the position of the query.
+  /// the library starts. Error::index is the index of the refused query in `queries`.
   /// Requires: at least one context.
   /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                         std::vector<Path>& paths, JobSystem* jobs = nullptr) const;
   /// Finds a path for each query on `threads` threads, with new contexts.
   /// Requires: `threads` is 1 or more.
-  /// Errors: the errors of find_path(); the index of an error is the position of the query.
+  /// Errors: the errors of find_path(). Error::index is the index of the refused query in `queries`.
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                                      JobSystem* jobs = nullptr) const;
 
   /// Finds the shortest path to each goal, in the order of the goals. In each answer, Path::expansions is the sum over
   /// all searches. Error::index is 0 for the start, and i + 1 for goal number i, counted from 0.
   /// Errors: the errors of find_path().
-  /// Cost: for few goals, the cost of as many paths. From some hundreds of goals on, one search from the start finds
-  /// all of them. Its cost depends on the part of the world that is nearer to the start than the farthest goal. Each
-  /// further goal adds little.
+  /// Cost: for few goals, the cost of one path for each goal. From some hundreds of goals on, one search from the start
+  /// finds all of them. Its cost depends on the number of triangles that are nearer to the start than the farthest
+  /// goal. Each further goal adds little.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
@@ -460,29 +461,30 @@ class WAYWRIGHT_API World {
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
   /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
   ///
-  /// If a path turns at a crossing of two walls, Path::points contains its rounded coordinates. If a point of the
-  /// polyline has the rounded coordinates of a crossing, it also stands for the exact crossing.
+  /// If a path turns at a crossing of two walls, Path::points contains the rounded coordinates of the crossing. So if a
+  /// point of the polyline has the rounded coordinates of a crossing, the point also stands for the exact crossing.
   ///
-  /// The index of an error is the position of the point.
+  /// Error::index is the index of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the location of the first point, and the triangles that the polyline crosses. Allocates nothing if `context`
   /// has been used for a polyline of the same length before.
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, QueryContext& context) const;
   /// @copydoc is_clear(std::span<const Point>, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points) const;
-  /// Returns whether a point agent can walk along the straight segment between two points. The rules for polylines
-  /// hold. A segment that only touches a wall is clear, although ray() reports a hit for it.
+  /// Returns whether a point agent can walk along the straight segment between two points. The same rules apply as for
+  /// polylines. A segment that only touches a wall is clear, although ray() reports a hit for it.
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, QueryContext& context) const;
   /// @copydoc is_clear(const Point&, const Point&, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
-  /// version `since` has inserted, removed or replaced. If the result is false and the polyline was clear at that
-  /// version, it is still clear. The result is also true if the world no longer has all boxes: it keeps those of at
-  /// least the last 2,048 such items. If an operation changes more than 256 such items, the others share the last box.
+  /// version `since` has inserted or removed. A replacement counts as a removal and an insertion. If the result is
+  /// false and the polyline was clear at that version, it is still clear. The result is also true if the world no
+  /// longer has all boxes since that version: it keeps at least the last 2,048 boxes. An operation has at most 256
+  /// boxes: if it inserts and removes more items, all later items share the last box.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
-  /// Finds the paths for which is_affected() is true. Writes their positions to `affected`, ascending.
+  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the number of operations that the world has carried out. It grows by one with each operation that
@@ -522,9 +524,9 @@ class WAYWRIGHT_API World {
   /// Returns the SHA-256 of the bytes of dump().
   /// Cost: the cost of dump().
   [[nodiscard]] MeshHash mesh_hash() const;
-  /// Checks the whole world, exactly: the links between faces; the orientation of each face; that the faces cover the
-  /// domain once; the constrained edges against the items; the empty-circle property and the rule for ties at each free
-  /// edge; and the path abstraction against a new one.
+  /// Checks the whole world, exactly: the links between faces; the orientation of each face; that the faces fill the
+  /// domain and do not overlap; the constrained edges against the items; the empty-circle property and the rule for
+  /// ties at each free edge; and the path abstraction against a new one.
   /// Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
@@ -541,14 +543,14 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Returns the memory that the world holds, by purpose. It does not include the overhead of the allocator. After the
-  /// first query without a context, the world keeps a context. The result does not include this context: about 16 bytes
-  /// for each face, as much as any other QueryContext.
+  /// first query without a context, the world keeps a context of its own. Like every QueryContext, it takes about 16
+  /// bytes for each face. The result does not include it.
   /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
   /// Frees most of the memory that memory() calls spare, and the world's own context for queries. Call it if memory is
   /// short, for example after you have loaded a level. The next operations allocate their scratch again. No answer and
-  /// no hash depends on it. The tables keep the slots of removed items for the next ones: to make a world smaller from
-  /// which you have removed most items, insert its items() into a new world.
+  /// no hash depends on it. The tables keep the slots of removed items for later items. If you have removed most items
+  /// and want a smaller world, make a new world and insert the items() of the old one.
   /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 

@@ -23,9 +23,9 @@ namespace waywright::nav {
 /// same polygons cover all faces of a component. So the cover is stored once for each component.
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
-/// one search starts from each piece. The searches take turns until at most one of them is unfinished. If components
-/// meet, the smaller ones take the id of the largest. Compare ids only for equality: the id of a component depends on
-/// the history of changes. Memory: four bytes per face, and up to four more as scratch.
+/// one search starts from each piece. The searches take turns until at most one of them is unfinished. If a change
+/// connects components, the smaller ones take the id of the largest. Compare ids only for equality: the id of a
+/// component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Id = std::uint32_t;
@@ -61,12 +61,13 @@ class Components {
   /// Updates the components to the triangulation. Logs every old value before it changes it.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
-  /// Does the same as update(), for a change where `made` fill the area of `gone`, no wall lies inside that area or on
-  /// its border, before or after, and no polygon was inserted or removed.
+  /// Does the same as update(), for a change with three properties: the faces in `made` fill the area of the faces in
+  /// `gone`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
   void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone,
                             std::span<const mesh::Face> made);
 
-  /// Returns the first difference from `other`, other components of the same faces, or nothing if there is none.
+  /// Compares this object with `other`, which also contains the components of `faces`. Returns the first difference, or
+  /// nothing if there is none.
   [[nodiscard]] std::optional<std::string> find_difference(const Components& other,
                                                            std::span<const mesh::Face> faces) const;
 
@@ -122,7 +123,7 @@ class Components {
     std::uint32_t begin, end;  ///< for a piece: its faces in `piece_faces_`; for the rest: the contacts in `contacts_`
   };
 
-  // Building from scratch.
+  // Finding the components of a whole triangulation.
   /// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face.
   struct Door {
     Id component;
@@ -185,7 +186,7 @@ class Components {
   std::size_t free_count_before_ = 0;
 
   // Scratch.
-  memory::Pages<std::uint32_t> marks_;  ///< by face: the number of the last flood or search there, never used twice
+  memory::Pages<std::uint32_t> marks_;  ///< by face: the mark of the last flood or search there; no mark is used twice
   std::uint32_t next_mark_ = 1;
   std::uint32_t group_mark_ = 0;   ///< mark of the first group; the number before it marks new faces without a group
   std::uint32_t search_mark_ = 0;  ///< mark of the first search

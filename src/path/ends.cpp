@@ -86,8 +86,8 @@ void Ends::free_start() {
   may_start_move_ = false;
 }
 
-// The same polygons cover two faces on both sides of a free edge. So if the first face on the straight line
-// is open, all its faces are open, and neither end lies strictly inside a polygon.
+// The same polygons cover the two faces that share a free edge. So if the straight line crosses no wall and its first
+// face is open, all faces that it crosses are open. Then neither end lies strictly inside a polygon.
 std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
   goal_ = goal;
   moved_goal_.reset();
@@ -112,7 +112,8 @@ std::optional<PathStatus> Ends::known_status() {
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
   if (abstraction_ != nullptr && !are_connected(abstraction_->components())) return PathStatus::no_path;
-  // A common face, but no free straight line: both ends lie on one edge of that face, and the path runs along the edge.
+  // If the ends have a face in common but the straight line is not free, both ends lie on one edge of this face. The
+  // path runs along the edge.
   const bool is_straight =
       std::any_of(start_faces_.begin(), start_faces_.end(), [&](HalfEdge h) { return is_goal(mesh::face(h)); });
   if (is_straight) return PathStatus::found;
@@ -142,8 +143,8 @@ bool Ends::move_blocked_ends() {
   return !start_faces_.empty() && !goal_faces_.empty();
 }
 
-/// An end may lie on the wrong side of a wall by no more than a rounding error. If the ends are not connected, moves
-/// one of them across such a wall. Returns whether it has moved one.
+/// A rounding error may have put an end beyond a wall. If the ends are not connected, and an end is at most a rounding
+/// error away from a wall that separates them, moves this end across the wall. Returns whether it has moved an end.
 bool Ends::move_end_across_wall() {
   if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_connected(abstraction_->components())) return false;
   const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));

@@ -12,13 +12,13 @@
 
 namespace waywright::path {
 
-/// Returns how far a blocked end may be moved if a query does not say it: 2^-20, about a millionth, of the domain's
-/// largest coordinate.
+/// Returns the default of PathQuery::end_tolerance, the largest distance by which a blocked end may be moved: 2^-20,
+/// about a millionth, of the domain's largest coordinate.
 [[nodiscard]] double default_end_tolerance(const Box& domain);
 
-/// The start and the goal of a path: for each of these two ends, the faces around it that no polygon covers. An end
-/// that polygons cover is moved to the nearest free position, if that is near enough. Keep the object: its memory
-/// serves many queries.
+/// The start and the goal of a path, and the faces around each of them that no polygon covers. If there is no such face
+/// around an end, the class moves the end to the nearest free position, if this position is near enough. Keep the
+/// object: later queries use its memory again.
 class Ends {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -28,10 +28,12 @@ class Ends {
   /// not change during the query, the start lies in the domain, `tolerance` is not negative.
   void set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
                  const std::optional<double>& tolerance);
-  /// Moves the start if it is blocked, for all goals alike. For searches with many goals.
+  /// Moves the start if it is blocked, before a goal is known. Searches with many goals call it, so that all paths
+  /// begin at the same point.
   void free_start();
-  /// Locates the goal. Returns the status of the path if no search is necessary: the straight line is free, or an end
-  /// is blocked or walled in. Otherwise returns nothing. Requires: the goal lies in the domain.
+  /// Locates the goal. Returns the status of the path if no search is necessary, for example because the straight line
+  /// is free, because an end is blocked, or because the abstraction says that the ends are not connected. Otherwise
+  /// returns nothing. Requires: the goal lies in the domain.
   std::optional<PathStatus> find_status_without_search(const Point& goal);
 
   /// Writes which ends were moved and, if `status` says that an end is blocked, which polygons block it. Requires:
@@ -45,8 +47,8 @@ class Ends {
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_location() const { return start_location_; }
-  /// The open faces around the end, named and ordered as constraint::Cover::open_faces() does it. Requires:
-  /// find_status_without_search() returned nothing.
+  /// The open faces around the end, each by a half-edge. constraint::Cover::open_faces() describes which half-edge, and
+  /// the order of the faces. Requires: find_status_without_search() returned nothing.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
   [[nodiscard]] const std::vector<mesh::HalfEdge>& goal_faces() const { return goal_faces_; }
   /// Returns whether a polygon now covers one of the faces around an end. Requires: find_status_without_search()

@@ -22,13 +22,14 @@ constexpr double kNoLimit = 0x1p110;
 /// A limit below this is smaller than every distance between a position and a wall on which it does not lie.
 constexpr double kLeastLimit = 0x1p-1000;
 
-/// The number of edges at which one call of choose() looks for a free double next to the nearest position.
+/// The number of edges at which one call of choose() looks for a free point.
 constexpr std::size_t kTries = 8;
-/// The number of searches. Each one looks farther away than the one before, because the gaps beyond the nearest edges
-/// are too narrow for a double.
+/// The largest number of searches for one answer. If the gaps between polygons beyond the nearest edges are too narrow
+/// for a point (two doubles), the next search looks farther away.
 constexpr std::size_t kRounds = 32;
 
-/// Returns the coordinate at `value`, which is 0 if `value` is too small for one, and the two coordinates next to it.
+/// Returns `value` and the two coordinates next to it, ascending. If `value` is too small for a coordinate, the
+/// function takes 0 instead of it.
 std::array<double, 3> neighbours(double value) {
   if (std::abs(value) < kSmallestCoordinate) value = 0.0;
   return {exact::next_coordinate<double>(value, -1.0), value, exact::next_coordinate<double>(value, 1.0)};
@@ -57,7 +58,8 @@ std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, 
 }
 
 /// Collects the edges between covered and open faces that may contain the nearest free position. The straight segment
-/// to it passes only through covered faces, so each edge that it crosses is at most as far as the position itself.
+/// from the point to this position passes only through covered faces. So no edge that this segment crosses is farther
+/// from the point than the position.
 void FreePositions::flood(const locate::Located& location, double limit, const Connection& connection) {
   stamp_.next(1, marks_);
   marks_.cover(triangulation_->topology().face_slots());
@@ -74,7 +76,7 @@ void FreePositions::flood(const locate::Located& location, double limit, const C
   }
 }
 
-/// Looks at the face beyond `h`, which is a half-edge of a covered face, or of a gap that is too narrow for a double.
+/// Looks at the face beyond `h`. The face of `h` is not open, or it lies in a gap that is too narrow for a point.
 void FreePositions::visit(HalfEdge h, const Connection& connection) {
   const HalfEdge beyond = triangulation_->topology().twin(h);
   if (triangulation_->triangulation().is_ghost_face(beyond)) return;
@@ -112,8 +114,8 @@ bool FreePositions::is_open(HalfEdge h, const Connection& connection) {
                      [&](HalfEdge other) { return connection.components->component_of(mesh::face(other)) == own; });
 }
 
-/// Returns a free double for the candidate that is exactly nearest or, if there is none, for the next, and so on. The
-/// edges without one go to `refused_`.
+/// Tries the candidates in the order of their exact distances. Returns a free point at the nearest position of the
+/// first candidate that has one there. Adds the candidates without a free point to `refused_`.
 std::optional<Point> FreePositions::choose(double limit, const Connection& connection) {
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.distance > nearest_ + slack_; });
   const mesh::TriangleMesh& mesh = triangulation_->topology();
@@ -138,7 +140,7 @@ std::optional<Point> FreePositions::choose(double limit, const Connection& conne
   return std::nullopt;
 }
 
-/// Returns the free double that is nearest to `rounded`, among `rounded` and the doubles around it.
+/// Returns the free point that is nearest to `rounded`, among `rounded` and the eight points around it.
 std::optional<Point> FreePositions::round_to_free(const Point& rounded, const Connection& connection) {
   std::array<Point, 9> around;
   std::size_t count = 0;

@@ -16,8 +16,9 @@
 
 namespace waywright::path {
 
-/// Finds the free position nearest to a position that polygons cover. A position is free if it lies in or on the border
-/// of an open face, which is a face that no polygon covers. Keep the object: its memory serves many queries.
+/// Finds the free position nearest to a position that polygons cover. A face is open if no polygon covers it. A
+/// position is free if it lies inside an open face or on its border. Keep the object: later queries use its memory
+/// again.
 class FreePositions {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -28,11 +29,12 @@ class FreePositions {
     const std::vector<mesh::HalfEdge>* faces = nullptr;
   };
 
-  /// Returns the nearest free position, rounded to a free double, or nothing if its distance is larger than `limit`. An
-  /// exact computation decides which position is nearest and whether it is near enough. If two are equally near, the
-  /// first in (x, y) order is taken. The answer is the free one, among the doubles around the nearest position, that is
-  /// nearest to its rounded coordinates. Requires: no face around `location` is open, `point` lies at `location`,
-  /// `limit` is positive. Cost: the covered faces within the distance of the answer, or of `limit`.
+  /// Returns the nearest free position, rounded to a free point, or nothing if its distance is larger than `limit`. An
+  /// exact computation decides which position is nearest and whether it is near enough. Of two equally near positions,
+  /// the function takes the first in (x, y) order. It rounds the coordinates of this position. The answer is the
+  /// nearest free point among the result and the eight points around it. If none of them is free, the function
+  /// continues with the next position, on another edge. Requires: no face around `location` is open, `point` lies at
+  /// `location`, `limit` is positive. Cost: the covered faces within the distance of the answer, or of `limit`.
   [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::Cover& cover,
                                              const Point& point, const locate::Located& location, double limit,
                                              const Connection& connection);
@@ -56,12 +58,12 @@ class FreePositions {
   constraint::Cover* cover_ = nullptr;
   Point point_;
   double slack_ = 0.0;                  ///< larger than the rounding error of a distance in doubles
-  double nearest_ = 0.0;                ///< at most the distance in doubles of every candidate
-  memory::Pages<std::uint32_t> marks_;  ///< by face: the last query that reached it
+  double nearest_ = 0.0;                ///< `slack_` plus the smaller of `limit` and the least candidate distance
+  memory::Pages<std::uint32_t> marks_;  ///< by face: the last search that reached it
   memory::Stamp stamp_;
   std::vector<mesh::HalfEdge> waiting_;
   std::vector<Candidate> candidates_;
-  std::vector<mesh::HalfEdge> refused_;  ///< edges that have no free double next to their nearest position
+  std::vector<mesh::HalfEdge> refused_;  ///< edges that have no free point next to their nearest position
 };
 
 }  // namespace waywright::path

@@ -298,7 +298,7 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 
 //          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
 //        /    \          its left. A path that turns left at v, around the walls, can reach the area left of the bound.
-//       /      \         No wall at v lies to the right of the path, because the cone has passed there. So if v has
+//       /      \         No wall at v lies to the right of the path, because the cone has passed there. If v has
 //   v -------- target    no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
@@ -349,10 +349,9 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
-//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. Two
-//   things
-//    .  |  \             are visible from v: the piece of the face's far edge between the path's straight continuation
-//   walls - v - target   (dotted) and the apex; and the far edges of the next faces around v, up to the walls.
+//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. From v
+//    .  |  \             it sees the piece of the face's far edge between its straight continuation (dotted) and the
+//   walls - v - target   apex. It also sees the far edges of the next faces around v, up to the walls.
 void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;
@@ -469,9 +468,9 @@ double Optimal::bound_from(const Point& p) const {
 
 /// Returns a lower bound, up to rounding, of the length of the paths through the window. With one goal the bound covers
 /// the path through the window and on to the goal; with several goals, only the path to the window. All numbers are
-/// doubles: the result decides no question of left and right. If the cone's bound meets the edge at so small an angle
-/// that doubles cannot tell where, the function assumes the widest case: with one goal, that the window is as wide as
-/// the edge; with several, that the path from the root to the window has length zero.
+/// doubles: no decision about left and right depends on the result. If the angle between a bound of the cone and the
+/// edge is very small, doubles cannot tell where they meet. The function then assumes the least length: with one goal,
+/// that the window is the whole edge; with several goals, that the path from the root to the window has length zero.
 double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
   const Point& a = position_of(mesh_->origin(window.entry));
   const Point& b = position_of(mesh_->target(window.entry));

@@ -17,23 +17,24 @@
 
 namespace waywright::path {
 
-/// The shortest path of a point agent: A* over windows. A window is the piece of an edge of the mesh that is visible
-/// from its *root*. The root is a turn of the path, or its start.
+/// Finds the shortest path of a point agent by A* over windows. A window is the piece of an edge of the mesh that is
+/// visible from its *root*. The root is a turn of the path, or its start.
 ///
 /// A window consists of the edge, the root, and the two vertices that bound the cone of sight on the left and on the
-/// right. When a cone has entered a face, it leaves the face across one or both of the other edges. If the face's apex
-/// lies inside the cone, it leaves across both, as far as an agent can cross them. If the apex lies left or right of
-/// the cone, it leaves across one. So only orientations of mesh vertices decide where a cone continues. Lengths decide
-/// only which node the search expands first, and which of two paths is shorter. Where a cone touches a vertex with
-/// walls, a path can turn around these walls. The vertex is then the root of new windows.
+/// right. When a cone has entered a face across an edge, it leaves the face across one or both of the other edges. The
+/// face's apex is the vertex that is not on the edge of entry. If the apex lies inside the cone, the cone leaves across
+/// both edges, as far as an agent can cross them. If the apex lies left or right of the cone, the cone leaves across
+/// one. So only orientations of mesh vertices decide where a cone continues. Lengths decide only which node the search
+/// expands first, and which of two paths is shorter. Where a cone touches a vertex with walls, a path can turn around
+/// these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
-/// search, its bound, and the rule that drops roots which a shorter path has reached. Departures:
-/// - The search never computes the end of an interval to decide where it goes.
+/// search, its bound, and the rule that drops roots which a shorter path has reached. Differences:
+/// - To decide where a window continues, the search never computes the positions of the window's ends.
 /// - It makes the windows beyond a turn only when no other node has a smaller bound.
 /// - If the bound of a window is not above the least bound, the search follows this window at once, without the open
 ///   list.
-/// - It drops a window if a path by way of an end of its edge reaches all positions on it sooner (Xin and Wang,
+/// - It drops a window if a path through an end of its edge reaches all positions on it sooner (Xin and Wang,
 ///   *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
 class Optimal {
  public:
@@ -54,9 +55,9 @@ class Optimal {
   void cover_mesh();
 
   /// Continues the search until `expansions` reaches `limit` or the search has found the shortest path to each goal
-  /// that has one. Returns whether the search is finished.
+  /// that a path can reach. Returns whether the search is finished.
   bool step(std::size_t limit, std::size_t& expansions);
-  /// No path that the search has yet to find is shorter than this. Requires: step() has returned false.
+  /// A lower bound of the length of each path that the search has not found yet. Requires: step() has returned false.
   [[nodiscard]] double least_bound() const { return open_.least_bound(); }
 
   /// Returns whether the search has found a path to the goal. Goals are numbered in the order in which they were added.
@@ -211,8 +212,8 @@ class Optimal {
   std::size_t expansions_ = 0;
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   double known_length_ = 0.0;
-  double longest_ = 0.0;           ///< a path at least as long is of no use to any goal
-  std::size_t longest_count_ = 0;  ///< number of goals whose best or known length, the smaller, is `longest_`
+  double longest_ = 0.0;           ///< the search needs only paths that are shorter than this
+  std::size_t longest_count_ = 0;  ///< number of goals with min(Goal::length, known_length_) equal to `longest_`
 };
 
 }  // namespace waywright::path

@@ -105,8 +105,8 @@ void TraStar::mark_ways_between_goals() {
   }
 }
 
-/// Returns the passages down towards the goal, and also those up if there are goal faces elsewhere. In a tree without a
-/// core, the result of passages_on() does not depend on which face is the root.
+/// Returns the passages down towards the goal and, if the face has the mark kGoalElsewhere, also those up. In a tree
+/// without a core, the result of passages_on() does not depend on which face is the root.
 unsigned TraStar::ways_above_goal(Face f, std::uint32_t marks) const {
   return (marks & kGoalElsewhere) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
 }
@@ -175,7 +175,7 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
   }
 }
 
-/// Prefers, of two channels that look equally long, the one that is closer to the goal: more of its length is known.
+/// If two channels look equally long, prefers the one that is closer to the goal: more of its length is known.
 void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
   constexpr double kHaste = 1.0 / 128;
   const Point& goal = ends_->goal();

@@ -15,22 +15,23 @@
 
 namespace waywright::path {
 
-/// Triangulation reduction A* for a point agent: A* over the faces where the search has a choice. It has none on its
-/// path out of a dead end, none on its path into the dead end that contains the goal, and none in a corridor. It never
-/// enters another dead end. The path is the taut string through the first channel that reaches the goal.
+/// Triangulation reduction A* for a point agent: A* over the faces where the search has a choice. The search has no
+/// choice on its path out of a dead end, on its path into the dead end that contains the goal, and in a corridor. It
+/// never enters any other dead end. The path is the taut string through the first channel that reaches the goal.
 ///
-/// The search is cheap and its paths are good, but not always shortest: it orders the channels by an approximate length
-/// in doubles, which it updates as a channel grows, and makes a choice at each face only once.
+/// The search is cheap, and its paths are good. A path is not always the shortest one, for two reasons. The search
+/// orders the channels by an approximate length in doubles, which it updates as a channel grows. And it makes a choice
+/// at each face only once.
 ///
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departures: one rule says through
-/// which edges the search leaves a face, while the paper distinguishes cases by where start and goal lie. Corridors are
-/// followed face by face, which costs little and gives their exact length for the direction in which the search entered
-/// them.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Differences: one rule says through
+/// which edges the search leaves a face, while the paper distinguishes cases by where start and goal lie. The search
+/// follows a corridor face by face. This costs little and gives the exact length of the corridor for the direction in
+/// which the search entered it.
 class TraStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search between two ends that do not lie at one face but in one component. Requires: the ends, the
+  /// Starts a search between two ends that lie in one component, but not at one face. Requires: the ends, the
   /// triangulation and its abstraction do not change.
   void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
   /// Finds the path.
@@ -51,8 +52,8 @@ class TraStar {
 
   // Marks of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
-  static constexpr std::uint32_t kAboveGoal = 2;      ///< from a goal face (included) towards the core
-  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< kAboveGoal, but not above all goal faces in its component
+  static constexpr std::uint32_t kAboveGoal = 2;      ///< a goal face, or a face between a goal face and the core
+  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< kAboveGoal, and its component has goal faces not below it
   static constexpr std::uint32_t kChosen = 8;         ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 
@@ -69,7 +70,7 @@ class TraStar {
   [[nodiscard]] unsigned passages_on(mesh::Face f, std::uint32_t marks) const {
     return (marks & kAboveGoal) == 0 ? passages_up(f) : ways_above_goal(f, marks);
   }
-  /// In a dead end: the passage up. In the core: all passages in the core.
+  /// Returns the passage up if the face lies in a dead end, or the passages to other core faces if it is a core face.
   [[nodiscard]] unsigned passages_up(mesh::Face f) const {
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);

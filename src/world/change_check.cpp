@@ -10,8 +10,8 @@ namespace waywright {
 
 namespace {
 
-/// A mesh has 31 bits for a half-edge, so it has at most 2^31 / 6 vertices. This limit keeps half of them for
-/// crossings, whose number is not known before they are made.
+/// A mesh has 31 bits for a half-edge, so it has at most 2^31 / 6 vertices. This limit leaves more than half of them
+/// for crossings. The number of crossings is not known before the change is made.
 constexpr std::size_t kLargestVertexCount = std::size_t{1} << 27;
 
 std::optional<Error> find_arity_error(const Shape& shape) {

@@ -19,8 +19,8 @@ namespace waywright {
 /// world will have after the changes before it. Every function that changes a world uses this class and no other check.
 class ChangeCheck {
  public:
-  /// Whether the check remembers the changes that it has accepted. It need not do so for a single change, or for points
-  /// whose ids count up; then it allocates nothing.
+  /// Whether the check remembers the changes that it has accepted. This is not necessary for a single change, or for
+  /// points whose ids count up. Without it, the check allocates nothing.
   enum class Record { no, yes };
 
   ChangeCheck(const constraint::ExactTriangulation& triangulation, Record record)
@@ -49,7 +49,7 @@ class ChangeCheck {
   bool keeps_record_;
   ItemId largest_;                            ///< the largest id of all, including accepted changes
   std::size_t vertex_count_;                  ///< an upper bound, after the changes accepted so far
-  std::vector<ItemId> fresh_;                 ///< ids inserted that were larger than all before; ascending
+  std::vector<ItemId> fresh_;                 ///< the inserted ids that were larger than all ids before; ascending
   std::unordered_map<ItemId, bool> changed_;  ///< for each other id in a change: whether its item is alive now
 };
 

@@ -49,7 +49,7 @@ std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId
   return std::nullopt;
 }
 
-/// Returns the error with the position `i` of the refused element in a list, and with the noun for the element in the
+/// Returns the error with the index `i` of the refused element in a list, and with the noun for the element in the
 /// message.
 Error in_list(const char* element, std::size_t i, Error error) {
   error.index = i;
