@@ -163,16 +163,16 @@ void Ends::move_start(const std::vector<HalfEdge>& goal_faces) {
   if (const auto found = find_free_position(start_, start_location_, goal_faces)) move_start_to(*found);
 }
 
-void Ends::move_start_to(const Point& location) {
-  moved_start_ = MovedEnd{start_, location};
-  start_ = location;
+void Ends::move_start_to(const Point& point) {
+  moved_start_ = MovedEnd{start_, point};
+  start_ = point;
   start_location_ = triangulation_->triangulation().locate(start_);
   find_start_faces();
 }
 
-void Ends::move_goal_to(const Point& location) {
-  moved_goal_ = MovedEnd{goal_, location};
-  goal_ = location;
+void Ends::move_goal_to(const Point& point) {
+  moved_goal_ = MovedEnd{goal_, point};
+  goal_ = point;
   goal_location_ = triangulation_->triangulation().locate(goal_);
   find_goal_faces();
 }

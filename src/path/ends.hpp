@@ -87,8 +87,8 @@ class Ends {
                                                              double limit);
   [[nodiscard]] bool move_end_across_wall();
   void move_start(const std::vector<mesh::HalfEdge>& goal_faces);
-  void move_start_to(const Point& location);
-  void move_goal_to(const Point& location);
+  void move_start_to(const Point& point);
+  void move_goal_to(const Point& point);
   [[nodiscard]] bool are_connected(const nav::Components& components) const;
 
   const Triangulation* triangulation_ = nullptr;

@@ -65,7 +65,7 @@ bool TraStar::is_connected_to_goal(Face f) const {
 void TraStar::mark_passages_to_goal() {
   tops_.clear();
   for (const HalfEdge h : ends_->goal_faces()) climb_from_goal(mesh::face(h));
-  if (ends_->goal_faces().size() > 1) mark_ways_between_goals();
+  if (ends_->goal_faces().size() > 1) mark_passages_between_goals();
 }
 
 void TraStar::climb_from_goal(Face goal) {
@@ -83,7 +83,7 @@ void TraStar::climb_from_goal(Face goal) {
 /// - a top (the last face of a chain), if its component has a second top;
 /// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face that is marked
 ///   itself.
-void TraStar::mark_ways_between_goals() {
+void TraStar::mark_passages_between_goals() {
   const auto component = [&](Face top) { return components_->component_of(top); };
   std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });
   for (std::size_t i = 1; i < tops_.size(); ++i) {
@@ -107,29 +107,29 @@ void TraStar::mark_ways_between_goals() {
 
 /// Returns the passages down towards the goal and, if the face has the mark kGoalElsewhere, also those up. In a tree
 /// without a core, the result of passages_on() does not depend on which face is the root.
-unsigned TraStar::ways_above_goal(Face f, std::uint32_t marks) const {
+unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
   return (marks & kGoalElsewhere) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
 }
 
 unsigned TraStar::passages_down(Face f) const {
-  unsigned ways = 0;
+  unsigned passages = 0;
   for (std::uint32_t side = 0; side < 3; ++side) {
     const HalfEdge exit{3 * number(f) + side};
     if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
     const HalfEdge entry = mesh_->twin(exit);
     const Face below = mesh::face(entry);
     const bool hangs_here = core_->leads_up(entry);
-    if (hangs_here && (marks_of(below) & kAboveGoal) != 0) ways |= 1U << side;
+    if (hangs_here && (marks_of(below) & kAboveGoal) != 0) passages |= 1U << side;
   }
-  return ways;
+  return passages;
 }
 
 // Seen from inside the face, the left end of an edge is its target.
 void TraStar::leave_start_face(HalfEdge h) {
   const Face f = mesh::face(h);
-  const unsigned ways = passages_on(f, marks_of(f));
+  const unsigned passages = passages_on(f, marks_of(f));
   for (const HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-    if ((ways >> (number(exit) - 3 * number(f)) & 1U) == 0) continue;
+    if ((passages >> (number(exit) - 3 * number(f)) & 1U) == 0) continue;
     follow(exit, kNone, {ends_->start(), position_of(mesh_->target(exit)), position_of(mesh_->origin(exit))});
   }
 }
@@ -160,9 +160,9 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
     if ((marks & kChosen) != 0) return;
     const HalfEdge left = mesh::previous(entry);
     const HalfEdge right = mesh::next(entry);
-    const unsigned ways = passages_on(f, marks);
-    const bool goes_left = (ways >> (number(left) - 3 * number(f)) & 1U) != 0;
-    const bool goes_right = (ways >> (number(right) - 3 * number(f)) & 1U) != 0;
+    const unsigned passages = passages_on(f, marks);
+    const bool goes_left = (passages >> (number(left) - 3 * number(f)) & 1U) != 0;
+    const bool goes_right = (passages >> (number(right) - 3 * number(f)) & 1U) != 0;
     if ((marks & kGoal) != 0 || (goes_left && goes_right)) return open(exit, entry, before, sight);
     if (!goes_left && !goes_right) return;
     const Point& apex = position_of(mesh_->origin(left));

@@ -65,10 +65,10 @@ class TraStar {
   [[nodiscard]] bool is_connected_to_goal(mesh::Face f) const;
   void mark_passages_to_goal();
   void climb_from_goal(mesh::Face goal);
-  void mark_ways_between_goals();
+  void mark_passages_between_goals();
   /// Returns the passages through which a path to the goal can leave the face, as one bit for each of its half-edges.
   [[nodiscard]] unsigned passages_on(mesh::Face f, std::uint32_t marks) const {
-    return (marks & kAboveGoal) == 0 ? passages_up(f) : ways_above_goal(f, marks);
+    return (marks & kAboveGoal) == 0 ? passages_up(f) : passages_above_goal(f, marks);
   }
   /// Returns the passage up if the face lies in a dead end, or the passages to other core faces if it is a core face.
   [[nodiscard]] unsigned passages_up(mesh::Face f) const {
@@ -76,7 +76,7 @@ class TraStar {
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
   }
-  [[nodiscard]] unsigned ways_above_goal(mesh::Face f, std::uint32_t marks) const;
+  [[nodiscard]] unsigned passages_above_goal(mesh::Face f, std::uint32_t marks) const;
   [[nodiscard]] unsigned passages_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
   void leave(const Node& node, std::uint32_t position);
