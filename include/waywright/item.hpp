@@ -34,6 +34,11 @@ enum class FillRule : std::uint8_t {
   nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if their directions differ
 };
 
+/// Whether a polygon with this rule covers the positions whose winding number is `turns`.
+[[nodiscard]] constexpr bool is_filled(FillRule rule, std::int32_t turns) {
+  return rule == FillRule::even_odd ? turns % 2 != 0 : turns != 0;
+}
+
 /// Returns the name of a fill rule: `even-odd`, `nonzero`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(FillRule rule);
 

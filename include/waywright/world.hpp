@@ -64,7 +64,8 @@ struct Change {
 /// @endcode
 struct BulkOptions {
   /// The number of threads, 1 or more, including the calling thread. The world is the same for any number. More than
-  /// one thread speeds up the first items of a world. With a job system, it is the number of jobs at a time.
+  /// one thread speeds up the first items of a world. With a job system, it is the number of jobs at a time. A number
+  /// above 256 counts as 256.
   std::size_t threads = 1;
   /// A function that the library calls on the calling thread from time to time, and at the end with `done` equal to
   /// `total`. The unit of both numbers has no meaning. The function must not use the world.
@@ -543,9 +544,8 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Returns the memory that the world holds, by purpose. It does not include the overhead of the allocator. After the
-  /// first query without a context, the world keeps a context of its own. Like every QueryContext, it takes about 16
-  /// bytes for each face. The result does not include it.
-  /// Cost: O(1).
+  /// first query without a context, the world keeps a context of its own. Like every QueryContext, it takes 4 to 16
+  /// bytes for each face and path algorithm that it has served. The result does not include it. Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
   /// Frees most of the memory that memory() calls spare, and the world's own context for queries. Call it if memory is
   /// short, for example after you have loaded a level. The next operations allocate their scratch again. No answer and

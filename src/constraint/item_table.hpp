@@ -63,9 +63,7 @@ class ItemTable {
   /// The fill rule of a polygon; even_odd for all other items.
   [[nodiscard]] FillRule fill(std::uint32_t slot) const { return items_[slot].fill; }
   /// Whether the polygon covers a face in which its winding number is `turns`.
-  [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t turns) const {
-    return fill(slot) == FillRule::even_odd ? turns % 2 != 0 : turns != 0;
-  }
+  [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t turns) const { return is_filled(fill(slot), turns); }
   [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot].side; }
   /// The sum of the hashes of all items and of the domain.
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }

@@ -30,9 +30,7 @@ class Winding {
   [[nodiscard]] std::uint32_t polygon() const { return polygon_; }
 
   /// Whether the polygon covers a face in which its winding number is `turns`.
-  [[nodiscard]] static bool covers(std::int32_t turns) {
-    return rule == FillRule::even_odd ? (turns & 1) != 0 : turns != 0;
-  }
+  [[nodiscard]] static bool covers(std::int32_t turns) { return is_filled(rule, turns); }
 
   /// The winding number in the face of `h` minus the one in the face of its twin.
   [[nodiscard]] std::int32_t across(mesh::HalfEdge h) const {

@@ -13,7 +13,7 @@
 namespace waywright::memory {
 
 /// An array with an undo log: it records each write() and append() of an operation, so that roll_back() can take them
-/// back.
+/// back. One operation uses append() or cover() on an array, not both.
 ///
 ///     array.begin();                // the operation starts
 ///     array.write(3, value);

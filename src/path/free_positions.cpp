@@ -50,9 +50,10 @@ std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, 
   slack_ = largest * 0x1p-46;
   refused_.clear();
   for (std::size_t round = 0; round < kRounds; ++round) {
+    const std::size_t refused_before = refused_.size();
     flood(location, limit, connection);
-    if (candidates_.empty()) return std::nullopt;
     if (const auto found = choose(limit, connection)) return found;
+    if (refused_.size() == refused_before) return std::nullopt;  // there is nothing within the limit
   }
   return std::nullopt;
 }
@@ -83,14 +84,17 @@ void FreePositions::visit(HalfEdge h, const Connection& connection) {
   const double distance = distance_to(h);
   if (distance > nearest_ + slack_) return;
   const bool is_wall = !nav::PointAgent::can_cross(triangulation_->topology(), h);
-  const bool is_refused = std::find(refused_.begin(), refused_.end(), h) != refused_.end();
-  if (is_wall && !is_refused && is_open(beyond, connection)) {
+  if (is_wall && !is_refused(h) && is_open(beyond, connection)) {
     nearest_ = std::min(nearest_, distance + slack_);
     return candidates_.push_back({h, distance});
   }
   const auto face = number(mesh::face(beyond));
   marks_.make_room(face);
   if (std::exchange(marks_[face], stamp_.value()) != stamp_.value()) waiting_.push_back(beyond);
+}
+
+bool FreePositions::is_refused(HalfEdge h) const {
+  return std::find(refused_.begin(), refused_.end(), h) != refused_.end();
 }
 
 /// Returns the distance from the point to the edge of `h`, in doubles, with an error less than `slack_`.
@@ -133,9 +137,6 @@ std::optional<Point> FreePositions::choose(double limit, const Connection& conne
   for (std::size_t i = 0; i < std::min(positions.size(), kTries); ++i) {
     if (const auto found = round_to_free(positions[i].first.rounded(), connection)) return found;
     refused_.push_back(positions[i].second);
-  }
-  if (positions.empty()) {  // the candidates lie beyond the limit by less than a rounding error
-    for (const Candidate& candidate : candidates_) refused_.push_back(candidate.h);
   }
   return std::nullopt;
 }

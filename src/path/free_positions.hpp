@@ -48,6 +48,7 @@ class FreePositions {
 
   void flood(const locate::Located& location, double limit, const Connection& connection);
   void visit(mesh::HalfEdge h, const Connection& connection);
+  [[nodiscard]] bool is_refused(mesh::HalfEdge h) const;
   [[nodiscard]] double distance_to(mesh::HalfEdge h) const;
   [[nodiscard]] bool is_open(mesh::HalfEdge h, const Connection& connection);
   [[nodiscard]] std::optional<Point> choose(double limit, const Connection& connection);

@@ -57,8 +57,7 @@ double share_of_ring(const Shape& shape, std::size_t ring, bool turns_left) {
     if (i != ring) outside += turns_around(shape.rings[ring].front(), shape.rings[i]);
   }
   const int inside = outside + (turns_left ? 1 : -1);
-  const auto is_filled = [&](int turns) { return shape.fill == FillRule::even_odd ? turns % 2 != 0 : turns != 0; };
-  return static_cast<double>(is_filled(inside)) - static_cast<double>(is_filled(outside));
+  return static_cast<double>(is_filled(shape.fill, inside)) - static_cast<double>(is_filled(shape.fill, outside));
 }
 
 Point mean_of_points(const Shape& shape, const Point& origin) {

@@ -4,31 +4,31 @@
 
 namespace waywright {
 
-// A search that looks at a face reads that face and the faces that share a corner with it. So each face around the
-// corners of a made face counts as touched.
 void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
-  if (searches_.load(std::memory_order_relaxed) == 0 || entries_.size() > kLongest) {
-    entries_.clear();
-    return note_everything();
-  }
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  const auto add = [&](mesh::Face f) { entries_.push_back({version_ + 1, f}); };
-  mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
-    if (entries_.size() > kLongest) return;
-    add(f);
-    if (!mesh.is_alive(f)) return;
-    for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
-      if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
-      mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) {
-        if (entries_.size() <= kLongest) add(mesh::face(around));
-      });
-    }
-  });
-  if (entries_.size() > kLongest) {
+  const bool is_wanted = searches_.load(std::memory_order_relaxed) != 0 && entries_.size() <= kLongest;
+  if (!is_wanted || !add_touched_faces(triangulation)) {
     entries_.clear();
     return note_everything();
   }
   if (entries_.capacity() - entries_.size() < kSpare) entries_.reserve(2 * entries_.size() + kSpare);
+}
+
+// A search that looks at a face reads that face and the faces that share a corner with it. So each face around the
+// corners of a made face counts as touched.
+bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto add = [&](mesh::Face f) {
+    if (entries_.size() <= kLongest) entries_.push_back({version_ + 1, f});
+  };
+  mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
+    add(f);
+    if (entries_.size() > kLongest || !mesh.is_alive(f)) return;
+    for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
+      if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
+      mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) { add(mesh::face(around)); });
+    }
+  });
+  return entries_.size() <= kLongest;
 }
 
 void TouchLog::note_abstraction(const nav::Abstraction& abstraction) {

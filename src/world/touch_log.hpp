@@ -49,6 +49,9 @@ class TouchLog {
   void shrink_to_fit();
 
  private:
+  /// Notes the faces that an operation has touched. Returns whether there was room for all of them.
+  [[nodiscard]] bool add_touched_faces(const constraint::ExactTriangulation& triangulation);
+
   /// If the log gets longer than this, it is emptied, and all searches restart.
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
   /// note_mesh() makes room for this many changes of the abstraction.

@@ -216,23 +216,5 @@ TEST(BlockedEnds, AreMovedPastGapsThatAreTooNarrowForADouble) {
   }
 }
 
-// A polygon fills the hole of another one but for a gap around it, in which no double lies.
-TEST(BlockedEnds, AreMovedOutOfAPolygonThatSuchAGapSurrounds) {
-  const double below = std::nextafter(4.0, 0.0);
-  const double above = std::nextafter(6.0, 9.0);
-  World world = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
-  const std::vector<std::vector<Point>> ring = {{{1, 1}, {9, 1}, {9, 9}, {1, 9}},
-                                                {{below, below}, {above, below}, {above, above}, {below, above}}};
-  world.insert_polygon(ring).value();
-  world.insert_polygon({{4, 4}, {6, 4}, {6, 6}, {4, 6}}).value();
-  PathQuery query;
-  query.start = {5, 4.5};
-  query.goal = {0.5, 0.5};
-  query.end_tolerance = 5.0;
-  const Path path = world.find_path(query).value();
-  ASSERT_TRUE(path.moved_start.has_value());
-  EXPECT_NE(path.status, PathStatus::start_blocked);
-}
-
 }  // namespace
 }  // namespace waywright::test

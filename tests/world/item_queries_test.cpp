@@ -129,38 +129,9 @@ bool meets_side(const Shape& shape, const Point& from, const Point& to) {
   return false;
 }
 
-TEST(ItemsCrossed, AgreeWithBruteForceOnRandomScenes) {
-  for (const Flavour flavour : {Flavour::lattice, Flavour::small}) {
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-      const Scene scene = random_scene(flavour, seed, 20);
-      World world = World::create(scene.domain, {.keep_abstraction = seed % 2 == 0}).value();
-      for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
-      Random random(seed);
-      for (int i = 0; i < 20; ++i) {
-        const Point from = random_point(flavour, scene.domain, random);
-        const Point to = random_point(flavour, scene.domain, random);
-        std::vector<ItemId> expected;
-        for (const Item& item : scene.items) {
-          if (meets_side(item.shape, from, to)) expected.push_back(item.id);
-        }
-        std::sort(expected.begin(), expected.end());
-        std::vector<ItemId> met;
-        double last = -1.0;
-        for (const auto& [id, at] : world.items_crossed(from, to).value()) {
-          met.push_back(id);
-          const double along = (at.x - from.x) * (to.x - from.x) + (at.y - from.y) * (to.y - from.y);
-          EXPECT_GE(along, last - 1e-6) << "out of order";
-          last = along;
-        }
-        std::sort(met.begin(), met.end());
-        met.erase(std::unique(met.begin(), met.end()), met.end());
-        ASSERT_EQ(met, expected) << "seed " << seed;
-      }
-    }
-  }
-}
-
-TEST(ItemsIn, AgreeWithBruteForceOnRandomScenes) {
+/// Calls check(scene, world, p, q) for pairs of random points in the worlds of random scenes.
+template <class Check>
+void for_random_pairs(Check&& check) {
   for (const Flavour flavour : {Flavour::lattice, Flavour::small}) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
       const Scene scene = random_scene(flavour, seed, 20);
@@ -170,26 +141,54 @@ TEST(ItemsIn, AgreeWithBruteForceOnRandomScenes) {
       for (int i = 0; i < 20; ++i) {
         const Point p = random_point(flavour, scene.domain, random);
         const Point q = random_point(flavour, scene.domain, random);
-        const Box box{{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
-        const auto holds = [&](const Point& r) {
-          return r.x >= box.min.x && r.x <= box.max.x && r.y >= box.min.y && r.y <= box.max.y;
-        };
-        const std::vector<ItemId> covering = world.locate(box.min).value().inside;
-        std::vector<ItemId> expected;
-        for (const Item& item : scene.items) {
-          bool meets = std::find(covering.begin(), covering.end(), item.id) != covering.end();
-          for (const auto& ring : item.shape.rings) meets = meets || std::any_of(ring.begin(), ring.end(), holds);
-          const Point c{box.max.x, box.min.y}, d{box.min.x, box.max.y};
-          for (const auto& [from, to] : {std::pair{box.min, c}, {c, box.max}, {box.max, d}, {d, box.min}}) {
-            meets = meets || meets_side(item.shape, from, to);
-          }
-          if (meets) expected.push_back(item.id);
-        }
-        std::sort(expected.begin(), expected.end());
-        ASSERT_EQ(world.items_in(box).value(), expected) << "seed " << seed;
+        check(scene, world, p, q);
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
       }
     }
   }
+}
+
+TEST(ItemsCrossed, AgreeWithBruteForceOnRandomScenes) {
+  for_random_pairs([](const Scene& scene, const World& world, const Point& from, const Point& to) {
+    std::vector<ItemId> expected;
+    for (const Item& item : scene.items) {
+      if (meets_side(item.shape, from, to)) expected.push_back(item.id);
+    }
+    std::sort(expected.begin(), expected.end());
+    std::vector<ItemId> met;
+    double last = -1.0;
+    for (const auto& [id, at] : world.items_crossed(from, to).value()) {
+      met.push_back(id);
+      const double along = (at.x - from.x) * (to.x - from.x) + (at.y - from.y) * (to.y - from.y);
+      EXPECT_GE(along, last - 1e-6) << "out of order";
+      last = along;
+    }
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    EXPECT_EQ(met, expected);
+  });
+}
+
+TEST(ItemsIn, AgreeWithBruteForceOnRandomScenes) {
+  for_random_pairs([](const Scene& scene, const World& world, const Point& p, const Point& q) {
+    const Box box{{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
+    const auto holds = [&](const Point& r) {
+      return r.x >= box.min.x && r.x <= box.max.x && r.y >= box.min.y && r.y <= box.max.y;
+    };
+    const std::vector<ItemId> covering = world.locate(box.min).value().inside;
+    std::vector<ItemId> expected;
+    for (const Item& item : scene.items) {
+      bool meets = std::find(covering.begin(), covering.end(), item.id) != covering.end();
+      for (const auto& ring : item.shape.rings) meets = meets || std::any_of(ring.begin(), ring.end(), holds);
+      const Point c{box.max.x, box.min.y}, d{box.min.x, box.max.y};
+      for (const auto& [from, to] : {std::pair{box.min, c}, {c, box.max}, {box.max, d}, {d, box.min}}) {
+        meets = meets || meets_side(item.shape, from, to);
+      }
+      if (meets) expected.push_back(item.id);
+    }
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(world.items_in(box).value(), expected);
+  });
 }
 
 TEST(Shapes, CentroidIsTheCentreOfArea) {
