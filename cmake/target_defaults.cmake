@@ -54,6 +54,6 @@ macro(waywright_find package version purpose option)
     message(
       FATAL_ERROR
         "${purpose} the package ${package} ${version}, which CMake does not find. Install it (scripts/packages.txt \
-names Debian's packages), say where it is with CMAKE_PREFIX_PATH, or leave this part out with -D${option}=OFF.")
+names Debian's packages), say where it is with CMAKE_PREFIX_PATH, or build without it: -D${option}=OFF.")
   endif()
 endmacro()

@@ -109,8 +109,8 @@ struct Commands {
   friend bool operator==(const Commands&, const Commands&) = default;
 };
 
-/// The game names its items by itself: ids that a world hands out depend on what happened to that world before, and a
-/// rollback is part of that.
+/// The game chooses the ids of its items. Ids that a world chooses would depend on what happened to that world before,
+/// for example on a rollback.
 ItemId building_id(std::size_t player, Tick tick) { return {std::uint64_t{player + 1} << 32 | (tick + 1)}; }
 
 std::uint64_t number_of(std::size_t player, Tick tick) { return mixed(player * 1000003 + tick) >> 8; }

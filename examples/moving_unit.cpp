@@ -32,7 +32,7 @@ struct Unit {
   Path path;
 };
 
-/// Whether there is a way to the goal.
+/// Returns whether there is a path to the goal.
 bool find_way(const World& world, QueryContext& context, Unit& unit) {
   const PathQuery query{.start = unit.position.at, .goal = unit.goal};
   world.find_path(query, context, unit.path).value();
@@ -47,7 +47,7 @@ bool walk(Unit& unit, double step) {
   return unit.position.distance >= unit.path.length;
 }
 
-// ---- A unit that keeps its place as float ----
+// ---- A unit that keeps its position as float ----
 
 struct FloatUnit {
   float x = 0;
@@ -64,13 +64,14 @@ void walk(FloatUnit& unit, double step) {
 
 // ---- Ends that are blocked ----
 
-/// As find_way, also for a unit or a goal inside a building. Both go to the nearest free place within `tolerance`.
+/// Does what find_way does. If the unit or its goal is inside a building, moves it to the nearest free position within
+/// `tolerance`.
 bool find_way_out(const World& world, QueryContext& context, Unit& unit, double tolerance) {
   const PathQuery query{.start = unit.position.at, .goal = unit.goal, .end_tolerance = tolerance};
   world.find_path(query, context, unit.path).value();
   if (unit.path.status == PathStatus::start_blocked || unit.path.status == PathStatus::goal_blocked) {
     for (const ItemId id : unit.path.blockers)
-      std::printf("item %ju is in the way\n", static_cast<std::uintmax_t>(id.value));
+      std::printf("blocked by item %ju\n", static_cast<std::uintmax_t>(id.value));
   }
   if (unit.path.status != PathStatus::found) return false;
   if (unit.path.moved_goal) unit.goal = unit.path.moved_goal->to;
@@ -92,7 +93,7 @@ void return_to_path(const World& world, QueryContext& context, Unit& unit, const
 
 // ---- After buildings come and go ----
 
-/// Finds new ways for the units that a change since `before` blocks. `before` is World::version() before the change.
+/// Finds new paths for the units whose paths a change blocks. `before` is World::version() before the change.
 std::size_t find_new_ways(const World& world, QueryContext& context, std::span<Unit> units, std::uint64_t before) {
   std::size_t count = 0;
   for (Unit& unit : units) {
@@ -107,12 +108,12 @@ std::size_t find_new_ways(const World& world, QueryContext& context, std::span<U
 
 // ---- Searches in slices ----
 
-/// Finds paths for units that wait for them, with a limit of work for each frame.
+/// Finds paths for units that wait for them. Limits the work in each frame.
 class PathQueue {
  public:
   void ask(Unit& unit) { waiting_.push_back(&unit); }
 
-  /// Searches on, for some slices of 250 triangles. Returns whether all is done.
+  /// Continues to search, for `slices` slices of 250 triangles each. Returns whether no unit waits any more.
   bool work(const World& world, int slices) {
     for (; slices > 0 && !waiting_.empty(); --slices) {
       Unit& unit = *waiting_.front();
@@ -132,7 +133,7 @@ class PathQueue {
 
 // ---- Many at once ----
 
-/// Finds ways for all units, on as many threads as there are contexts.
+/// Finds paths for all units, on as many threads as there are contexts.
 void find_ways(const World& world, std::span<QueryContext> contexts, std::span<Unit> units) {
   std::vector<PathQuery> queries;
   for (const Unit& unit : units) queries.push_back({.start = unit.position.at, .goal = unit.goal});
@@ -154,8 +155,8 @@ void expect(bool condition, const char* what) {
   is_right = false;
 }
 
-bool is_blocked(const World& world, const Point& place) {
-  const PathQuery query{.start = place, .goal = {1, 1}, .end_tolerance = 0};
+bool is_blocked(const World& world, const Point& point) {
+  const PathQuery query{.start = point, .goal = {1, 1}, .end_tolerance = 0};
   return world.find_path(query).value().status == PathStatus::start_blocked;
 }
 
@@ -172,20 +173,20 @@ void check_one_unit() {
   Unit unit{.position = {}, .goal = {95, 10}, .path = {}};
   unit.position.at = {5, 10};
   FloatUnit twin;
-  expect(find_way(world, context, unit), "there is a way");
+  expect(find_way(world, context, unit), "there is a path");
   twin.path = unit.path;
   bool is_there = false;
   for (int tick = 0; tick < 1000 && !is_there; ++tick) {
     is_there = walk(unit, 0.3);
     walk(twin, 0.3);
-    expect(!is_blocked(world, unit.position.at), "the unit stands on a free place");
-    expect(!is_blocked(world, {twin.x, twin.y}), "and so does the one in float");
+    expect(!is_blocked(world, unit.position.at), "the unit stands at a free position");
+    expect(!is_blocked(world, {twin.x, twin.y}), "the unit in float stands at a free position");
   }
   expect(is_there && unit.position.at == unit.goal, "the unit gets to its goal");
 }
 
-/// A program that computes and rounds positions on a path itself may get positions inside a polygon, or beyond a wall
-/// without thickness. The positions that the library computes never lie there.
+/// If a program computes positions on a path by itself, rounding may put them inside a polygon, or beyond a wall
+/// without thickness. The positions that the library computes here never lie there.
 void check_places() {
   const World with_wedge = world_with_wedge();
   World with_fence = World::create({{0, 0}, {100, 100}}).value();
@@ -202,14 +203,14 @@ void check_places() {
     const Point by_hand{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     blocked_by_hand += is_blocked(with_wedge, by_hand) ? 1 : 0;
     beyond_by_hand += with_fence.is_clear(std::vector<Point>{path.points[0], a, by_hand}).value() ? 0 : 1;
-    const Point place = path.at(before + share * length).at;
-    expect(!is_blocked(with_wedge, place), "a place from the library is free");
-    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, place}).value(),
-           "and on the right side of a fence");
+    const Point point = path.at(before + share * length).at;
+    expect(!is_blocked(with_wedge, point), "a position from the library is free");
+    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, point}).value(),
+           "a position from the library is in front of the fence");
   }
-  std::printf("of 999 places computed by hand, %d lie inside a polygon, %d beyond a fence\n", blocked_by_hand,
+  std::printf("of 999 positions computed by hand, %d lie inside a polygon, %d beyond a fence\n", blocked_by_hand,
               beyond_by_hand);
-  expect(blocked_by_hand > 0 && beyond_by_hand > 0, "places computed by hand can be wrong");
+  expect(blocked_by_hand > 0 && beyond_by_hand > 0, "positions computed by hand can be wrong");
 }
 
 void check_blocked_ends() {
@@ -221,11 +222,11 @@ void check_blocked_ends() {
   expect(find_way_out(world, context, unit, 30) && !is_blocked(world, unit.goal), "a free goal is taken instead");
 
   world.insert_polygon({{1, 5}, {11, 5}, {11, 13}, {1, 13}}, 2).value();  // on the unit
-  expect(find_way_out(world, context, unit, 30) && unit.position.at == Point{5, 13}, "the unit goes out of the house");
+  expect(find_way_out(world, context, unit, 30) && unit.position.at == Point{5, 13}, "the unit leaves the house");
 
   return_to_path(world, context, unit, {6, 15});
   expect(unit.position.distance > 0 && world.is_clear({6, 15}, unit.position.at).value(),
-         "it goes on from the nearest");
+         "the unit continues from the nearest position on its path");
 }
 
 void check_changes() {
@@ -244,7 +245,7 @@ void check_changes() {
   for (const Unit& unit : units) before.push_back(unit.path);
   int frames = 1;
   while (!queue.work(world, 4)) ++frames;
-  expect(frames == 5, "each of 20 searches takes a slice");
+  expect(frames == 5, "each of the 20 searches takes one slice");
   for (std::size_t i = 0; i < units.size(); ++i) expect(units[i].path.points == before[i].points, "the same paths");
 
   const std::uint64_t version = world.version();

@@ -24,7 +24,7 @@ int main() {
   const std::size_t vertices = world.vertex_count();
   std::printf("%d points, %d of them where one was already: %zu vertices, %zu triangles\n", kPoints, on_vertex,
               vertices, world.triangle_count());
-  // Every new point made a vertex. The box has four vertices of its own.
+  // Every new point made a vertex. The domain has four vertices of its own.
   const bool is_right = vertices == static_cast<std::size_t>(4 + kPoints - on_vertex) && world.validate().ok;
   return is_right ? 0 : 1;
 }

@@ -109,7 +109,7 @@ class Game {
     if (unit.path.moved_start) std::printf("%.1f s: a unit steps aside\n", kTick * tick_);
   }
 
-  /// After a change of the world: finds new ways for the units whose path is blocked now.
+  /// After a change of the world: finds new paths for the units whose path is blocked now.
   void ask_again(std::uint64_t before) {
     int count = 0;
     for (Unit& unit : units_) {
@@ -119,7 +119,7 @@ class Game {
       find_way(unit);
       ++count;
     }
-    if (count > 0) std::printf("%.1f s: %d units need a new way\n", kTick * tick_, count);
+    if (count > 0) std::printf("%.1f s: %d units need a new path\n", kTick * tick_, count);
   }
 
   World world_;

@@ -9,7 +9,7 @@
 
 namespace waywright::constraint {
 
-/// Scratch for the canonical order of a mesh. Keep the object: later calls use its memory again.
+/// Scratch for the canonical order of a mesh. Use one object for many calls, because it keeps its memory.
 struct CanonicalOrder {
   struct FixedEdge {
     std::uint32_t i, j;

@@ -89,8 +89,9 @@ class ConstrainedTriangulation {
     uses_.for_each(topology().label(h), [&](std::uint32_t slot) { visit(items_.side(slot)); });
   }
 
-  /// Checks everything, exactly: topology, orientations, that the faces cover the box once, empty circles, and that the
-  /// edges and vertices are those that the items need. Returns a description of the first fault, or nothing.
+  /// Checks everything, exactly: the topology; the orientation of each face; that the faces cover the domain once; the
+  /// empty circles; and that the mesh has exactly the vertices and fixed edges that the items need. Returns a
+  /// description of the first fault, or nothing.
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
   void count_memory(MemoryUse& use) const;

@@ -8,7 +8,7 @@
 
 namespace waywright::constraint {
 
-/// Finds the polygons that cover a face or a location. Keep the object: later queries use its memory again.
+/// Finds the polygons that cover a face or a location. Use one object for many queries, because it keeps its memory.
 class Cover {
  public:
   Cover() = default;
@@ -18,7 +18,7 @@ class Cover {
 
   /// The polygons, by slot, that cover the inside of the face of `h`, in no particular order. This implementation goes
   /// through faces to the domain's border, and its result is sorted. A subclass that stores the polygons of each face
-  /// overrides it with a faster one.
+  /// overrides it with a faster implementation.
   virtual const std::vector<std::uint32_t>& of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h);
 
   /// Whether a polygon covers the inside of the face of `h`.
@@ -37,10 +37,11 @@ class Cover {
   const std::vector<std::uint32_t>& strictly_covering(const ExactTriangulation& triangulation,
                                                       const locate::Located& location);
 
-  /// The faces around the location that no polygon covers, each by a half-edge. At a vertex, it starts at the vertex;
-  /// on an edge, it lies on the edge; inside a face, it is the one whose origin comes first in (x, y) order. The order
-  /// of the faces depends only on the geometry of the mesh: counter-clockwise around a vertex from its first neighbour
-  /// in (x, y) order; on an edge, first the face left of the edge in (x, y) order.
+  /// The faces around the location that no polygon covers, each as one of its half-edges. If the location is a vertex,
+  /// this half-edge starts there; if it is an edge, the half-edge lies on that edge; if it is a face, it is the one
+  /// whose origin comes first in (x, y) order. The order of the faces depends only on the geometry of the mesh. At a
+  /// vertex they are counter-clockwise, from its first neighbour in (x, y) order on. At an edge, directed in (x, y)
+  /// order, the face on its left comes first.
   const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation,
                                                 const locate::Located& location);
 

@@ -23,8 +23,8 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_fault() cons
   return find_delaunay_fault();
 }
 
-// The triangulation covers the box exactly once if the mesh is a sphere, all faces in the box are counter-clockwise,
-// and the border between them and the ghost faces runs exactly once around the box.
+// The triangulation covers the domain exactly once if the mesh is a sphere, all faces in the domain are
+// counter-clockwise, and the border between them and the ghost faces runs exactly once around the domain.
 template <class Geometry>
 std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault() const {
   const mesh::TriangleMesh& mesh = topology();
@@ -37,7 +37,8 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault(
       return "face " + std::to_string(i) + " is not counter-clockwise";
     }
   }
-  // The neighbours of the ghost, clockwise around it, are the vertices on the border, counter-clockwise around the box.
+  // The neighbours of the ghost vertex are the vertices on the border. Clockwise around the ghost vertex means
+  // counter-clockwise around the domain.
   std::size_t corner = 0;
   const auto& corners = triangulation_.box_corners();
   mesh::HalfEdge h = mesh.find(triangulation_.ghost(), corners[0]);

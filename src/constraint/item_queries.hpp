@@ -14,7 +14,7 @@
 
 namespace waywright::constraint {
 
-/// The scratch of the queries. Keep the object: later queries use its memory again.
+/// The scratch of the queries. Use one object for many queries, because it keeps its memory.
 struct ItemQueryScratch {
   std::vector<std::uint32_t> slots;
   std::vector<std::uint32_t> along;

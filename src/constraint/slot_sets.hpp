@@ -7,8 +7,8 @@
 
 #include "constraint/mix.hpp"
 
-// Sets of items, as lists of their slots. To make a set costs no more than to sort the list, for any number of polygons
-// that overlap.
+// Sets of items, as lists of their slots. The cost of making a set is the cost of sorting its list, however many
+// polygons overlap.
 
 namespace waywright::constraint {
 
@@ -37,7 +37,7 @@ inline void keep_odd(std::vector<std::uint32_t>& slots) {
   keep_each_if(slots, [](std::uint32_t, std::size_t count) { return count % 2 == 1; });
 }
 
-/// A set of numbers below 2^32 - 1. Keep the object: later uses take its memory again. The cost of clear() is
+/// A set of numbers below 2^32 - 1. Use one object for many sets, because it keeps its memory. The cost of clear() is
 /// proportional to the number of elements.
 class SlotSet {
  public:

@@ -21,31 +21,33 @@
 namespace waywright::delaunay {
 
 /// Computes the Delaunay triangulation of a set of points, with a ghost vertex beyond their convex hull. Axis-parallel
-/// lines divide the points recursively into ranges of at most three; then the triangulations on both sides of each line
-/// are merged along the line.
+/// lines divide the points recursively into ranges of at most three points. Each range is triangulated. Then, at each
+/// line, the two pieces to the left and to the right of it (or below and above it) are merged along the line.
 ///
-/// For any m points, they and the ghost form a sphere of 2 m - 2 faces. Hence the points [i, j) own the faces from 2 i
-/// to 2 j - 3, a merge at k adds the faces 2 k - 2 and 2 k - 1, and the algorithm neither moves nor allocates anything.
+/// The triangulation of any m points and the ghost vertex is a sphere of 2 m - 2 faces. So the points [i, j) use the
+/// faces from 2 i to 2 j - 3, and a merge at k adds the faces 2 k - 2 and 2 k - 1. The algorithm moves no face and
+/// allocates no face.
 ///
 /// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cuts in both directions:
 /// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghost faces that
-/// become the new faces: Shewchuk, *Triangle*, 1996. Departures: the cuts are those between the cells of the curve, so
-/// there is no search for medians; and ties are broken, so the result is unique.
+/// become the new faces: Shewchuk, *Triangle*, 1996. There are two differences from these papers. The code cuts the
+/// points where the curve divides a cell, so it need not search for medians. And it breaks ties (tie_rule.hpp), so the
+/// result is unique.
 template <class Geometry>
 class DivideAndConquer {
  public:
   using Corner = mesh::TriangleMesh::Corner;
   using Key = locate::Curve::Key;
 
-  /// `geometry` is asked about points, never about vertices. `points` are distinct and in the order of their `keys`,
-  /// points with the same key in (x, y) order. Point i becomes vertex i + 1; the ghost is vertex 0. `corners` has room
-  /// for 6 (points.size() - 1) corners.
+  /// The class passes only points to the predicates of `geometry`, never vertices. `points` are distinct and sorted by
+  /// their `keys`; points with the same key are in (x, y) order. Point i becomes vertex i + 1. The ghost is vertex 0.
+  /// `corners` has room for 6 (points.size() - 1) corners.
   DivideAndConquer(const Geometry& geometry, std::span<const Point> points, std::span<const Key> keys,
                    std::span<Corner> corners)
       : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
 
-  /// Triangulates all points and does `jobs` in the meantime. Reports how many points are done. Requires: there are at
-  /// least two points.
+  /// Triangulates all points, and does `jobs` at the same time. Reports how many points are in finished pieces.
+  /// Requires: there are at least two points.
   void run(const threads::Crew& crew, std::span<const threads::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
@@ -55,19 +57,19 @@ class DivideAndConquer {
   using Vertex = mesh::Vertex;
   using Sign = exact::Sign;
   /// A triangulated range of points. Each edge of its convex hull has a ghost face. The half-edge of this face that is
-  /// opposite to the ghost represents the hull edge: it runs clockwise around the part.
+  /// opposite to the ghost represents the hull edge: it runs clockwise around the piece.
   struct Part {
-    Vertex any{};                       ///< a vertex of the part
-    HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the part has more than one vertex
+    Vertex any{};                       ///< a vertex of the piece
+    HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the piece has more than one vertex
   };
   /// Whether a cut divides points by x or by y.
   enum class Cut : std::uint8_t { x, y };
 
-  // The state of a merge before its first step and between two steps. `l`, in the left part, and `r`, in the right
-  // part, are the ends of the uppermost edge between the parts so far. `base` is the half-edge of this edge from r to
-  // l; the face of its twin is still missing. `left` is the hull edge of the left part that ends at l, and `right` is
-  // the hull edge of the right part that starts at r. Each is missing if its part is a single vertex. `left_open` and
-  // `right_open` are the half-edges between l or r and the ghost above the base; they have no twin yet.
+  // The state of a merge before its first step and between two steps. `l`, in the left piece, and `r`, in the right
+  // piece, are the ends of the uppermost edge between the pieces so far. `base` is the half-edge of this edge from r to
+  // l; the face of its twin is still missing. `left` is the hull edge of the left piece that ends at l, and `right` is
+  // the hull edge of the right piece that starts at r. If a piece is a single vertex, it has no hull edge. `left_open`
+  // and `right_open` are the half-edges between l or r and the ghost above the base; they have no twin yet.
   struct MergeState {
     Vertex l, r;
     HalfEdge base;
@@ -108,7 +110,7 @@ class DivideAndConquer {
     corners_[3 * std::size_t{f} + 2].origin = c;
     return HalfEdge{3 * f};
   }
-  /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the part.
+  /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the piece.
   [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
   [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
 
@@ -189,8 +191,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge_task
   return merge(left, right, 2 * middle - 2, cut);
 }
 
-// The highest bit in which the keys differ divides their cells by a line. Points in one cell are in (x, y) order:
-// there, an almost vertical line divides them at any index.
+// The highest bit in which the keys differ divides their cells by a line. If all points lie in one cell, they are in
+// (x, y) order: an almost vertical line can divide them at any index.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std::uint32_t begin,
                                                                              std::uint32_t end) const {
@@ -275,7 +277,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain
   return {a, ab};
 }
 
-/// The hull edge that starts, counter-clockwise, at the last vertex in the direction of the cut.
+/// The hull edge that starts, counter-clockwise, at the last vertex in the order that the cut uses.
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) const {
   Vertex v = target(hull);
@@ -295,7 +297,7 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_last(HalfEdge hull, Cut cut) con
   }
 }
 
-/// The hull edge that ends, counter-clockwise, at the first vertex in the direction of the cut.
+/// The hull edge that ends, counter-clockwise, at the first vertex in the order that the cut uses.
 template <class Geometry>
 mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) const {
   Vertex v = origin(hull);
@@ -315,8 +317,9 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) co
   }
 }
 
-// Starts at the two vertices nearest to the cut and moves down until both parts lie left of the line from l to r, or on
-// it. If several vertices of a part lie on this line, l or r is the one nearest to the cut.
+// Finds the lower common tangent of the two pieces. Starts at the two vertices nearest to the cut, and moves down until
+// both pieces lie left of the line from l to r, or on it. If several vertices of a piece lie on this line, l (or r) is
+// the one nearest to the cut.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Part& left,
                                                                                           const Part& right,
@@ -354,9 +357,9 @@ typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lowe
   return state;
 }
 
-//       ghost       Makes the ghost face below the lower tangent. Its edges l - ghost and ghost - r take over the twins
-//      /     \      that the ghost faces at `left` and `right` had there. The half-edges that lose their twins are
-//    l ------- r    `left_open` and `right_open`. They stay open until the upper tangent has a ghost face, too.
+//       ghost       Makes the ghost face below the lower tangent. Its edges l - ghost and ghost - r take two twins from
+//      /     \      half-edges of the ghost faces at `left` and `right`. The half-edges that lose their twins are now
+//    l ------- r    `left_open` and `right_open`. They have no twin until the upper tangent has a ghost face, too.
 //      \     /
 //       ghost
 template <class Geometry>
@@ -397,7 +400,7 @@ void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candida
   }
 }
 
-/// Does the same as uncover_left() in the right part, where the hull edge is r - q.
+/// Does the same as uncover_left() in the right piece, where the hull edge is r - q.
 template <class Geometry>
 void DivideAndConquer<Geometry>::uncover_right(MergeState& state, Vertex& candidate) {
   for (;;) {
@@ -440,8 +443,8 @@ void DivideAndConquer<Geometry>::join_right(MergeState& state, Vertex candidate)
   state.right = next(state.right_open);
 }
 
-// Each step finds the face above the base: a circle through the ends of the base grows upwards between the parts until
-// it meets the next vertex of either part.
+// Each step finds the face above the base: a circle through the ends of the base grows upwards between the pieces until
+// it meets the next vertex of either piece.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
                                                                             std::uint32_t f, Cut cut) {

@@ -16,11 +16,11 @@
 
 namespace waywright::delaunay {
 
-/// A constrained Delaunay triangulation of a box. Fixed edges stay, and every other edge has the empty-circle property.
-/// If four vertices are cocircular, the edge between them is the diagonal that contains the first of the four in (x, y)
-/// order. This rule is the limit of a perturbation that lowers every point on the lifting paraboloid by an
-/// infinitesimal, the first point by far the most. So the vertices and the fixed edges determine exactly one
-/// triangulation.
+/// A constrained Delaunay triangulation of a closed box, the domain. Fixed edges stay, and every other edge has the
+/// empty-circle property. If four vertices are cocircular, the edge between them is the diagonal that contains the
+/// first of the four in (x, y) order. This rule is the limit of a perturbation that lowers every point on the lifting
+/// paraboloid by an infinitesimal, the first point by far the most. So the vertices and the fixed edges determine
+/// exactly one triangulation.
 ///
 /// The class Geometry does all arithmetic. It satisfies exact::AnyGeometry. The library uses exact::Geometry.
 template <class Geometry>
@@ -30,17 +30,18 @@ class Triangulation {
  public:
   using View = typename Geometry::View;
 
-  /// Makes a box of two triangles. The four edges on its border (bottom, right, top, left) are fixed with these labels.
+  /// Makes the triangulation of the domain `box`: two triangles. The four edges on its border (bottom, right, top,
+  /// left) are fixed with these labels.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels)
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
-  /// Makes the triangulation of the box with a vertex at each point of `sorted`, all at once. The crew runs `jobs` at
-  /// the same time. `sorted` is the result of a sort whose first four points were the box's corners in the order of
+  /// Makes the triangulation of the domain `box` with a vertex at each point of `sorted`, all at once. The crew runs
+  /// `jobs` at the same time. The first four points before the sort were the corners of the domain, in the order of
   /// corners_of(). The constructor takes the points and keys out of `sorted` and leaves the ranks. Source: see
   /// DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
                 const threads::Crew& crew = {}, std::span<const threads::Job> jobs = {});
 
-  /// The box's corners as points, counter-clockwise from the smallest.
+  /// The corners of the domain `box` as points, counter-clockwise from the first in (x, y) order.
   [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {
     return {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
   }
@@ -49,15 +50,15 @@ class Triangulation {
 
   [[nodiscard]] const mesh::TriangleMesh& topology() const { return mesh_; }
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
-  /// The ghost vertex outside the box, which is connected to every vertex on the box's sides.
+  /// The ghost vertex, which is connected to every vertex on the border of the domain.
   [[nodiscard]] mesh::Vertex ghost() const { return ghost_; }
-  /// Whether the half-edge's face lies outside the box.
+  /// Whether the half-edge's face is a ghost face, which lies outside the domain.
   [[nodiscard]] bool is_ghost_face(mesh::HalfEdge h) const {
     return mesh_.origin(h) == ghost_ || mesh_.target(h) == ghost_ || mesh_.apex(h) == ghost_;
   }
-  /// Whether the face is alive and lies in the box.
+  /// Whether the face is alive and lies in the domain.
   [[nodiscard]] bool is_in_box(mesh::Face f) const { return mesh_.is_alive(f) && !is_ghost_face(mesh::first(f)); }
-  /// The box's corners as vertices, counter-clockwise from the smallest.
+  /// The corners of the domain as vertices, counter-clockwise from the first in (x, y) order.
   [[nodiscard]] const std::array<mesh::Vertex, 4>& box_corners() const { return box_corners_; }
 
   [[nodiscard]] View view(mesh::Vertex v) const { return geometry_.view(number(v)); }
@@ -69,7 +70,7 @@ class Triangulation {
   }
 
   /// The location of `point`. The second function starts its walk at the face of `start`. Requires: `point` and the
-  /// face of `start` lie in the box.
+  /// face of `start` lie in the domain.
   [[nodiscard]] locate::Located locate(const Point& point) const;
   [[nodiscard]] locate::Located locate(const Point& point, mesh::HalfEdge start) const;
 
@@ -99,7 +100,7 @@ class Triangulation {
 
   /// Makes the edge of `h` free. The edge may be illegal until legalise_freed() has run.
   void free_edge(mesh::HalfEdge h);
-  /// Flips freed edges, and edges that become illegal by that, until every free edge is legal again.
+  /// Flips freed edges, and edges that these flips make illegal, until every free edge is legal again.
   void legalise_freed();
 
   /// The surroundings of a vertex: the half-edges that start there, counter-clockwise, and the indices of those that
@@ -112,7 +113,7 @@ class Triangulation {
   [[nodiscard]] const Star& star(mesh::Vertex v);
   /// Removes the vertex of a star. The vertex has no fixed edges, or two that lie on one line. Two fixed edges become
   /// one edge with the label of the first. Returns this edge, or kNoHalfEdge if there were no fixed edges. Requires:
-  /// the triangulation is Delaunay, the star has not changed, and its vertex is no corner of the box. Source: Chen
+  /// the triangulation is Delaunay, the star has not changed, and its vertex is no corner of the domain. Source: Chen
   /// 2009, section 3.4, algorithm 17; for the hole, Devillers 2011.
   mesh::HalfEdge remove_vertex(const Star& star);
   /// Prefetches the position of `v` and the index of one of its half-edges.
@@ -142,8 +143,8 @@ class Triangulation {
   mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
                             mesh::Label label);
 
-  /// Whether the edge of `h` has the empty-circle property for its two faces. Requires: the edge is free and inside the
-  /// box.
+  /// Whether the edge of `h` has the empty-circle property for its two faces. Requires: the edge is free and lies
+  /// inside the domain.
   [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
 
   void count_memory(MemoryUse& use) const;
@@ -167,9 +168,8 @@ class Triangulation {
   };
   using Chain = std::vector<ChainEdge>;
 
-  /// A vertex of a chain whose ear has not been cut. An edge connects it to the vertex before it. This edge is the
-  /// chain edge at `position`, or the half-edge `base` of a new triangle, which runs from the vertex before it to this
-  /// vertex.
+  /// A vertex of a chain at which no ear has been cut off. An edge runs to it from the vertex before it. This edge is
+  /// the chain edge at `position`, or the half-edge `base` of a new triangle.
   struct ChainCorner {
     mesh::Vertex vertex;
     std::uint32_t position;
@@ -218,7 +218,7 @@ class Triangulation {
   locate::Sectors sectors_;
   mesh::Vertex ghost_{};
   std::array<mesh::Vertex, 4> box_corners_{};
-  mesh::HalfEdge recent_{};  ///< a half-edge of a face in the box, near the last change
+  mesh::HalfEdge recent_{};  ///< a half-edge of a face in the domain, near the last change
   mesh::HalfEdge recent_before_{};
 
   // Scratch.

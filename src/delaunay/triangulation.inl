@@ -47,7 +47,7 @@ void Triangulation<Geometry>::set_positions(std::vector<Point>&& points) {
 }
 
 // The neighbours of the ghost vertex are the vertices on the border. Clockwise around the ghost vertex means
-// counter-clockwise around the box.
+// counter-clockwise around the domain.
 template <class Geometry>
 void Triangulation<Geometry>::fix_border(const std::array<mesh::Label, 4>& side_labels) {
   mesh::HalfEdge h = mesh_.find(ghost_, box_corners_[0]);
@@ -103,10 +103,10 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
   return locate::walk(mesh_, geometry_, geometry_.view(point), point, mesh::face(start), ghost_);
 }
 
-/// Returns a half-edge of a face in the box, near the point. It is a half-edge from the last change, or one at the
-/// vertex that the point's sector remembers, whichever is nearer. Both can be far away: for example, a vertex elsewhere
-/// may now use the slot of the remembered vertex. Then the function also considers the vertices that the sectors around
-/// remember.
+/// Returns a half-edge of a face in the domain, near the point: the half-edge of the last change, or a half-edge at the
+/// vertex that the point's sector remembers, whichever is nearer. If both are far away, the function also considers the
+/// vertices that the sectors around remember. The remembered vertex can be far away, for example because its slot now
+/// belongs to another vertex.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {
@@ -140,7 +140,7 @@ void Triangulation<Geometry>::divide_sector(const Point& point) {
   if (sectors_.are_in_one(point, geometry_.rounded(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }
 
-/// Returns a half-edge of the face in the box that is adjacent to the ghost face of `h`.
+/// Returns a half-edge of the face in the domain that is adjacent to the ghost face of `h`.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
   while (mesh_.apex(h) != ghost_) h = next(h);

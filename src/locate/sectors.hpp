@@ -18,16 +18,16 @@
 namespace waywright::locate {
 
 /// Finds vertices from which a walk can start. The domain is divided into square sectors, and each sector remembers a
-/// vertex in it or near it. Queries only read the sectors. The vertex may have been removed in the meantime: it is only
-/// a hint.
+/// vertex in it or near it. Queries only read the sectors. A remembered vertex is only a hint, because it may have been
+/// removed in the meantime.
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
-/// world of any size. A sector that proves to be crowded is divided into four quarters, which may be divided again, so
-/// walks are short on unevenly distributed vertices, too. The division depends on the history of the world, but the
+/// world of any size. If a sector contains many vertices, it is divided into four quarters, which may be divided again.
+/// So walks are short on unevenly distributed vertices, too. The division depends on the history of the world, but the
 /// result of a search does not.
 ///
-/// Source: Chen 2009, section 3.2.1 (sector-based location). Departure: updates write to the sectors and queries do
-/// not, and the number of sectors is not fixed.
+/// Source: Chen 2009, section 3.2.1 (sector-based location). Differences: only operations write to the sectors, queries
+/// do not; and the number of sectors is not constant.
 class Sectors {
  public:
   explicit Sectors(const Box& domain) : curve_(domain), sectors_(4, kNone) {}
@@ -39,13 +39,13 @@ class Sectors {
   [[nodiscard]] Sector at(const Point& point) const { return find(curve_.key(point)); }
   /// The vertex that the sector remembers, or kNoVertex.
   [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sectors_[sector.index]); }
-  /// Whether a vertex at that squared distance from a point is far away, measured by the size of the point's sector.
-  /// Then a sector around it may remember a nearer vertex.
+  /// Whether a vertex at this squared distance from a point is far away, compared with the size of the point's sector.
+  /// If it is, a sector near the point's sector may remember a nearer vertex.
   [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
     return curve_.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
   }
-  /// Calls visit(vertex) for each vertex that is remembered in the block of the sector: the 4 x 4 whole sectors or the
-  /// four quarters that it is one of.
+  /// Calls visit(vertex) for each vertex that the block of the sector remembers. The block of a whole sector is a
+  /// square of 4 x 4 whole sectors, and the block of a quarter is its group of four quarters.
   template <class Visit>
   void for_each_around(const Sector& sector, Visit&& visit) const {
     const std::size_t count = sector.shift == whole_shift_ ? std::min(kBlock, whole_count()) : 4;

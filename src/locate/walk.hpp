@@ -38,8 +38,7 @@ inline Located spot_in_face(mesh::HalfEdge h, exact::Sign side, exact::Sign next
   return {Spot::face, mesh::first(mesh::face(h)), 0};
 }
 
-/// Locates a point by a test of every face. Requires: `target` lies in the triangulated box; `ghost` is the vertex
-/// outside of it.
+/// Locates a point by a test of every face. Requires: `target` lies in the domain; `ghost` is the ghost vertex.
 template <class Geometry>
 [[nodiscard]] Located search_all(const mesh::TriangleMesh& mesh, const Geometry& geometry,
                                  const typename Geometry::View& target, mesh::Vertex ghost) {
@@ -62,14 +61,15 @@ template <class Geometry>
   return {};
 }
 
-/// The remembering stochastic walk. It goes from face to face across an edge that has the target on the other side. It
-/// never tests the edge that it has just crossed. If the target is beyond both other edges, it chooses one of them at
-/// random, so a walk cannot cycle for ever. After a number of steps that is extremely unlikely, it calls search_all().
+/// The remembering stochastic walk. It goes from face to face, always across an edge beyond which the target lies. It
+/// never tests the edge that it has just crossed. If the target lies beyond both other edges, it chooses one of them at
+/// random, so a walk cannot go in a circle for ever. If a walk takes more than 16 steps plus 4 for each face, which is
+/// extremely unlikely, it ends and search_all() finds the location.
 ///
 /// Cost: 2 orientation tests per face. (With tests in random order 1.5 would be enough, but each would also cost the
 /// time of a mispredicted branch.) Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion and Teillaud,
-/// *Walking in a triangulation*, 2002. Requires: `start` is no ghost face; `target`, at `seed` or very close to it,
-/// lies in the triangulated box.
+/// *Walking in a triangulation*, 2002. Requires: `start` is no ghost face; `target` lies in the domain, at `seed` or
+/// very close to it.
 template <class Geometry>
 [[nodiscard]] Located walk(const mesh::TriangleMesh& mesh, const Geometry& geometry,
                            const typename Geometry::View& target, const Point& seed, mesh::Face start,

@@ -90,7 +90,7 @@ void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   for (const Face f : gone_) is_touched_[number(f)] = false;
 }
 
-/// Collects in `made_` the faces of `gone_` that are faces of the box now.
+/// Collects in `made_` the faces of `gone_` that now lie in the domain.
 void Abstraction::collect_made(const Triangulation& triangulation) {
   made_.clear();
   std::copy_if(gone_.begin(), gone_.end(), std::back_inserter(made_),

@@ -14,11 +14,12 @@
 namespace waywright::nav {
 
 /// What the searches know about the faces of a world before they start: which faces are connected, which polygons cover
-/// them, and which faces lie in dead ends. update() changes only what an operation has changed, and rebuilds everything
-/// only if most of the mesh has changed. The result always equals a rebuild.
+/// them, and which faces lie in dead ends. update() changes only the entries that an operation concerns, and rebuilds
+/// everything only if most of the mesh has changed. The result always equals a rebuilt abstraction, apart from the ids
+/// of the components and the choice of roots.
 ///
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: their abstraction is
-/// rebuilt after each change, in time linear in the size of the mesh.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Difference: they rebuild the
+/// abstraction after each change, in time linear in the size of the mesh.
 class Abstraction {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -34,8 +35,9 @@ class Abstraction {
   void begin();
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
   void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }
-  /// Updates the abstraction to the triangulation. Requires: the operation of the triangulation is still open. If
-  /// memory runs out, nothing changes. Cost: depends on what changed, not on the size of the world.
+  /// Updates the abstraction to the triangulation. The undo log of the mesh says which faces have changed. Requires:
+  /// the operation of the triangulation has not ended. If memory runs out, nothing changes. Cost: depends on what
+  /// changed, not on the size of the world.
   void update(const Triangulation& triangulation);
 
   /// Calls visit(face) for each face whose entry the last update() has changed. Returns false, and does not call
@@ -48,7 +50,7 @@ class Abstraction {
     return true;
   }
 
-  /// Returns the first difference from a rebuild, or nothing if there is none. Cost: linear.
+  /// Returns the first difference from a rebuilt abstraction, or nothing if there is none. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
 
   void count_memory(MemoryUse& use) const;

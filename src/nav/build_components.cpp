@@ -19,7 +19,7 @@ namespace {
 /// The nonzero winding numbers of polygons, in ascending order of their slots.
 using Turns = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
-/// Returns the winding numbers in the face beyond `h`. `here` holds those in the face of `h`.
+/// Returns the winding numbers in the face beyond `h`. `here` contains the winding numbers in the face of `h`.
 Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Turns& here, HalfEdge h) {
   Turns turns = here;
   triangulation.for_each_side(h, [&](const constraint::Side& side) {
@@ -48,7 +48,7 @@ Components::Components(const Triangulation& triangulation) {
   begin();
 }
 
-/// Returns the components as trees: for each face of the box, another face of its component, or itself for a root.
+/// Returns the components as trees: for each face in the domain, another face of its component, or itself for a root.
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
 std::vector<Components::Id> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -75,7 +75,7 @@ void Components::number_components(std::vector<Id>& ids) {
   }
 }
 
-/// Computes the covers, component by component, from outside the box inwards. If the world has nonzero polygons,
+/// Computes the covers, component by component, from outside the domain inwards. If the world has nonzero polygons,
 /// `known` keeps the winding numbers of each component until the loop has handled the neighbours of that component.
 void Components::cover_components(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();

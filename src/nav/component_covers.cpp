@@ -75,8 +75,8 @@ void Components::drop_removed(const Triangulation& triangulation, const Changes&
   }
 }
 
-/// Collects in `flooded_` the components of old faces that the polygon covered. The flood starts at the new faces: it
-/// reaches every covered face, because faces have changed all along the sides of the polygon.
+/// Collects in `flooded_` the components of old faces that the polygon covered. The flood starts at the new faces. It
+/// reaches every covered face, because the faces along all sides of the polygon have changed.
 void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Face> made, std::uint32_t polygon) {
   const std::uint32_t flood = next_mark_++;
   stack_.clear();
@@ -103,8 +103,8 @@ void Components::find_covered(const mesh::TriangleMesh& mesh, std::span<const Fa
 
 void Components::set_cover(Id component, Uses cover) { records_.write(component, {records_[component].size, cover}); }
 
-/// Returns a half-edge that starts at `v`, in a face of the box. To the right of this half-edge lies only what comes
-/// before `v` in (x, y) order, or what lies beyond the box.
+/// Returns a half-edge that starts at `v`, in a face in the domain. To the right of this half-edge lie only positions
+/// that come before `v` in (x, y) order, or that lie outside the domain.
 HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::Vertex v) {
   constraint::faces_at(triangulation, {locate::Spot::vertex, triangulation.topology().outgoing(v)}, around_);
   return around_.front();
@@ -184,7 +184,7 @@ Uses Components::cover_beyond(const Triangulation& triangulation, HalfEdge h, st
   return cover;
 }
 
-/// Adds the polygon to the covers of the components that it covers: of the faces between its sides.
+/// Adds the polygon to the cover of each component that lies inside it, by its fill rule.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon) {
   constraint::with_winding(triangulation, polygon, [&](const auto& winding) { cover_with(triangulation, winding); });
 }

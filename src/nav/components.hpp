@@ -19,7 +19,7 @@
 
 namespace waywright::nav {
 
-/// The components of the faces of the box. Two faces are in one component if a chain of passages connects them. The
+/// The components of the faces in the domain. Two faces are in one component if a chain of passages connects them. The
 /// same polygons cover all faces of a component. So the cover is stored once for each component.
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
@@ -34,7 +34,7 @@ class Components {
   /// Finds the components of a triangulation. Cost: linear. Needs scratch memory only for the walls between components.
   explicit Components(const constraint::ExactTriangulation& triangulation);
 
-  /// Returns the component of a face of the box.
+  /// Returns the component of a face in the domain.
   [[nodiscard]] Id component_of(mesh::Face f) const { return ids_[number(f)]; }
   [[nodiscard]] std::size_t count() const { return records_.size() - free_count_; }
   /// The number of faces in the component.
@@ -50,8 +50,9 @@ class Components {
   }
 
   /// What has changed since the last update. `gone` lists the faces, by slot, that were made, rebuilt or freed. `made`
-  /// lists those of them that are faces of the box now. Each list contains a face once. `removed` and `inserted` list
-  /// the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in neither list.
+  /// lists the faces of `gone` that now lie in the domain. Each list contains a face once. `removed` and `inserted`
+  /// list the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in neither
+  /// list.
   struct Changes {
     std::span<const mesh::Face> gone;
     std::span<const mesh::Face> made;

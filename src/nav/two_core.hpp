@@ -29,10 +29,10 @@ namespace waywright::nav {
 /// of faces whose state changes. Memory: one byte per face.
 ///
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the abstraction; degree 1 is a
-/// tree, 2 a corridor, 3 a junction). Departure: their abstraction is rebuilt after each change.
+/// tree, 2 a corridor, 3 a junction). Difference: they rebuild the abstraction after each change.
 class TwoCore {
  public:
-  /// Finds the two-core of the faces in the box. Cost: linear. Needs scratch memory only for the undo log of the
+  /// Finds the two-core of the faces in the domain. Cost: linear. Needs scratch memory only for the undo log of the
   /// longest dead end.
   explicit TwoCore(const constraint::ExactTriangulation& triangulation);
 

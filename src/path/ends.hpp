@@ -17,8 +17,8 @@ namespace waywright::path {
 [[nodiscard]] double default_end_tolerance(const Box& domain);
 
 /// The start and the goal of a path, and the faces around each of them that no polygon covers. If there is no such face
-/// around an end, the class moves the end to the nearest free position, if this position is near enough. Keep the
-/// object: later queries use its memory again.
+/// around an end, the class moves the end to the nearest free position, if this position is near enough. Use one object
+/// for many queries, because it keeps its memory.
 class Ends {
  public:
   using Triangulation = constraint::ExactTriangulation;

@@ -13,7 +13,7 @@
 
 namespace waywright::path {
 
-/// Answers path queries, in one call or in slices. Keep the object: its memory serves many queries.
+/// Answers path queries, in one call or in slices. Use one object for many queries, because it keeps its memory.
 class Finder {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -22,9 +22,9 @@ class Finder {
   /// `abstraction` is not null; the triangulation and the abstraction do not change until the search is done or
   /// cancelled.
   ///
-  /// If `looked_at` is not null, the search records there at which faces it looks. Then the mesh may change during the
-  /// search, as long as no change touches one of these faces. A change touches a face if it makes, rebuilds or frees a
-  /// face that shares a corner with it, or if it changes the face's entry in the abstraction.
+  /// If `looked_at` is not null, the search records in it the faces at which it looks. Then the mesh may change during
+  /// the search, as long as no change touches one of these faces. A change touches a face f if it makes, rebuilds or
+  /// frees a face that shares a vertex with f, or if it changes the entry of f in the abstraction.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
              Path& path, LookedAt* looked_at = nullptr);
   /// Continues the search for at most `expansions` triangles, or a few more. Returns whether the search is done. `path`

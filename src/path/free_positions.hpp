@@ -17,8 +17,8 @@
 namespace waywright::path {
 
 /// Finds the free position nearest to a position that polygons cover. A face is open if no polygon covers it. A
-/// position is free if it lies inside an open face or on its border. Keep the object: later queries use its memory
-/// again.
+/// position is free if it lies inside an open face or on its border. Use one object for many queries, because it keeps
+/// its memory.
 class FreePositions {
  public:
   using Triangulation = constraint::ExactTriangulation;

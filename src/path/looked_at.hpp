@@ -17,13 +17,13 @@ class LookedAt {
     marks_.cover(face_slots);
     is_all_ = false;
   }
-  /// Counts every face as looked at.
+  /// Records that the search has looked at every face.
   void look_at_all() { is_all_ = true; }
   void look(mesh::Face f) {
     marks_.make_room(number(f));
     marks_[number(f)] = stamp_.value();
   }
-  /// Makes room for faces that were added to the mesh after clear().
+  /// Makes room for faces that were added to the mesh after the last clear().
   void cover(std::uint32_t face_slots) { marks_.cover(face_slots); }
   [[nodiscard]] bool has(mesh::Face f) const {
     return is_all_ || (marks_.has_room(number(f)) && marks_[number(f)] == stamp_.value());

@@ -15,11 +15,11 @@ namespace waywright::path {
 /// along walls. It must not pass through a wall or through the interior of a polygon. At a point where walls meet, it
 /// must not pass from one wedge between these walls to another.
 ///
-/// The walk follows the agent from face to face. At each position it keeps a list of faces: the agent can be
-/// inside each of them or on its border. The agent can leave a vertex in a direction only if this direction lies in the
-/// closed wedge, between two walls, that contains one of these faces.
+/// The walk follows the agent from face to face. At each position it keeps a list of the faces in which the agent may
+/// be, inside or on the border. The agent can leave a vertex in a direction only if this direction lies in the closed
+/// wedge, between two walls, that contains one of these faces.
 ///
-/// Keep the object: its memory serves many queries.
+/// Use one object for many polylines, because it keeps its memory.
 class PolylineWalk {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -73,7 +73,7 @@ class PolylineWalk {
   std::vector<State> states_;           ///< at the start of the segment
   std::vector<State> arrived_;          ///< at the end of the segment
   std::vector<State> waiting_;          ///< at vertices on the segment
-  std::vector<mesh::HalfEdge> wedges_;  ///< wedges that the walk has reached on it, each by its first half-edge
+  std::vector<mesh::HalfEdge> wedges_;  ///< the first half-edge of each wedge that the walk has reached on the segment
   std::vector<mesh::Face> flooded_;
 };
 

@@ -18,12 +18,12 @@ namespace waywright::path {
 /// Triangulation A* for a point agent: A* over half-edges through which a channel enters a face, each half-edge once.
 /// The path is the taut string through the channel. The bound of a node is the length of the string to the funnel's
 /// apex plus the length of the shortest path from there through the portal to the goal. This is a lower bound for every
-/// path along the channel. The search goes on until no open bound is below the length of the best path found.
+/// path along the channel. The search continues until no open bound is below the length of the best path found.
 ///
 /// Channels cross passages and never vertices. So no path passes a wall or a point where walls meet.
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Departure: the paper's
-/// bound g is a maximum of estimates from the portals' ends. This class keeps the funnel of each channel as it grows,
-/// which gives a tighter bound at the same cost.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Difference: in the paper, the bound
+/// g is the largest of several estimates from the portals' ends. This class stores the funnel of each channel. The
+/// funnel gives a tighter bound at the same cost.
 class TaStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -33,8 +33,9 @@ class TaStar {
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
   void cover_mesh() { entered_.cover(std::size_t{3} * mesh_->face_slots()); }
-  /// Continues the search until `path.expansions` reaches `limit`, a path better than the one in `path` is found, or no
-  /// better path can be found. Returns whether the last is the case.
+  /// Continues the search until one of three things happens: `path.expansions` reaches `limit`; the search finds a
+  /// better path than the one in `path`; no channel is left that could contain a better path. Returns whether no
+  /// channel is left.
   bool step(std::size_t limit, Path& path);
   /// Writes to `path` the edges that the best path crosses.
   void write_channel(Path& path) const;
@@ -73,7 +74,7 @@ class TaStar {
   double best_length_ = 0.0;
   std::uint32_t best_corner_ = 0;
   std::uint32_t best_node_ = 0;
-  double given_up_bound_ = 0.0;  ///< no channel dropped at an edge already entered has a smaller bound
+  double given_up_bound_ = 0.0;  ///< the least bound of the channels that reached a half-edge already entered
 };
 
 }  // namespace waywright::path

@@ -10,13 +10,13 @@
 
 namespace waywright::path {
 
-/// The taut string through one channel. Keep the object: its memory serves many queries.
+/// The taut string through one channel. Use one object for many channels, because it keeps its memory.
 ///
-/// The funnel's apex is the last corner that is certain. From there one string runs to the left end of the current
-/// portal and another to its right end. The left string turns only to the left, the right string only to the right.
-/// `row_` holds both, from the left end over the apex to the right end. Cost: O(1) per portal, amortised. Source: Lee
-/// and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984. TautTree does the same for
-/// all channels of a search.
+/// The class keeps a funnel. Its apex is the last turn that is certain. From the apex, one string runs to the left end
+/// of the current portal and another to its right end. The left string turns only to the left, the right string only to
+/// the right. The array `row_` contains both strings: first the left one from its end to the apex, then the right one
+/// from the apex to its end. Cost: O(1) per portal, amortised. TautTree does the same for all channels of a search.
+/// Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984.
 class TautString {
  public:
   using Geometry = exact::Geometry;
@@ -30,7 +30,8 @@ class TautString {
   /// Ends the string at `goal`. Requires: `goal` lies in the face beyond the last portal.
   void end_at(const Point& goal);
 
-  /// The points at which the string turns, as rounded, from its start on. The goal is not among them.
+  /// The start of the string and the points at which it turns, each coordinate rounded to the nearest double. The goal
+  /// is not among them.
   [[nodiscard]] std::span<const Point> corners() const { return corners_; }
   /// The length of the string. Requires: the string has ended.
   [[nodiscard]] double length() const { return length_; }

@@ -16,10 +16,11 @@
 
 namespace waywright {
 
-/// Records where the last operations on a world changed walls: the box of each item that was inserted or removed.
+/// Records where the last operations on a world changed walls: the bounding box of each item that they inserted or
+/// removed. World::is_affected reads it.
 class ChangeLog {
  public:
-  /// The log keeps at least this many boxes, if there have been so many.
+  /// The log keeps at least the last 2,048 boxes.
   static constexpr std::size_t kKept = 2048;
 
   /// Starts an operation.
@@ -47,7 +48,7 @@ class ChangeLog {
   }
 
   /// Returns whether the polyline meets the box of an item that was inserted or removed after version `since` of the
-  /// world. Also returns true if the log does not reach back to that version.
+  /// world. Also returns true if the log no longer has all boxes since that version.
   [[nodiscard]] bool meets(std::span<const Point> points, std::uint64_t since) const {
     if (since < complete_since_) return true;
     const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
@@ -63,7 +64,8 @@ class ChangeLog {
   }
 
  private:
-  /// If an operation changes more items than this, the rest of the items share the last box.
+  /// The largest number of boxes of one operation. If an operation inserts or removes more items, all further items
+  /// share the last box.
   static constexpr std::size_t kBoxesOfOperation = 256;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -88,7 +90,7 @@ class ChangeLog {
   }
 
   std::vector<Entry> entries_;        ///< ascending by version
-  std::uint64_t complete_since_ = 0;  ///< there are entries for all operations after this version
+  std::uint64_t complete_since_ = 0;  ///< the log has the boxes of all operations after this version
   std::vector<Box> boxes_;            ///< boxes of the operation in progress
 };
 

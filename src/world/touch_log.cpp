@@ -13,8 +13,8 @@ void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
   if (entries_.capacity() - entries_.size() < kSpare) entries_.reserve(2 * entries_.size() + kSpare);
 }
 
-// A search that looks at a face reads that face and the faces that share a corner with it. So each face around the
-// corners of a made face counts as touched.
+// A search that looks at a face reads that face and the faces that share a vertex with it. So each face that shares a
+// vertex with a made or rebuilt face counts as touched.
 bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto add = [&](mesh::Face f) {
@@ -32,7 +32,7 @@ bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangula
 }
 
 void TouchLog::note_abstraction(const nav::Abstraction& abstraction) {
-  if (complete_since_ > version_) return;  // everything counts as touched already
+  if (complete_since_ > version_) return;  // note_mesh() has recorded that the operation touches every face
   const bool is_told = abstraction.for_each_changed_face([&](mesh::Face f) {
     if (entries_.size() < entries_.capacity()) {
       entries_.push_back({version_ + 1, f});

@@ -14,11 +14,12 @@
 
 namespace waywright {
 
-/// The version of a world, and the faces that its operations touch. Sliced searches need it to continue in a world that
-/// has changed. A world and its searches share one log, which outlives the world. It records faces only while a search
-/// runs.
+/// The version of a world, and the faces that its operations have touched. A search in slices reads it to find out
+/// whether it can continue in a world that has changed. A world and its searches share one log. A search can read the
+/// log even after the world has been destroyed. The log records faces only while a search runs.
 ///
-/// Threads: searches may begin and end at the same time. For all else the rules of World hold.
+/// Threads: several threads may call add_search() and remove_search() at once. The other functions follow the rules of
+/// World: while a thread calls one that is not const, no other thread may use the log.
 class TouchLog {
  public:
   static constexpr std::uint64_t kGone = std::numeric_limits<std::uint64_t>::max();
@@ -29,14 +30,14 @@ class TouchLog {
   void add_search() { searches_.fetch_add(1, std::memory_order_relaxed); }
   void remove_search() { searches_.fetch_sub(1, std::memory_order_relaxed); }
 
-  /// Records the faces that an operation has touched in the mesh. The operation may be taken back afterwards.
-  /// Allocates.
+  /// Records the faces that an operation has touched in the mesh. Allocates memory. If the operation is taken back
+  /// afterwards, the records stay: a search may then start again although nothing has changed.
   void note_mesh(const constraint::ExactTriangulation& triangulation);
-  /// Records the faces whose entry in the abstraction has changed. Call it after note_mesh(). Allocates nothing: if
-  /// there are more such faces than note_mesh() has made room for, the operation counts as one that has touched
-  /// everything.
+  /// Records the faces whose entry in the abstraction has changed. Call it after note_mesh(). Allocates nothing: it
+  /// uses the room that note_mesh() has made. If this room is too small, the operation counts as one that has touched
+  /// every face.
   void note_abstraction(const nav::Abstraction& abstraction);
-  /// Records that an operation has touched everything. Allocates nothing.
+  /// Records that an operation has touched every face. Allocates nothing.
   void note_everything() { complete_since_ = version_ + 1; }
   /// Ends an operation that has succeeded.
   void commit() { ++version_; }
@@ -49,12 +50,13 @@ class TouchLog {
   void shrink_to_fit();
 
  private:
-  /// Notes the faces that an operation has touched. Returns whether there was room for all of them.
+  /// Records the faces that an operation has touched. Returns whether the log has room for all of them (kLongest).
   [[nodiscard]] bool add_touched_faces(const constraint::ExactTriangulation& triangulation);
 
-  /// If the log gets longer than this, it is emptied, and all searches restart.
+  /// The largest number of entries. If an operation would make the log longer, the log is emptied and all searches
+  /// start again.
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
-  /// note_mesh() makes room for this many changes of the abstraction.
+  /// The number of entries for which note_mesh() makes room, so that note_abstraction() can add them.
   static constexpr std::size_t kSpare = 4096;
 
   /// A face that an operation has touched, and the version of the world after that operation.
@@ -65,7 +67,7 @@ class TouchLog {
 
   std::uint64_t version_ = 0;
   std::atomic<std::size_t> searches_ = 0;
-  std::uint64_t complete_since_ = 0;  ///< there are entries for all operations after this version
+  std::uint64_t complete_since_ = 0;  ///< the log has the faces of all operations after this version
   std::vector<Entry> entries_;        ///< by version, ascending
 };
 

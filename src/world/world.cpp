@@ -36,8 +36,8 @@ std::uint64_t World::version() const { return impl_->touch_log->version(); }
 
 std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }
 
-// Each vertex on the border of the box belongs to one ghost face. A triangulated sphere with V vertices has 2 V - 4
-// faces.
+// There are as many ghost faces as vertices on the border of the domain. A triangulated sphere with V vertices has
+// 2 V - 4 faces.
 std::size_t World::triangle_count() const {
   const mesh::TriangleMesh& mesh = impl_->triangulation.topology();
   std::size_t border = 0;

@@ -20,7 +20,7 @@
 #include "support/random_changes.hpp"
 
 /// Compares the library's worlds with CGAL's constrained triangulations with exact constructions, used as CGAL's manual
-/// recommends. Only this test uses CGAL; no part of the library or another program does.
+/// recommends. Only this test and the benchmarks use CGAL. The library does not use it.
 namespace waywright::test {
 namespace {
 

@@ -49,7 +49,7 @@ struct OracleConstraint {
   friend bool operator==(const OracleConstraint&, const OracleConstraint&) = default;
 };
 
-/// The parts of a scene's mesh that do not depend on its free edges.
+/// The vertices and the constrained edges of a scene's mesh, which do not depend on its free edges.
 struct ExpectedMesh {
   /// `XNUM XDEN YNUM YDEN` of each vertex, in lowest terms, with positive denominators; in (x, y) order.
   std::vector<std::string> vertices;

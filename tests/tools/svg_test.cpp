@@ -205,7 +205,7 @@ TEST(ToSvg, StaysSmallOfALargeWorld) {
   }
   EXPECT_EQ(static_cast<std::size_t>(std::count(dots.begin(), dots.end(), 'M')), points.size());
 
-  // A cropped picture draws every point of its part.
+  // A cropped picture draws every point of its region.
   SvgOptions options;
   options.crop = Box{{20, 30}, {40, 50}};
   const std::string part = picture_of(world, {}, options);

@@ -41,7 +41,7 @@ constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a w
 constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                the final world, and what was asked of it\n"
-    "  waywright run world.wws --svg part.svg --crop 0 0 50 40 --theme dark\n"
+    "  waywright run world.wws --svg region.svg --crop 0 0 50 40 --theme dark\n"
     "  waywright run world.wws --dump world.dump --check      the final mesh; validated after every operation\n"
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
     "  waywright run world.wws --dump - | sha256sum           the final mesh alone on standard output\n"
@@ -52,7 +52,7 @@ constexpr const char* kRunExamples =
 constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
-    "  waywright path field.wws --from -3 4 --to 20 -7.5 --svg way.svg --no-mesh\n"
+    "  waywright path field.wws --from -3 4 --to 20 -7.5 --svg path.svg --no-mesh\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --algorithm ta\n"
     "\nPrints one JSON line: the path's length and pieces, or why there is none. Maps: .wws, .map (Moving AI),\n"
     ".poly and .node (Triangle).\n";
@@ -128,7 +128,7 @@ void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) 
   CLI::Option* const no_axes =
       command.add_flag("--no-axes", options.no_axes, "Leave ticks, coordinates and the scale bar out of the picture");
   CLI::Option* const theme = add_theme(command, options.theme);
-  const char* const about = "Show only the part of the world between these corners, the lower coordinates first";
+  const char* const about = "Show only the region of the world between these corners, the lower coordinates first";
   CLI::Option* const crop = command.add_option("--crop", options.crop, about)
                                 ->type_size(4)
                                 ->expected(1)
