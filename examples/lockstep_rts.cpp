@@ -1,7 +1,7 @@
 // A lockstep game with rollback: 300 units, and five buildings that are placed or destroyed at every tick. Machines
-// send one another only commands, and each command arrives up to 8 ticks late. A machine does not wait: it goes on with
-// commands that it predicts. If other commands arrive, it goes back to their tick by inverse operations and plays
-// forward again. At the end all machines have had the same hash at every tick. docs/guides/lockstep.md explains how.
+// send one another only commands, and each command arrives up to 8 ticks late. A machine does not wait: it continues
+// with commands that it predicts. If other commands arrive, it goes back to their tick by inverse operations and plays
+// forward again. In the end, all machines have the same hash for every tick. docs/guides/lockstep.md explains how.
 //
 // usage: lockstep_rts [TICKS]
 //
@@ -206,7 +206,7 @@ class Machine {
   [[nodiscard]] bool is_right() const { return is_right_; }
 
  private:
-  /// What it takes to go back to before a tick.
+  /// The data that a machine needs to go back to the state before a tick.
   struct Played {
     std::array<Commands, kPlayers> commands;
     std::vector<Change> inverse;

@@ -19,7 +19,7 @@ namespace waywright {
 /// @addtogroup errors
 /// @{
 
-/// The reason why a function refused its arguments or its data. A refused call changes nothing.
+/// The kind of an error: why a function refused its arguments or its data. A refused call changes nothing.
 enum class ErrorCode : std::uint8_t {
   coordinate_range,  ///< a coordinate that is not finite, beyond ±2^100, or nearer to 0 than 2^-100 but not 0
   out_of_domain,     ///< a point outside the world's domain
@@ -30,7 +30,7 @@ enum class ErrorCode : std::uint8_t {
   bad_id,            ///< an id above 2^63 - 1, for example an id made from a negative number
   bad_domain,        ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,       ///< a polyline or ring without points, a polygon without rings
-  too_large,         ///< more vertices, triangles or items than 32-bit indices can name
+  too_large,         ///< more than 2^27 vertices, not counting the crossings that the change makes
   world_gone,        ///< the world of a PathSearch no longer exists
   not_supported,     ///< a request that this version or this world does not support
   unreadable,        ///< a file that cannot be opened or read
@@ -56,7 +56,8 @@ struct PointName {
   bool has_number = false;
 };
 
-/// The data from which Error::message() makes its text. It owns memory only if a parser of files has written a text.
+/// The data from which Error::message() makes its text. It owns memory only if `text` is set, for example by a parser
+/// of files.
 struct ErrorWords {
   ErrorWords() = default;
   /// The whole message. The constructor keeps the pointer, so `message` must be a literal.
