@@ -29,13 +29,14 @@ using AssertionHandler = void (*)(const AssertionFailure& failure);
 /// });
 /// @endcode
 ///
-/// A program that keeps a log needs no other hook: the library prints nothing else and writes no log. Bad data is not
-/// a broken precondition: it gives a Result with an Error.
+/// The library prints nothing else and writes no log. So this handler is all that a program needs to write messages of
+/// the library to its own log. Bad data is not a broken precondition: for bad data, a function returns a Result with an
+/// Error.
 ///
-/// The library also checks preconditions in release builds, wherever the check costs no measurable time. Examples of
-/// broken preconditions: taking the value of a refused Result, using an object that has been moved from, asking for 0
-/// threads or 0 contexts, asking for the centroid of no points. The documentation of each function names its
-/// preconditions ("Requires").
+/// The library also checks preconditions in release builds, if the check costs no measurable time. A program breaks a
+/// precondition, for example, if it takes the value of a Result with an error, uses an object that has been moved from,
+/// asks for 0 threads or 0 contexts, or asks for the centroid of a shape without points. The documentation of each
+/// function names its preconditions ("Requires").
 /// Threads: any thread may call this function at any time.
 WAYWRIGHT_API AssertionHandler set_assertion_handler(AssertionHandler handler) noexcept;
 

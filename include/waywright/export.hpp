@@ -7,7 +7,7 @@
 /// Marks each public class and function that the library defines outside its headers. A shared library exports only the
 /// marked names. In a static library the mark does nothing.
 ///
-/// The build sets two macros. The CMake targets and waywright.pc set them for you:
+/// Two macros decide what the mark does. The CMake targets and waywright.pc set them for you:
 /// - WAYWRIGHT_SHARED, in the library and in programs that use it, if the library is a shared one;
 /// - WAYWRIGHT_BUILDING, in the sources of the library only.
 #if !defined(WAYWRIGHT_SHARED)
@@ -25,7 +25,8 @@
 #endif
 
 /// @def WAYWRIGHT_INTERNAL
-/// Marks a private class inside a class that has WAYWRIGHT_API. The mark hides the private class again.
+/// Marks a private class inside a class that has WAYWRIGHT_API, so that a shared library does not export the private
+/// class.
 #if defined(__GNUC__) && !defined(_WIN32) && !defined(__CYGWIN__)
 #define WAYWRIGHT_INTERNAL __attribute__((visibility("hidden")))
 #else
@@ -43,9 +44,9 @@
 
 /// @def WAYWRIGHT_INLINE
 /// Marks an inline function of a public header that rounds more than once. The compiler inlines each call of the
-/// function. Without the mark, a program and the library would each contain a copy of the function, and the linker
-/// would keep one of them. If this were the copy that the program has compiled with its own floating-point options, the
-/// library's answers would change.
+/// function. Without the mark, a program and the library would each contain a compiled copy of the function, and the
+/// linker would keep only one of them. If it kept the copy of the program, which is compiled with the program's
+/// floating-point options, the library's answers could change.
 #if defined(__GNUC__)
 #define WAYWRIGHT_INLINE __attribute__((always_inline)) inline
 #elif defined(_MSC_VER)

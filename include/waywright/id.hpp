@@ -25,8 +25,8 @@ inline void negative_id() {}
 /// @addtogroup items
 /// @{
 
-/// The id of an item in a world. You choose the number, from 1 to 2^63 - 1, or you leave it to the world. The id 0 is
-/// null. In a list of the items on an edge, the id 0 stands for the border of the domain.
+/// The id of an item in a world: a number from 1 to 2^63 - 1. You choose it, or you let the world choose it. The id 0
+/// is null. In a list of the items on an edge, the id 0 stands for the border of the domain.
 ///
 /// @code{.cpp}
 /// world.insert_segment({1, 1}, {4, 1}, 12).value();      // an id that you choose

@@ -15,11 +15,11 @@ namespace waywright {
 /// @endcode
 struct MemoryUse {
   std::size_t vertices = 0;     ///< for each vertex: its point, a half-edge from it, the items with a corner there
-  std::size_t crossings = 0;    ///< for each constructed vertex: the two sides that cross there
-  std::size_t faces = 0;        ///< for each face: its corners and neighbours
+  std::size_t crossings = 0;    ///< for each constructed vertex: the ends of the two sides that cross there
+  std::size_t faces = 0;        ///< for each face: its vertices and neighbours
   std::size_t walls = 0;        ///< for each constrained edge: the list of the sides that lie on it
   std::size_t items = 0;        ///< ids, kinds and sides of the items
-  std::size_t sectors = 0;      ///< the start points of walks, for point location
+  std::size_t sectors = 0;      ///< for point location: the vertices from which searches start
   std::size_t abstraction = 0;  ///< the path abstraction: see WorldOptions::keep_abstraction
   std::size_t spare = 0;        ///< unused capacity of arrays, and the undo logs and scratch that operations keep
 

@@ -29,13 +29,13 @@ namespace waywright {
 struct MeshSnapshot {
   /// A constrained edge: a side of an item, or the border of the domain, lies on it.
   struct ConstrainedEdge {
-    std::array<std::uint32_t, 2> vertices{};  ///< positions in MeshSnapshot::vertices, the smaller first
-    std::uint32_t first_id = 0;               ///< the position of the edge's first id in MeshSnapshot::ids
+    std::array<std::uint32_t, 2> vertices{};  ///< indices in MeshSnapshot::vertices, the smaller first
+    std::uint32_t first_id = 0;               ///< the index of the edge's first id in MeshSnapshot::ids
     std::uint32_t id_count = 0;               ///< the number of the edge's ids
   };
 
   std::vector<Point> vertices;                          ///< each coordinate rounded to the nearest double
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< positions in `vertices`
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices in `vertices`
   std::vector<ConstrainedEdge> constraints;
   std::vector<ItemId> ids;  ///< the items of all constrained edges, edge after edge; 0 stands for the domain's border
 };

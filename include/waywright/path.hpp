@@ -20,7 +20,7 @@ namespace waywright {
 
 /// A search algorithm for paths. docs/paths.md says when to choose which.
 enum class PathAlgorithm : std::uint8_t {
-  ta,       ///< a quick first path, which a PathBudget improves: triangulation A* (Demyen and Buro 2006)
+  ta,       ///< a first path quickly, and a better one with a PathBudget: triangulation A* (Demyen and Buro 2006)
   tra,      ///< a good path in very little time, for crowds: triangulation reduction A* (Demyen and Buro 2006)
   optimal,  ///< the shortest path: after Polyanya (Cui, Harabor and Grastien 2017)
 };
@@ -30,8 +30,9 @@ enum class PathAlgorithm : std::uint8_t {
 /// Returns the algorithm with this name, or nothing if there is none.
 [[nodiscard]] WAYWRIGHT_API std::optional<PathAlgorithm> path_algorithm(std::string_view name);
 
-/// The limits for the search of PathAlgorithm::ta after its first path. The search ends when it has proven that no path
-/// is shorter, or when it has reached one of the two limits. The other algorithms ignore the budget.
+/// The limits of a search by PathAlgorithm::ta. The search always finds a first path, if there is one. It then
+/// continues until it has proven that no path is shorter, or until it reaches one of the two limits. The other
+/// algorithms ignore the budget.
 ///
 /// @code{.cpp}
 /// const PathBudget budget{.expansions = PathBudget::kNoLimit, .time = std::chrono::milliseconds(2)};
@@ -40,7 +41,8 @@ enum class PathAlgorithm : std::uint8_t {
 /// std::printf("%g, and no path is shorter than %g\n", best.length, best.lower_bound);
 /// @endcode
 struct PathBudget {
-  /// The number of triangles that the whole search may enter. If it is 0, the first path is the answer.
+  /// The number of triangles that the whole search may enter, including the search for the first path. If it is 0, the
+  /// first path is the answer.
   std::size_t expansions = 0;
   /// The time since the start of the search. If this limit ends the search, the answer depends on the clock. In all
   /// other cases the answer does not.
@@ -66,8 +68,8 @@ struct PathQuery {
   bool wants_time = false;     ///< whether the answer contains Path::time
   /// The largest distance by which the search may move a blocked start or goal to the nearest free position. If a
   /// program computes a position on a path, a rounding error can put this position inside a polygon. The default,
-  /// World::default_end_tolerance(), allows for such errors, also for coordinates kept as `float`. If the value is 0, a
-  /// blocked end stays blocked. The value must be 0 or more; infinity is allowed.
+  /// World::default_end_tolerance(), allows for these errors, also if the program keeps coordinates as `float`. If the
+  /// value is 0, the search moves no end. The value must be 0 or more; infinity is allowed.
   std::optional<double> end_tolerance{};
 };
 
@@ -76,14 +78,14 @@ enum class PathStatus : std::uint8_t {
   found,          ///< there is a path
   start_blocked,  ///< the start lies strictly inside a polygon, and no free position is within the end tolerance
   goal_blocked,   ///< the goal lies strictly inside a polygon, and no free position is within the end tolerance
-  no_path,        ///< neither end lies strictly inside a polygon, but walls separate them
+  no_path,        ///< neither end lies strictly inside a polygon, but no path connects them
 };
 
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(PathStatus status);
 
-/// An edge of the mesh that a path crosses: an element of Path::channel. `left` and `right` are the ends of the edge to
-/// the left and to the right of an agent on the path. Each coordinate is rounded to the nearest double.
+/// An edge of the mesh that a path crosses: an element of Path::channel. Seen from an agent on the path, `left` is the
+/// left end of the edge and `right` is its right end. Each coordinate is rounded to the nearest double.
 ///
 /// @code{.cpp}
 /// path = world.find_path({.start = start, .goal = goal, .wants_channel = true}).value();
@@ -96,8 +98,8 @@ struct Portal {
   friend bool operator==(const Portal&, const Portal&) = default;
 };
 
-/// A start or goal that the search moved: `from` is the position in the query, `to` is the position where the path
-/// starts or ends instead.
+/// A start or goal that the search moved: `from` is the point in the query, `to` is the point where the path starts or
+/// ends instead.
 ///
 /// @code{.cpp}
 /// const Path moved = world.find_path({.start = {41, 50}, .goal = goal, .end_tolerance = 2.0}).value();
@@ -122,8 +124,8 @@ struct PathPosition {
   Point at;                 ///< the point at this position
   Point heading;            ///< the direction of the path there, of length 1; (0, 0) on a path of one point
   std::size_t segment = 0;  ///< the position lies between points[segment] and points[segment + 1] of the path
-  double before = 0.0;      ///< the length of the path up to points[segment]
-  double distance = 0.0;    ///< the length of the path up to this position
+  double before = 0.0;      ///< the length of the path from its start to points[segment]
+  double distance = 0.0;    ///< the length of the path from its start to this position
 };
 
 /// The type in which a program keeps coordinates.
@@ -161,15 +163,15 @@ struct WAYWRIGHT_API Path {
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
   /// distance above the length gives the goal. NaN counts as 0.
   ///
-  /// A path query may start at the result. If doubles can express the exact point on the path, the result is this
-  /// point. Otherwise the function rounds the point to the left or to the right of the path, so that it does not fall
-  /// beyond a wall: a path turns around walls, so near a left turn these walls lie to the left of the path, and the
-  /// function rounds to the right. Near a right turn it rounds to the left. The nearer turn decides. There is one
-  /// exception: if segments or polylines touch one straight piece of the path from the left and from the right, the
-  /// point can fall beyond one of them. On a path without turns, the function rounds to nearest.
+  /// You can use the result as the start of a path query. If doubles can express the exact position on the path, the
+  /// result is this position. Otherwise the function rounds it to the left or to the right of the path, so that the
+  /// result does not lie beyond a wall. A path turns around walls. So near a left turn, these walls lie to the left of
+  /// the path, and the function rounds to the right. Near a right turn it rounds to the left. The nearer turn decides.
+  /// There are two exceptions. If walls touch one straight piece of the path from the left and from the right, the
+  /// result can lie beyond one of them. And on a path without turns, the function rounds to nearest.
   ///
-  /// The coordinates are doubles or floats, as `precision` says. If the border of the domain has a coordinate that no
-  /// `float` expresses, then with Precision::float32 the result can lie outside the domain.
+  /// The coordinates are doubles or floats, as `precision` says. With Precision::float32 the result can lie outside the
+  /// domain, if the border of the domain has a coordinate that no `float` can express.
   /// Requires: `points` is not empty.
   /// Cost: linear in the turns before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
@@ -180,8 +182,8 @@ struct WAYWRIGHT_API Path {
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
   /// Returns the position on the path that is nearest to `point`. If several positions are equally near, the function
-  /// returns the first of them. Use it for a unit that was pushed off its path. `point` should lie in the domain. The
-  /// result is rounded as for at().
+  /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The result
+  /// is rounded as for at().
   /// Requires: `points` is not empty.
   /// Cost: linear in the turns.
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;

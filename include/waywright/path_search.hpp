@@ -14,9 +14,9 @@ namespace waywright {
 
 class World;
 
-/// A path search in slices. Use it if a search in one piece takes more time than one frame of your program has. The
-/// answer is the answer of World::find_path in the world as it is at the last slice. The object has its own memory and
-/// keeps it from one search to the next.
+/// A path search in slices. Use it if a whole search takes more time than one frame of your program has. The answer is
+/// the answer that World::find_path gives at the time of the last slice. The object has its own memory and keeps it
+/// from one search to the next.
 ///
 /// @code{.cpp}
 /// PathSearch search;
@@ -26,10 +26,10 @@ class World;
 /// @endcode
 ///
 /// Between the slices a program may query the world, run other searches, move the world and change it. If a change
-/// touches the start, the goal, or a face at which the search has looked, the next slice starts the search again.
-/// Otherwise the search continues. While searches run, each operation on the world also records the faces that it
-/// touches, at a cost proportional to the number of these faces. A search that has been moved from may only be assigned
-/// to or destroyed.
+/// touches the start, the goal, or a triangle at which the search has looked, the next slice starts the search again.
+/// Otherwise the search continues. While searches run, each operation on the world also records the triangles that it
+/// touches, at a cost proportional to the number of these triangles. If you move a search to another object, you may
+/// only assign to the first object or destroy it.
 /// Threads: a search belongs to one thread at a time; step() reads the world.
 class WAYWRIGHT_API PathSearch {
  public:
@@ -38,7 +38,7 @@ class WAYWRIGHT_API PathSearch {
   PathSearch(PathSearch&&) noexcept;
   PathSearch& operator=(PathSearch&&) noexcept;
 
-  /// Starts a search, and cancels the previous one. After an error no search is running.
+  /// Starts a search, and cancels the search that is running, if there is one. After an error no search is running.
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
   /// wall. If the segment meets no wall, the first step ends the search.
@@ -52,12 +52,12 @@ class WAYWRIGHT_API PathSearch {
   /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
-  /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound;
-  /// the status is PathStatus::no_path as long as there is no path.
+  /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound.
+  /// The status is PathStatus::no_path as long as the search has found no path.
   [[nodiscard]] const Path& path() const;
 
-  /// Returns how often the search has started again because the world has changed where the search had looked.
-  /// Path::expansions counts from the last start.
+  /// Returns how often the search has started again because of changes of the world. Path::expansions counts from the
+  /// last start.
   [[nodiscard]] std::size_t restarts() const;
 
   /// Cancels the search.

@@ -74,9 +74,9 @@ inline constexpr double kSmallestCoordinate = 0x1p-100;
 /// @}
 
 /// @name Arithmetic of points
-/// Plain arithmetic in doubles, rounded as usual, for your own use: no decision of the library depends on it. Your
-/// compiler compiles it with your options: if it fuses a multiplication and an addition (`-ffp-contract=fast`), the
-/// last bit of a result may change.
+/// Plain arithmetic in doubles, rounded as usual. In your program, your compiler compiles these functions with your
+/// options: if it fuses a multiplication and an addition (`-ffp-contract=fast`), the last bit of a result may change.
+/// The answers of the library do not depend on your options.
 ///
 /// @code{.cpp}
 /// const Point a{0, 0};
@@ -117,7 +117,7 @@ inline constexpr double kSmallestCoordinate = 0x1p-100;
 
 /// A view of points in an array that another object owns: a std::span with three additions. You can make it from
 /// braces, compare it with other lists of points, and convert it to a std::vector. `PointSpan` is a good parameter type
-/// for a list of points. If you make it from braces or from a temporary, it is valid up to the end of the full
+/// for a list of points. If you make it from braces or from a temporary, it is valid only until the end of the full
 /// expression.
 ///
 /// @code{.cpp}

@@ -12,8 +12,8 @@ namespace detail {
 struct QueryScratch;
 }
 
-/// The memory that queries keep between calls. Keep one context for each thread and pass it to each query. A query
-/// allocates no memory if its context has served a query of the same size before.
+/// The memory that queries keep between calls. Make one context for each thread, and pass it to each query of this
+/// thread. A query allocates no memory if its context has served a query of the same size before.
 ///
 /// @code{.cpp}
 /// // `context` and `path` live as long as the thread's work.
@@ -23,8 +23,8 @@ struct QueryScratch;
 /// }
 /// @endcode
 ///
-/// A context serves any number of worlds. No answer depends on earlier queries of the context. A context that has been
-/// moved from may only be assigned to or destroyed.
+/// You can use one context for any number of worlds. No answer depends on earlier queries with the context. If you move
+/// a context to another object, you may only assign to the first object or destroy it.
 /// Threads: a context serves one query at a time. Many threads may query one world at once, each with its own context.
 class WAYWRIGHT_API QueryContext {
  public:

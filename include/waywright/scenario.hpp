@@ -14,7 +14,7 @@ namespace waywright {
 /// @addtogroup scenes
 /// @{
 
-/// One line of a scenario: a path query on a map, and the path length that the author of the scenario found.
+/// One line of a scenario: a path query on a map, and the length of the path that the author of the scenario has found.
 struct ScenarioQuery {
   std::uint32_t line = 0;    ///< the line in the text, from 1
   std::string map;           ///< the file name of the map as the line gives it, often with folders

@@ -60,7 +60,7 @@ enum class SceneFormat : unsigned char {
 /// Reads a map of Moving AI from text. Cell (x, y) is the square [x, x+1] x [y, y+1], and y points down. The cells `.`,
 /// `G` and `S` are free, the cells `@`, `O`, `T` and `W` are blocked. Each group of blocked cells that are connected
 /// through their sides becomes one polygon with an outer ring and its holes. The rings have points only where they
-/// turn. Where cells of one group touch only diagonally, the rings touch in such a way that each ring is simple. Ids
+/// turn. Each ring is simple, even if cells of one group touch only diagonally; at these points, two rings touch. Ids
 /// count from 1 in the order of the first cell of each group, row by row. The domain is [0, width] x [0, height].
 /// Errors: malformed.
 /// Cost: linear in the length of the text.
@@ -70,8 +70,8 @@ enum class SceneFormat : unsigned char {
 /// the file become segments. Ids count from 1 in this order. If the vertex list of the file is empty, the vertices come
 /// from `node_text`, the text of the `.node` file of the same name. Ids in the file count up by 1 from 0 or 1. The
 /// function reads and checks attributes, boundary markers, holes and regions, and then ignores them. The domain is the
-/// bounding box of the vertices, enlarged in each of the four directions by an eighth of its larger extent or by 1,
-/// whichever is more. Each bound is then rounded outwards to the next number with few digits.
+/// bounding box of the vertices, enlarged in each of the four directions by an eighth of its larger extent, but at
+/// least by 1. Each bound is then rounded outwards to the next number with few digits.
 /// Errors: malformed, coordinate_range.
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,

@@ -69,8 +69,9 @@ struct Script {
 [[nodiscard]] WAYWRIGHT_API Result<Script> parse_script(std::string_view text, std::string_view name);
 
 /// Returns the items that are left after all insertions, replacements and removals of a script, in the order of the
-/// insertions. The function ignores each operation that a world would refuse: an insertion whose id is in use, a
-/// replacement whose id is not in use, and an operation with a coordinate that is out of range or outside the domain.
+/// insertions. The function ignores each operation that a world would refuse: an insertion with an id that is in use, a
+/// replacement or removal with an id that is not in use, and an operation with a coordinate that is out of range or
+/// outside the domain.
 [[nodiscard]] WAYWRIGHT_API Scene scene_of(const Script& script);
 
 /// @}

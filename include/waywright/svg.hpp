@@ -19,7 +19,7 @@ namespace waywright {
 
 /// The colour theme of a picture.
 enum class SvgTheme : std::uint8_t {
-  automatic,  ///< the theme that the viewer prefers (CSS prefers-color-scheme); light if a program ignores this rule
+  automatic,  ///< the theme that the viewer prefers (CSS prefers-color-scheme); light in programs without this rule
   light,
   dark,
 };
@@ -37,8 +37,8 @@ struct SvgOptions {
   bool ids = true;        ///< give each item its id as text on hover
   bool y_down = false;    ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;
-  /// The box that the picture shows; without it, the domain. It may reach beyond the domain. The text contains nothing
-  /// that lies outside the box.
+  /// The box that the picture shows. It may extend beyond the domain. If there is none, the picture shows the domain.
+  /// The text contains nothing that lies outside the box.
   std::optional<Box> crop = std::nullopt;
   std::string title = {};  ///< the text above the map; empty for no title
 };
@@ -66,7 +66,7 @@ struct SvgLocation {
 /// A disc that you add to a picture, for example a unit.
 struct SvgDisc {
   Point centre;
-  double radius = 0.0;      ///< in units of the world; the picture shows at least 3 pixels
+  double radius = 0.0;      ///< in units of the world; in the picture, the radius is at least 3 pixels
   std::string colour = {};  ///< any CSS colour, for example `#d55e00` or `red`; empty for the colour of the theme
   std::string hint = {};    ///< the text on hover; empty for none
 };

@@ -64,8 +64,8 @@ struct Change {
 /// @endcode
 struct BulkOptions {
   /// The number of threads, 1 or more, including the calling thread. The world is the same for any number. More than
-  /// one thread speeds up the first items of a world. With a job system, it is the number of jobs at a time. A number
-  /// above 256 counts as 256.
+  /// one thread makes the call faster if the world has no items yet. With a job system, this is the number of jobs that
+  /// may run at the same time. A number above 256 counts as 256.
   std::size_t threads = 1;
   /// A function that the library calls on the calling thread from time to time, and at the end with `done` equal to
   /// `total`. The unit of both numbers has no meaning. The function must not use the world.
@@ -145,10 +145,10 @@ struct Validation {
 /// World mesh_only = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
 /// @endcode
 struct WorldOptions {
-  /// Whether the world maintains the path abstraction: which faces are connected, which polygons cover them, and which
-  /// faces lie in dead ends. Without the abstraction, an operation costs less, and a world takes 10 bytes less for each
-  /// vertex (up to 18 bytes less if walls change everywhere). But then many path queries search far more of the mesh,
-  /// and PathAlgorithm::tra is not supported.
+  /// Whether the world maintains the path abstraction: data that says which triangles are connected, which polygons
+  /// cover them, and which triangles lie in dead ends. Without the abstraction, an operation costs less, and a world
+  /// takes 10 bytes less for each vertex (up to 18 bytes less if walls change everywhere). But then many path queries
+  /// enter far more triangles, and the world does not support PathAlgorithm::tra.
   bool keep_abstraction = true;
 };
 
@@ -164,11 +164,12 @@ struct WorldOptions {
 /// const std::size_t count = detour.points.size();  // == 3
 /// @endcode
 ///
-/// Most queries have two forms. One form returns its answer in a new object. The other form fills an object that you
-/// keep, and takes a QueryContext that you keep. The second form allocates no memory if both objects have served for an
-/// answer of the same size before.
+/// Most queries have two forms. One form returns its answer in a new object. The other form takes a QueryContext of
+/// yours and writes the answer to an object of yours. If you use the same context and the same object again and again,
+/// the second form allocates no memory once they are large enough.
 ///
-/// A world that has been moved from may only be assigned to or destroyed.
+/// If you move a world to another object, the first object is empty afterwards: you may only assign to it or destroy
+/// it.
 /// Threads: several threads may call const members at once, each with its own QueryContext. While a thread calls a
 /// member that is not const, no other thread may call any member.
 /// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
@@ -257,8 +258,8 @@ class WAYWRIGHT_API World {
   /// @endcode
   /// @{
 
-  /// Inserts many items as one operation. Returns the id of each. This is much faster than one call for each item, most
-  /// of all in a world without items. Error::index is the index of the refused item in `items`.
+  /// Inserts many items as one operation. Returns the id of each. This is much faster than one call for each item,
+  /// especially if the world has no items yet. Error::index is the index of the refused item in `items`.
   /// Errors: the errors of insert().
   /// Cost: O(n log n), and the triangles that the sides of the items cross.
   /// Source: Guibas and Stolfi 1985, Dwyer 1987 (for the corners of the first items of a world).
@@ -274,7 +275,7 @@ class WAYWRIGHT_API World {
   /// Makes several changes, one after the other, as one operation. Returns the id of the item of each change.
   /// Error::index is the index of the refused change in `changes`.
   /// Errors: the errors of insert(), remove() and replace().
-  /// Cost: the cost of the single changes; successive insertions are as fast as insert_all().
+  /// Cost: the sum of the costs of the changes. Insertions that follow each other are as fast as insert_all().
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
   /// Does the same for changes that you write in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
   Result<std::vector<ItemId>> apply(std::initializer_list<Change> changes) {
@@ -315,8 +316,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> shape(ItemId id, Shape& shape) const;
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
-  /// into a new world over the same domain, the two worlds differ in one respect only: the ids that they choose for
-  /// later items. Each world counts up from the largest id that it has seen.
+  /// into a new world over the same domain, the two worlds have the same mesh and give the same answers. Only the ids
+  /// that they choose for later items can differ, because each world adds 1 to the largest id that it has seen.
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const
@@ -338,7 +339,7 @@ class WAYWRIGHT_API World {
 
   /// Finds the vertex, edge or face at a point, and the polygons there.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: a walk over a few triangles, whose number does not depend on the size of the world; and the size of the
+  /// Cost: a walk through a few triangles, whose number does not depend on the size of the world; and the size of the
   /// answer. Allocates nothing if `context` and `location` have been used before.
   /// Source: the remembering stochastic walk, Chen 2009, section 3.2.1.
   [[nodiscard]] Result<void> locate(Point point, QueryContext& context, Location& location) const;
@@ -351,9 +352,9 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> items_at(Point point, QueryContext& context, std::vector<ItemId>& items) const;
   /// @copydoc items_at(Point, QueryContext&, std::vector<ItemId>&) const
   [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
-  /// Finds the items whose sides the segment meets, and where it meets them, in the order from `from` to `to`. If the
-  /// segment runs along a side, CrossedItem::at is the point where the overlap starts. Items at the same position
-  /// ascend by id.
+  /// Finds the items whose sides the segment meets, and the positions where it meets them, in the order from `from` to
+  /// `to`. If the segment runs along a side, CrossedItem::at is the point where the overlap starts. Items at the same
+  /// position ascend by id.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the location of `from`, and the triangles that the segment crosses.
   [[nodiscard]] Result<void> items_crossed(Point from, Point to, QueryContext& context,
@@ -393,7 +394,7 @@ class WAYWRIGHT_API World {
   ///
   /// The search can move the start and the goal. If it did, Path::moved_start and Path::moved_goal are set. There are
   /// two reasons:
-  /// - Polygons cover all triangles around the position, so no path can leave it. The search then takes the nearest
+  /// - Polygons cover all triangles around an end, so no path can start or end there. The search then takes the nearest
   ///   free position, if this position is within PathQuery::end_tolerance. If the world keeps its abstraction, the
   ///   search prefers free positions that are connected with the other end.
   /// - Walls separate start and goal, but one of them lies so near to a wall that a rounding error may have put it
@@ -428,17 +429,18 @@ class WAYWRIGHT_API World {
   /// Finds the shortest path to each goal, in the order of the goals. In each answer, Path::expansions is the sum over
   /// all searches. Error::index is 0 for the start, and i + 1 for goal number i, counted from 0.
   /// Errors: the errors of find_path().
-  /// Cost: for few goals, the cost of one path for each goal. From some hundreds of goals on, one search from the start
-  /// finds all of them. Its cost depends on the number of triangles that are nearer to the start than the farthest
+  /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the
+  /// start finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest
   /// goal. Each further goal adds little.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
-  /// Returns the default of PathQuery::end_tolerance: 2^-20, about a millionth, of the largest coordinate of the
-  /// domain. It allows for the rounding errors of positions that a program computes in several steps of `float`
-  /// arithmetic. If the domain is much larger than the area that the items fill, give queries a tolerance of their own.
+  /// Returns the default of PathQuery::end_tolerance: the largest magnitude of a coordinate of the domain, times 2^-20
+  /// (about a millionth). It allows for the rounding errors of positions that a program computes in several steps of
+  /// `float` arithmetic. If the domain is much larger than the area that the items fill, this default is too large for
+  /// the items: then set PathQuery::end_tolerance.
   /// Cost: O(1).
   [[nodiscard]] double default_end_tolerance() const;
 
@@ -462,8 +464,9 @@ class WAYWRIGHT_API World {
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
   /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
   ///
-  /// If a path turns at a crossing of two walls, Path::points contains the rounded coordinates of the crossing. So if a
-  /// point of the polyline has the rounded coordinates of a crossing, the point also stands for the exact crossing.
+  /// If a path turns at a crossing of two walls, Path::points contains the rounded coordinates of the crossing. For
+  /// this reason, if a point of the polyline has the rounded coordinates of a crossing, the agent may also turn at the
+  /// exact crossing.
   ///
   /// Error::index is the index of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
@@ -480,9 +483,9 @@ class WAYWRIGHT_API World {
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
   /// version `since` has inserted or removed. A replacement counts as a removal and an insertion. If the result is
-  /// false and the polyline was clear at that version, it is still clear. The result is also true if the world no
-  /// longer has all boxes since that version: it keeps at least the last 2,048 boxes. An operation has at most 256
-  /// boxes: if it inserts and removes more items, all later items share the last box.
+  /// false and the polyline was clear at that version, it is still clear. The world keeps at least the last 2,048
+  /// boxes. If it no longer has all boxes since that version, the result is true. An operation has at most 256 boxes:
+  /// if it inserts and removes more items, all further items share the last box.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
@@ -519,15 +522,16 @@ class WAYWRIGHT_API World {
   /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
   /// have equal dumps.
   [[nodiscard]] std::string dump() const;
-  /// Returns the hash of the domain and the live items. Every operation updates it, so reading it costs nothing.
+  /// Returns the hash of the domain and the live items. Every operation updates the hash, so this function only reads
+  /// it.
   /// Cost: O(1).
   [[nodiscard]] ItemsHash items_hash() const;
   /// Returns the SHA-256 of the bytes of dump().
   /// Cost: the cost of dump().
   [[nodiscard]] MeshHash mesh_hash() const;
-  /// Checks the whole world, exactly: the links between faces; the orientation of each face; that the faces fill the
-  /// domain and do not overlap; the constrained edges against the items; the empty-circle property and the rule for
-  /// ties at each free edge; and the path abstraction against a new one.
+  /// Checks the whole world, exactly: the links between triangles; the orientation of each triangle; that the triangles
+  /// fill the domain and do not overlap; the constrained edges against the items; the empty-circle property and the
+  /// rule for ties at each free edge; and the path abstraction against one that is built from scratch.
   /// Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
@@ -543,14 +547,15 @@ class WAYWRIGHT_API World {
   /// @endcode
   /// @{
 
-  /// Returns the memory that the world holds, by purpose. It does not include the overhead of the allocator. After the
-  /// first query without a context, the world keeps a context of its own. Like every QueryContext, it takes 4 to 16
-  /// bytes for each face and path algorithm that it has served. The result does not include it. Cost: O(1).
+  /// Returns the memory of the world, by purpose. The result does not include the overhead of the allocator. It does
+  /// not include the context that the world keeps after the first query without a context, either. Like every
+  /// QueryContext, this context takes 4 to 16 bytes per triangle for each path algorithm that it has served.
+  /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
-  /// Frees most of the memory that memory() calls spare, and the world's own context for queries. Call it if memory is
-  /// short, for example after you have loaded a level. The next operations allocate their scratch again. No answer and
-  /// no hash depends on it. The tables keep the slots of removed items for later items. If you have removed most items
-  /// and want a smaller world, make a new world and insert the items() of the old one.
+  /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. Call it if memory is
+  /// short, for example after you have loaded a level. The next operations allocate their scratch again. The call
+  /// changes no answer and no hash. It does not free the slots of removed items, which later items will use. So if you
+  /// have removed most items and want a smaller world, make a new world and insert the items() of the old one.
   /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 
