@@ -6,8 +6,8 @@
 
 namespace waywright::base {
 
-/// Does what std::bit_cast does; libc++ has that function from version 14 on only. A constant expression only where the
-/// standard library has std::bit_cast.
+/// Does what std::bit_cast does, also with libc++ before version 14, which has no std::bit_cast. In that case, a call
+/// is not a constant expression.
 template <class To, class From>
 [[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
   static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);

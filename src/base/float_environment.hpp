@@ -23,13 +23,14 @@ namespace waywright::base {
 /// rounds to nearest and keeps subnormal numbers, and no floating-point exception ends the program. The destructor
 /// restores the thread's previous settings.
 ///
-/// Each public function that computes in doubles first makes such an object. Threads that the function starts use the
-/// same settings. Work that the function gives to threads of another owner makes an object of its own. The reason: a
-/// program may round in another direction (for interval arithmetic), flush subnormal numbers to zero (for audio; GCC
-/// and Clang set this at the program's start if it is linked with -ffast-math), or trap exceptions (to find its own
-/// errors). The error bounds of the predicates do not hold if a thread rounds in another direction. If a thread treats
-/// subnormal numbers as zero, the library would accept a coordinate of 1e-310, and the lengths of paths between
-/// crossings close to 0 would differ from those on other machines.
+/// Each public function that computes in doubles first makes an object of this class. Threads that the function starts
+/// use the same settings. If the function gives work to threads of a JobSystem, this work makes its own object.
+///
+/// The reason: a program may round in another direction (for interval arithmetic), flush subnormal numbers to zero (for
+/// audio; GCC and Clang set this at the program's start if it is linked with -ffast-math), or trap exceptions (to find
+/// its own errors). The error bounds of the predicates do not hold if a thread rounds in another direction. If a thread
+/// treated subnormal numbers as zero, the library would accept a coordinate of 1e-310, and the lengths of paths between
+/// crossings close to 0 would differ from their lengths on other machines.
 ///
 /// Cost: a few instructions if the thread already uses these settings.
 class FloatEnvironment {

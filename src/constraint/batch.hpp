@@ -11,7 +11,7 @@
 
 namespace waywright::constraint {
 
-// Batches of items for ConstrainedTriangulation::insert_all. They own nothing.
+// Batches of items for ConstrainedTriangulation::insert_all. They only refer to data of the caller.
 
 /// A batch of elements with a member `shape`. Element i is the item with the id ids[i].
 template <class Element>

@@ -20,8 +20,8 @@
 
 namespace waywright::constraint {
 
-/// A Delaunay triangulation constrained by items. It records which items use each edge and each vertex. So it knows why
-/// each vertex exists.
+/// A constrained Delaunay triangulation: the sides of items lie on its fixed edges. It records which items use each
+/// edge and each vertex. So it knows why each vertex exists.
 ///
 /// The label of an edge is the number of the list of the sides that lie on it (UseLists). A vertex exists because items
 /// have corners there (`corner_uses`, a list of item slots) or because two sides cross there. A vertex without corners
@@ -106,7 +106,7 @@ class ConstrainedTriangulation {
   static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::of(0), UseLists::of(1), UseLists::of(2),
                                                              UseLists::of(3)};
 
-  /// The next piece of a side. It crosses the free edges in `crossed_`. Then it ends at `vertex`, or at the edge
+  /// The next piece of a side. It first crosses the free edges in `crossed_`. It ends at `vertex`, or at the edge
   /// `fixed`.
   struct Step {
     mesh::Vertex vertex{};
@@ -152,8 +152,8 @@ class ConstrainedTriangulation {
   /// `guide` is another side that lies on the edge of `behind` and continues beyond the vertex, if there is one.
   [[nodiscard]] Step leave_vertex(mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide);
   [[nodiscard]] Step leave_crossing(mesh::HalfEdge behind, const Side& side);
-  /// The next step from a vertex, between two half-edges that start there. The target of `right` lies right of the
-  /// side, or behind the vertex; the target of `left` lies left of the side, or behind the vertex.
+  /// The next step from a vertex, into the angle between two half-edges that start there. The target of `right` lies
+  /// right of the side, or behind the vertex. The target of `left` lies left of the side, or behind the vertex.
   [[nodiscard]] Step leave_between(mesh::HalfEdge right, mesh::HalfEdge left, const Side& side);
   [[nodiscard]] Step step_across(mesh::HalfEdge exit, const Side& side);
   /// Splits a fixed edge at its crossing with the side. Returns the new vertex.
@@ -189,7 +189,7 @@ class ConstrainedTriangulation {
   // Scratch.
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::Vertex> touched_;
-  Outline outline_;  ///< of the item that is inserted or removed
+  Outline outline_;  ///< of the item that the operation inserts or removes
 };
 
 }  // namespace waywright::constraint

@@ -17,8 +17,8 @@
 
 namespace waywright::constraint {
 
-/// One side of an item: the straight segment from corner to corner. The edges that lie on it list it as their user. Its
-/// ends are always explicit vertices, whatever crosses the side.
+/// One side of an item: the straight segment from corner to corner. Each edge that lies on it lists it as a user. Its
+/// ends are corners, so they are always explicit vertices.
 struct Side {
   std::uint32_t item = 0;  ///< slot in the item table
   mesh::Vertex from{};
@@ -103,7 +103,7 @@ class ItemTable {
   void set_outline(std::uint32_t item, const Outline& outline);
   /// Adds the hash of an item, or the sum of several. Call it once for each item, when its corners are known.
   void add_hash(const ItemHash::Words& hash) { ItemHash::add_to(hash_, hash); }
-  /// Removes an item and its hash. Its slot and the slots of its sides become free with the next begin().
+  /// Removes an item and its hash. The next begin() frees its slot and the slots of its sides.
   void remove_item(std::uint32_t slot, const ItemHash::Words& hash);
 
   /// Empties the undo log.
@@ -150,7 +150,7 @@ class ItemTable {
   };
   struct Link {
     Side side;                   ///< has no length if it is the side of a ring with one corner
-    std::uint32_t next = kNone;  ///< the item's next side, after its last the first; kEndsRing marks the last of a ring
+    std::uint32_t next = kNone;  ///< the item's next side (after the last: the first); kEndsRing: the last of a ring
   };
   struct Undo {
     std::uint32_t slot;

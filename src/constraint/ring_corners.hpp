@@ -6,9 +6,9 @@
 
 namespace waywright::constraint {
 
-/// Calls visit(point) for each corner of a ring. Consecutive points that are equal are one corner; in a closed ring, so
-/// are the first point and the last points that are equal to it. Adding 0 changes -0 into 0, so equal points have equal
-/// bits.
+/// Calls visit(point) for each corner of a ring. Consecutive points that are equal are one corner. In a closed ring,
+/// the last points are one corner with the first point if they are equal to it. The function adds 0 to each coordinate,
+/// which changes -0 into 0. So equal points have equal bits.
 template <class Ring, class Visit>
 void for_each_corner(const Ring& ring, bool is_closed, Visit&& visit) {
   std::size_t end = ring.size();

@@ -89,8 +89,8 @@ inline SegmentWalk::Stop SegmentWalk::stop_at_edge(mesh::HalfEdge exit) const {
 
 /// Leaves a face through `exit`, and then one face after the other, as long as the segment crosses the inside of an
 /// edge and continues. If it reaches a vertex, returns the half-edge through which it has entered the last face; the
-/// vertex is its apex. Returns kNoHalfEdge if the segment has ended, or if the visitor has ended the walk. Nearly all
-/// of a walk happens here.
+/// vertex is its apex. Returns kNoHalfEdge if the segment has ended, or if the visitor has ended the walk. A walk
+/// spends nearly all of its time in this function.
 template <class Visitor>
 mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) const {
   exact::Geometry::View right = delaunay_.view(mesh_.origin(exit));

@@ -47,7 +47,7 @@ class UseLists {
 
   /// Adds the memory of the lists to `part`.
   void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const { nodes_.count_memory(use, part); }
-  /// Gives back spare memory. Requires: nothing has changed since begin().
+  /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() { nodes_.shrink_to_fit(); }
 
  private:

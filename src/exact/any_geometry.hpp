@@ -10,11 +10,11 @@
 
 namespace waywright::exact {
 
-/// What the triangulations need from the arithmetic below them. It stores the positions of vertices by index and has
-/// four predicates and constructions: orientation, in-circle, order, and the crossing of two lines. The constructor
-/// takes a box that contains all points. `exact::Geometry` is the library's implementation; the comments on its members
-/// describe each function. Any class that gives the same answers can replace it. A class that gives wrong answers
-/// (rounded ones) produces wrong meshes.
+/// The interface through which the triangulations use a geometry. A geometry stores the positions of vertices by index.
+/// It has three predicates (orientation, in-circle and order), and it computes the crossing of two lines. The
+/// constructor takes a box that contains all points. `exact::Geometry` is the library's implementation; the comments on
+/// its members describe each function. Any class that gives the same answers can replace it. If a class rounds and
+/// therefore gives wrong answers, the meshes are wrong.
 ///
 /// A `View` is a position in the form that the predicates take. The view of a vertex stays valid until a vertex is
 /// added. The view of a point stays valid as long as the caller keeps it.

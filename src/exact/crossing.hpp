@@ -27,7 +27,7 @@ namespace by_construction {
 }
 }  // namespace by_construction
 namespace doubles {
-/// For whole numbers that are small enough that only the quotient is rounded. Empty for other numbers.
+/// For whole numbers that are so small that only the quotient is rounded. Empty for other numbers.
 [[nodiscard]] std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing);
 }  // namespace doubles
 namespace lattice {

@@ -38,7 +38,7 @@
 // to 0 than any explicit coordinate, so products may underflow. Each underflow loses less than 2^-1022, and the code
 // trusts a sign only if the determinant exceeds 2^-1000.
 //
-// This was the fine bound. The coarse bound treats all points as constructed and uses squares in position of
+// The bounds above are the fine bound. The coarse bound treats all points as constructed and uses squares instead of
 // magnitudes. Let s = t^2 be the sum of the squares of all d^, and let q = |p|^2 be the sum of the squares of the last
 // point's coordinates. Then m <= |p| + t, and |p| t <= 2^-11 q + 2^9 s, because (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
 //   Orientation: |l| + |r| <= s / 2 and S <= 2 t, so the error is at most u times
@@ -52,23 +52,23 @@
 //     (a + b) (b + c) (c + a) + 4 a b c <= (12 / 27) (a + b + c)^3 <= 2.3095 t^3.
 //     Each vector is off by at most 2 sqrt(2) u m, so the error is at most u times
 //     (10 / 3) s^2 + 6.533 t^3 (|p| + t) <= s (3355 s + q / 313),
-//     provided that t is not much shorter than for any vectors between the true and the computed ones. This is the case
-//     whenever the determinant exceeds the bound: the determinant is at most the permanent, so it can exceed the bound
-//     only if s > q u / 313, and then u m < 2^-22 t.
+//     if t is not much shorter than the same length of any vectors between the true and the computed ones. This
+//     condition holds whenever the determinant exceeds the bound: the determinant is at most the permanent, so it can
+//     exceed the bound only if s > q u / 313, and then u m < 2^-22 t.
 // The constants in the code are a few per cent larger here, too.
 //
 // A box of width w and height h: let M be the largest magnitude of its corners' coordinates. Rounded coordinates also
 // lie in the box, because rounding is monotone. Hence |l| and |r| are at most w h, S is at most 2 (w + h), and m is at
-// most M. In the coarse bound of in-circle, M may replace |p| + t, and M^2 may replace q, also in the argument that t
-// is not much shorter.
+// most M. In the coarse bound of in-circle, M may replace |p| + t, and M^2 may replace q, also in the argument about
+// the length of t.
 
 namespace waywright::exact::filter {
 
 inline constexpr double kHalfUlp = 0x1p-53;
 inline constexpr double kUnderflow = 0x1p-1000;
 
-/// The sign of the determinant, or zero if the error could hide the sign. The function has one branch, which is nearly
-/// always taken, and no branch on the sign itself.
+/// The sign of the determinant, or zero if the determinant is not larger than the error bound. The function has one
+/// branch, which is nearly always taken, and no branch on the sign itself.
 [[nodiscard]] inline Sign sign_beyond(double determinant, double error) {
   if (std::abs(determinant) > error) [[likely]]
     return determinant > 0.0 ? Sign::positive : Sign::negative;
@@ -131,7 +131,7 @@ template <class LocationKind>
 }
 
 /// Predicates for points of any kind, which use only the rounded coordinates. They return zero if the rounding error
-/// could hide the sign, which is always the case if the sign is zero.
+/// could change the sign. If the true sign is zero, they always return zero, but the converse is not true.
 namespace coarse {
 
 inline constexpr double kOrientationBySquares = 2100.0 * kHalfUlp;
@@ -172,7 +172,7 @@ template <class LocationKind>
 }  // namespace coarse
 
 /// Whether three explicit points lie on a line parallel to an axis, or the last point equals one of the others. Then
-/// both products of the determinant have a factor 0. Where walls lie on a grid, this is the most common tie by far.
+/// both products of the determinant have a factor 0. If walls lie on a grid, this is by far the most common tie.
 template <class LocationKind>
 [[nodiscard]] bool is_flat(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
   if (a.x == c.x) return b.x == c.x || a.y == c.y;
@@ -180,7 +180,7 @@ template <class LocationKind>
 }
 
 /// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. Such points lie on a
-/// circle, so nothing needs to be computed. Where walls lie on a grid, this is the most common tie by far.
+/// circle, so nothing needs to be computed. If walls lie on a grid, this is by far the most common tie.
 template <class LocationKind>
 [[nodiscard]] bool is_rectangle(const LocationKind& a, const LocationKind& b, const LocationKind& c,
                                 const LocationKind& d) {
@@ -192,7 +192,7 @@ template <class LocationKind>
   return d.x == b.x ? is_opposite(b, c, a) : d.x == c.x && is_opposite(c, a, b);
 }
 
-/// Predicates with the fine bound. They return nothing if the rounding error could hide the sign.
+/// Predicates with the fine bound. They return nothing if the rounding error could change the sign.
 namespace fine {
 
 inline constexpr double kOrientationBound = (3.0 + 16.0 * kHalfUlp) * kHalfUlp;

@@ -18,14 +18,14 @@
 
 namespace waywright::exact {
 
-/// The positions of a mesh's vertices, with the functions that the combinatorial code asks for: the predicates
-/// orientation, in-circle and order, and the crossing of two segments. Other arithmetic can replace this class: see
-/// AnyGeometry.
+/// The positions of a mesh's vertices, and the functions on positions that the triangulations need: the predicates
+/// orientation, in-circle and order, and the crossing of two lines. A class with other arithmetic can replace this
+/// class: see AnyGeometry.
 ///
 /// An undo log records the changes of positions, and roll_back() takes them back to the last begin().
 ///
-/// A vertex is named by its index. The predicates first use rounded coordinates. Only if these do not decide, the
-/// predicates look up whether a vertex is constructed, and from which lines.
+/// The caller names a vertex by its index. The predicates first use rounded coordinates. Only if these do not decide,
+/// the predicates look up whether a vertex is constructed, and from which lines.
 class Geometry {
   static constexpr std::uint32_t kNoVertex = 0xffffffff;
 
@@ -95,7 +95,7 @@ class Geometry {
   }
   /// The orientation of the line's two positions and `c`: positive if `c` lies left of the line.
   [[nodiscard]] Sign side(const Line& line, const View& c) const {
-    // This is orientation_determinant(line.to, c, line.from); the line holds two of its four differences.
+    // This is orientation_determinant(line.to, c, line.from). The line stores two of the four differences.
     const double determinant = line.dx * (c.y - line.from.y) - line.dy * (c.x - line.from.x);
     const Sign sign = filter::sign_beyond(determinant, orientation_error_);
     if (sign != Sign::zero) {
@@ -141,7 +141,7 @@ class Geometry {
     std::uint32_t crossing;  ///< the crossing before the change
   };
 
-  // The callers pass copies of their views to these functions. A compiler can then keep the views themselves in
+  // The callers pass copies of their views to these functions. So the compiler can keep the views themselves in
   // registers until the call.
   [[nodiscard]] static View copy(const View& view) { return {view.x, view.y, view.vertex}; }
   [[nodiscard]] Sign finer_orientation(const View& a, const View& b, const View& c) const;

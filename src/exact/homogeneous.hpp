@@ -59,8 +59,8 @@ class LatticeExponent {
   int exponent_ = kNothingSeen;
 };
 
-/// The point (x / w, y / w) in units of 2^lattice_exponent, where `lattice_exponent` is the argument that it was made
-/// with; w > 0.
+/// The point (x / w, y / w), with w > 0. The unit is 2^lattice_exponent, where `lattice_exponent` is the argument of
+/// the function that has made the object.
 struct Homogeneous {
   Integer x, y, w;
 };
@@ -75,7 +75,7 @@ struct Homogeneous {
 [[nodiscard]] Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent);
 [[nodiscard]] Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent);
 
-/// Rounds each coordinate to the nearest double. Requires: no coordinate is as near to 0 as a subnormal double.
+/// Rounds each coordinate to the nearest double. Requires: no result is subnormal.
 [[nodiscard]] Point round_to_nearest(const Homogeneous& point, int lattice_exponent);
 
 }  // namespace waywright::exact

@@ -18,7 +18,7 @@
 /// For constructed points whose coordinates differ by at most 2^b, the numbers of bits are 8 b + 8 and 20 b + 18. This
 /// follows from the widths that LatticePoint states and from the determinants in lattice.cpp.
 ///
-/// The functions return nothing if the points have no such lattice.
+/// The functions return nothing if the points lie on no lattice in whose units their offsets are small enough.
 namespace waywright::exact::lattice {
 
 [[nodiscard]] std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);

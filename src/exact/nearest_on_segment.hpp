@@ -11,9 +11,9 @@
 
 namespace waywright::exact {
 
-/// The position on a closed segment that is nearest to a point, and its distance from that point, both exact. It uses
-/// integers of any size, so it is for rare cases, such as the end of a path that a polygon covers only because of
-/// rounding.
+/// The position on a closed segment that is nearest to a point, and its distance from that point, both exact. The class
+/// uses integers of any size and is slow. So use it only in rare cases, for example if a polygon covers the end of a
+/// path only because of rounding.
 class NearestOnSegment {
  public:
   /// The segment from `a` to `b` lies on the line through the explicit points `c` and `d`, and runs in the direction

@@ -24,12 +24,12 @@ struct LatticeVector {
 /// multiples of 1/8 and numbers with a few decimals, anywhere in the plane.
 ///
 /// The exact difference of two doubles is the sum of two doubles: the rounded difference and its rounding error (Dekker
-/// 1971; Shewchuk 1997, theorem 7). Both stay exact when they are scaled by a power of two; then they either are
-/// integers or are not.
+/// 1971; Shewchuk 1997, theorem 7). Both stay exact if they are multiplied by a power of two. find_lattice() multiplies
+/// them by the largest suitable power and tests whether they are integers.
 template <std::size_t kMost>
 class Offsets {
  public:
-  /// No offset is larger than 2^kLargestBits, so the difference of two offsets is at most twice that.
+  /// No offset is larger than 2^kLargestBits. So the difference of two offsets is at most 2^(kLargestBits + 1).
   static constexpr int kLargestBits = 61;
 
   explicit Offsets(const Point& origin) : origin_(origin) {}

@@ -11,9 +11,9 @@
 
 namespace waywright::exact {
 
-// The three predicates on existing points. Each runs in stages, the cheapest first: a filter in doubles with a proven
-// error bound; integers of fixed width, if all coordinates lie on one lattice; integers of any size. The stages have
-// names, so that tests can compare them with one another.
+// The three predicates. Each runs in stages, the cheapest first: a filter in doubles with a proven error bound;
+// integers of fixed width, if all coordinates lie on one lattice; integers of any size. Each stage has its own
+// namespace, so that tests can compare the stages with each other.
 //
 // Identities, for all points: orientation and in_circle change their signs if two arguments are swapped; in_circle
 // keeps its sign under a cyclic permutation of (a, b, c); compare(p, q) is the reverse of compare(q, p).

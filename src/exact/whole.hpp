@@ -6,7 +6,7 @@
 
 namespace waywright::exact {
 
-/// Returns 0 only for whole numbers, and for all whole numbers below 2^52.
+/// Returns 0 for every whole number below 2^52. If the result is 0, the value is a whole number.
 [[nodiscard]] inline double fraction(double value) {
   constexpr double kNoFraction = 0x1p52;  // no double from here on has a fraction
   const double magnitude = std::abs(value);

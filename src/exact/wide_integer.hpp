@@ -134,7 +134,7 @@ class WideInteger {
   std::array<std::uint64_t, kLimbs> limbs_{};
 };
 
-// Multiplies the limbs as those of unsigned numbers. A negative factor of n limbs then counts as 2^(64 n) too much; the
+// Multiplies the limbs as if the numbers were unsigned. A negative factor of n limbs is then too large by 2^(64 n). The
 // last lines subtract the resulting error from the product.
 template <std::size_t kA, std::size_t kB>
 [[nodiscard]] constexpr WideInteger<kA + kB> operator*(const WideInteger<kA>& a, const WideInteger<kB>& b) {

@@ -21,8 +21,8 @@ constexpr int kLowestBit = 64 - 3 * kDigitBits;
 constexpr std::size_t kSmallestRadixSort = 1024;
 constexpr std::size_t kPrefetchDistance = 16;
 
-/// Sorts stably by the digit that starts at `bit`. Each thread counts and moves the entries of its own range. Within a
-/// digit, its entries come after those of the threads with lower numbers.
+/// Sorts stably by the digit that starts at `bit`. Each thread counts and moves the entries of its own range. Of
+/// entries with the same digit, the entries of threads with lower numbers come first.
 void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const threads::Crew& crew) {
   const auto digit = [bit](const Entry& entry) { return static_cast<std::size_t>(entry.key >> bit & (kDigits - 1)); };
   std::vector<std::array<std::uint32_t, kDigits>> offsets(crew.threads());

@@ -12,10 +12,10 @@
 
 namespace waywright::locate {
 
-/// The Morton order of the points of a box. The key of a point is its cell in a grid of 2^32 x 2^32 square cells: the
-/// bits of the cell's x and y in turn, the highest bit from x. Points whose keys agree in all bits above some bit lie
-/// in one axis-parallel rectangle, and this bit halves the rectangle. Hence straight lines divide every range of sorted
-/// keys.
+/// The Morton order of the points of a box. The box has a grid of 2^32 x 2^32 square cells. The key of a point names
+/// its cell: it consists of the bits of the cell's x and y in turn, with the highest bit from x. If the keys of some
+/// points agree in all bits above a certain bit, the points lie in one axis-parallel rectangle, and this bit says in
+/// which half of the rectangle a point lies. Hence straight lines divide every range of sorted keys.
 ///
 /// Rounding is monotone: if the cells of two points differ in x, the point in the lower cell has the lower x. Source:
 /// Morton, *A computer oriented geodetic data base and a new technique in file sequencing*, 1966.
@@ -40,7 +40,7 @@ class Curve {
 
   [[nodiscard]] std::uint64_t cell(double at, double from) const {
     const double cell = std::min((at - from) * scale_, kCells - 1.0);
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell));  // processors convert to signed integers
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell));  // processors convert only to signed integers
   }
   /// Puts a 0 before each of the lower 32 bits.
   [[nodiscard]] static std::uint64_t spread(std::uint64_t bits) {

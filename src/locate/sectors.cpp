@@ -55,7 +55,8 @@ void Sectors::grow() {
       finer.push_back(is_divided ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
     }
   }
-  // Then come the quarters of the divided ones among these sectors. The loop also visits the entries that it appends.
+  // After the new whole sectors come the quarters of those that are divided. The loop also visits the entries that it
+  // appends.
   for (std::size_t i = 0; i < finer.size(); ++i) {
     if ((finer[i] & kDivided) == 0) continue;
     const std::size_t old = finer[i] & ~kDivided;

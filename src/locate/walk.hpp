@@ -66,10 +66,10 @@ template <class Geometry>
 /// random, so a walk cannot go in a circle for ever. If a walk takes more than 16 steps plus 4 for each face, which is
 /// extremely unlikely, it ends and search_all() finds the location.
 ///
-/// Cost: 2 orientation tests per face. (With tests in random order 1.5 would be enough, but each would also cost the
-/// time of a mispredicted branch.) Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion and Teillaud,
-/// *Walking in a triangulation*, 2002. Requires: `start` is no ghost face; `target` lies in the domain, at `seed` or
-/// very close to it.
+/// Cost: 2 orientation tests per face. (With tests in random order, 1.5 tests would be enough on average, but each test
+/// would also cost the time of a mispredicted branch.) Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion
+/// and Teillaud, *Walking in a triangulation*, 2002. Requires: `start` is no ghost face; `target` lies in the domain,
+/// at `seed` or very close to it.
 template <class Geometry>
 [[nodiscard]] Located walk(const mesh::TriangleMesh& mesh, const Geometry& geometry,
                            const typename Geometry::View& target, const Point& seed, mesh::Face start,

@@ -20,7 +20,7 @@ void count_spare(MemoryUse& use, const Vectors&... vectors) {
   use.spare += ((vectors.capacity() * sizeof(typename Vectors::value_type)) + ...);
 }
 
-/// Frees the unused capacity of vectors. A vector keeps it if there is no memory for the smaller array.
+/// Frees the unused capacity of vectors. If there is no memory for a smaller array, the vector does not change.
 template <class... Vectors>
 void shrink(Vectors&... vectors) {
   (vectors.shrink_to_fit(), ...);

@@ -12,8 +12,8 @@
 
 namespace waywright::memory {
 
-/// An array with an undo log: it records each write() and append() of an operation, so that roll_back() can take them
-/// back. One operation uses append() or cover() on an array, not both.
+/// An array with an undo log: roll_back() takes back each write() and append() of an operation. One operation must not
+/// use both append() and cover() on the same array.
 ///
 ///     array.begin();                // the operation starts
 ///     array.write(3, value);
@@ -34,7 +34,7 @@ class JournaledArray {
   }
   void append(const Value& value) { values_.push_back(value); }
 
-  // roll_back() does not take back the changes that the next two functions make.
+  // The next two functions make changes that roll_back() does not take back.
 
   /// Makes the array at least `size` long. New elements are copies of `value`.
   void cover(std::size_t size, const Value& value) {

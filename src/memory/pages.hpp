@@ -12,9 +12,9 @@
 
 namespace waywright::memory {
 
-/// A sparse array: values by index, stored in pages. It suits data that most vertices, edges or items of a large world
-/// do not have, because a page is allocated only when its first value needs room. A page is kept until clear(), so a
-/// value that was written once can be written again without an allocation. The values of a new page are Value{}.
+/// A sparse array: values by index, stored in pages. Use it for data that most vertices, edges or items of a large
+/// world do not have: a page is allocated only when its first value needs room. A page is not freed before clear(), so
+/// a value that was written once can be written again without an allocation. The values of a new page are Value{}.
 template <class Value>
 class Pages {
  public:

@@ -228,11 +228,10 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
 }
 
 //            apex            `one` and `other` are half-edges on the hole's border, or bases of new triangles. If one
-//            of
-//           /    \           them lies on the border, the new triangle uses its face, which nothing else needs. This
-//      one /      \ other    half-edge and its twin then stay as they are. If both lie on the border, `other` moves to
-//         /        \         the face of `one`, and its old face is freed. If both are bases, the new triangle takes a
-//    from -------- to        freed face. A new base has no twin yet: it is open. It replaces `one` in `border`.
+//           /    \           lies on the border, the new triangle uses its face, which nothing else needs. Then this
+//      one /      \ other    half-edge and its twin do not change. If both lie on the border, `other` moves to the face
+//         /        \         of `one`, and its old face is freed. If both are bases, the new triangle takes a freed
+//    from -------- to        face. A new base has no twin yet: it is open. It replaces `one` in `border`.
 //           base
 HalfEdge TriangleMesh::refill(std::span<HalfEdge> border, std::span<const Triangle> triangles) {
   for (const HalfEdge h : border) save(face(h));

@@ -17,17 +17,17 @@
 
 namespace waywright::mesh {
 
-/// A number that an edge carries for the rooms above; the mesh only copies it. An edge whose label is not 0 is fixed:
-/// no flip removes it.
+/// A number that an edge carries for the higher rooms. The mesh only stores and copies it. An edge whose label is not 0
+/// is fixed: no flip removes it.
 using Label = std::uint32_t;
 
 /// A triangulated sphere: every half-edge has a twin, and every vertex has a closed loop of faces. To represent a
 /// triangulated polygon, connect a ghost vertex to all vertices on the border of the polygon. The result is a sphere,
 /// and the faces at the ghost vertex are ghost faces. The class is pure topology and knows no coordinates.
 ///
-/// New vertices and faces use freed slots again, the slot that was freed last first. An index stays valid until its
-/// vertex or face is freed. A flip rebuilds two faces, and afterwards other half-edges may represent the edges of these
-/// faces.
+/// New vertices and faces use freed slots again. The slot that was freed last is used first. An index stays valid until
+/// its vertex or face is freed. A flip rebuilds two faces, and afterwards other half-edges may represent the edges of
+/// these faces.
 ///
 /// An undo log (memory::Journal) records all changes since begin(). roll_back() takes these changes back. The log also
 /// lists the faces and vertices that the changes touched.
@@ -47,8 +47,8 @@ class TriangleMesh {
   };
 
   TriangleMesh() = default;
-  /// Takes over a mesh that other code has made. Each group of three half-edges in a row is a face. Requires: no face
-  /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of some half-edge.
+  /// Takes over a mesh that other code has made. The half-edges 3 f, 3 f + 1 and 3 f + 2 are a face. Requires: no face
+  /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of a half-edge.
   TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count);
 
   // Navigation. Each function is O(1), except find().
@@ -74,7 +74,8 @@ class TriangleMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
-  /// The number of slots, including free slots. Every index of a vertex (of a face) is below this number.
+  /// The numbers of slots of vertices and of faces, including free slots. Every index of a vertex (or face) is below
+  /// this number.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
   [[nodiscard]] bool is_alive(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
@@ -94,12 +95,12 @@ class TriangleMesh {
   // Changes.
 
   [[nodiscard]] Vertex add_vertex();
-  /// Removes a vertex. Requires: no face has `v` as a corner.
+  /// Removes a vertex. Requires: `v` is not a vertex of any face.
   void free_vertex(Vertex v);
   [[nodiscard]] Face add_face();
   /// Removes a face. Requires: no half-edge of another face has a half-edge of `f` as its twin.
   void free_face(Face f);
-  /// Sets the corners of `f`, but no twins and labels. Sets the outgoing half-edge of each corner to one of `f`.
+  /// Sets the vertices of `f`, but no twins and labels. Sets the outgoing half-edge of each vertex to one of `f`.
   void set_corners(Face f, Vertex a, Vertex b, Vertex c);
   void set_outgoing(Vertex v, HalfEdge h) { outgoing_[number(v)] = number(h); }
   /// Makes `g` and `h` twins and sets the label of their edge.
@@ -107,8 +108,8 @@ class TriangleMesh {
   /// Sets the label of the edge of `h`. If it is 0, the edge is no longer fixed.
   void set_label(HalfEdge h, Label label);
 
-  /// Puts `v` into `f` and connects it to the three corners. Returns the half-edges opposite to `v`, counter-clockwise
-  /// around it; the first is first(f).
+  /// Puts `v` into `f` and connects it to the three vertices of `f`. Returns the half-edges opposite to `v`,
+  /// counter-clockwise around it; the first is first(f).
   std::array<HalfEdge, 3> split_face(Face f, Vertex v);
   /// Puts `v` on the edge of `h` and connects it to the apexes of `h` and its twin. Both halves of the edge keep its
   /// label. `h` is then the half-edge from its origin to `v`. Returns the half-edges opposite to `v`, counter-clockwise
@@ -120,24 +121,24 @@ class TriangleMesh {
     HalfEdge opposite;  ///< the half-edge from d to the old target of `h`. Like `h`, which now ends at d, it has apex c
   };
   /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Requires: the edge is not fixed, and the four
-  /// corners of the quadrilateral are distinct.
+  /// vertices of the quadrilateral are distinct.
   Flipped flip(HalfEdge h);
 
-  /// A triangle of a polygon, counter-clockwise. `from`, `apex` and `to` are the positions of its corners in the list
-  /// of the polygon's corners.
+  /// A triangle of a polygon, counter-clockwise. `from`, `apex` and `to` are the indices of its vertices in the list of
+  /// the polygon's vertices.
   struct Triangle {
     std::uint32_t from, apex, to;
   };
   /// Fills a hole with triangles. `border` lists consecutive half-edges on the hole's border, with the hole on their
   /// left. The hole consists of the faces of these half-edges, and the new triangles use the slots of these faces. One
   /// edge of the hole is not in `border`: the base, from the end of the last half-edge to the start of the first.
-  /// `triangles` has one entry fewer than `border`. Its first triangle lies on the base. Each triangle precedes the
+  /// `triangles` has one entry fewer than `border`. Its first triangle lies on the base. Each triangle comes before the
   /// triangles on its edges from - apex and apex - to. Returns the half-edge of the base, which has no twin until
   /// link() or close() sets it. Overwrites `border`. Requires: no two half-edges of `border` belong to one face; the
   /// other half-edges of these faces lie inside the hole.
   HalfEdge refill(std::span<HalfEdge> border, std::span<const Triangle> triangles);
-  /// Closes a hole whose base was a half-edge of its border, too: `base`, from refill(), replaces this half-edge,
-  /// `old`. Frees the face of `old`.
+  /// Closes a hole after refill(), if the base of the hole is the edge of an old half-edge `old`. `base`, the result of
+  /// refill(), replaces `old`. Frees the face of `old`.
   void close(HalfEdge base, HalfEdge old);
 
   /// Empties the undo log.
@@ -218,7 +219,7 @@ class TriangleMesh {
     set_label_of_twin,
     rebuild_label,
   };
-  /// The record of a change. `index` is the vertex, face or half-edge that changed.
+  /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;

@@ -17,8 +17,8 @@ namespace waywright::text {
 /// encoded as UTF-16 or UTF-32, with or without a byte order mark. Errors: malformed.
 [[nodiscard]] std::optional<Error> skip_byte_order_mark(std::string_view& text, std::string_view name);
 
-/// Returns the lines of a text one after the other, without their line ends (LF or CRLF). A line end closes a line and
-/// starts none, so a text that ends with a line end has no empty last line.
+/// Returns the lines of a text one after the other, without their line ends (LF or CRLF). If the text ends with a line
+/// end, there is no empty line after it.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}
@@ -26,8 +26,8 @@ class LineReader {
   /// Puts the next line into `line`. Returns false at the end of the text.
   [[nodiscard]] bool next(std::string_view& line);
 
-  /// The number of the line that next() returned last, counted from 1. It is 1 before the first line and in an empty
-  /// text, too: a message about missing text points there.
+  /// The number of the line that next() returned last, counted from 1. It is also 1 before the first line and for an
+  /// empty text, because messages about missing text name line 1.
   [[nodiscard]] std::uint64_t number() const { return number_ == 0 ? 1 : number_; }
 
  private:
@@ -49,8 +49,8 @@ class WordReader {
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
 
-  /// The number of characters that are left. Callers use it as a bound for a count in the text that tells how many
-  /// words follow.
+  /// The number of characters that are left. If a word of the text says how many words follow, a caller can use this
+  /// number as an upper bound.
   [[nodiscard]] std::size_t remaining() const { return rest_.size(); }
 
  private:
@@ -62,15 +62,17 @@ class WordReader {
 /// Returns the line up to its first `#`.
 [[nodiscard]] std::string_view without_comment(std::string_view line);
 
-/// Returns the double nearest to a decimal number, or null if the word is no number. A leading `+` is allowed. A number
-/// that is too large reads as infinity, one that is too small as zero or as the nearest subnormal double, and the words
-/// for infinity and NaN as these values: the result is then not finite, but the number is well formed.
+/// Returns the double nearest to a decimal number, or null if the word is no number. A leading `+` is allowed. For a
+/// number that is too large, the result is infinity. For a number that is too small, it is zero or the nearest
+/// subnormal double. The words for infinity and NaN give these values: they are well formed, although the result is not
+/// finite.
 [[nodiscard]] std::optional<double> read_number(std::string_view word);
 
-/// Reads an unsigned integer that consists of digits alone. Returns null if the word is none, or above 2^64 - 1.
+/// Reads an unsigned integer. Returns null if the word contains anything but digits, or if the number is above 2^64 -
+/// 1.
 [[nodiscard]] std::optional<std::uint64_t> read_unsigned(std::string_view word);
 
-/// Reads an id from 1 to 2^63 - 1. Returns null if the word is none.
+/// Reads an id from 1 to 2^63 - 1. Returns null if the word is no such id.
 [[nodiscard]] std::optional<ItemId> read_id(std::string_view word);
 
 /// Appends the shortest text that reads back as the same double, and `0` for -0.0.
