@@ -36,8 +36,8 @@ void append_hint(std::string& out, std::string_view text);
 
 [[nodiscard]] std::string circle(const Point& centre, double radius);
 
-/// Builds the `d` attribute of a path element from points of the world. Leaves out what lies far outside the map, and
-/// cuts what crosses the edge of the area around the map.
+/// Builds the `d` attribute of a path element from points of the world. It omits lines far outside the map, and cuts
+/// lines at the border of a box that is a little larger than the map.
 class PathData {
  public:
   explicit PathData(const SvgFrame& frame);
@@ -63,7 +63,7 @@ class PathData {
   void append(char command, const Point& pixels);
 
   const SvgFrame& frame_;
-  Box near_;  // the map, and room for wide strokes
+  Box near_;  // the box of the map, enlarged by room for wide strokes
   std::string text_;
   Point last_;  // rounded as in the text
   bool has_line_ = false;

@@ -23,8 +23,8 @@ inline constexpr double kTickLength = 5.0;
 inline constexpr double kTickFont = 12.0;
 inline constexpr double kTickCharacter = 7.2;  // largest width of a digit in that font
 
-/// Computes the layout of a picture that shows what the options select of `domain`, in its proportions. Errors: those
-/// of to_svg().
+/// Computes the layout of a picture of `domain`, or of the crop box in `options`. The map has the proportions of that
+/// box. Errors: the errors of to_svg().
 [[nodiscard]] Result<Layout> lay_out(const Box& domain, const SvgOptions& options);
 
 }  // namespace waywright::io

@@ -40,8 +40,8 @@ struct Paint {
   std::string_view own = {};
 };
 
-/// Writes colours as attributes, which every program reads. For SvgTheme::automatic it also writes classes, by which a
-/// style sheet selects the dark colours.
+/// Writes colours as attributes, which every program understands. For SvgTheme::automatic it also writes classes. The
+/// style sheet uses them to select the dark colours.
 class Palette {
  public:
   explicit Palette(SvgTheme theme) : theme_(theme) {}

@@ -95,7 +95,7 @@ class Components {
     std::uint32_t size = 0;  ///< of a free record: the next free one
     Uses cover = constraint::UseLists::kNone;
   };
-  /// A largest set of new faces that are connected through new faces alone.
+  /// A new face, and all new faces that passages connect with it through new faces alone.
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Id id = kNone;
@@ -189,7 +189,7 @@ class Components {
   // Scratch.
   memory::Pages<std::uint32_t> marks_;  ///< by face: the mark of the last flood or search there; no mark is used twice
   std::uint32_t next_mark_ = 1;
-  std::uint32_t group_mark_ = 0;   ///< mark of the first group; the number before it marks new faces without a group
+  std::uint32_t group_mark_ = 0;   ///< mark of the first group; the mark before it: new faces that have no group yet
   std::uint32_t search_mark_ = 0;  ///< mark of the first search
   std::vector<mesh::Face> faces_;  ///< new faces, group by group
   std::vector<Group> groups_;

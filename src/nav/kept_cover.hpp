@@ -8,11 +8,12 @@
 
 namespace waywright::nav {
 
-/// Finds the polygons that cover a position. It reads them from the components of an abstraction, if it has one. Cost:
-/// O(1) plus the size of the answer.
+/// Finds the polygons that cover a position. If the world keeps an abstraction, it reads them from the components.
+/// Cost, with an abstraction: O(1) plus the size of the answer.
 class KeptCover final : public constraint::Cover {
  public:
-  /// Sets the abstraction to read from, or null for none. Requires: it outlives its use here.
+  /// Sets the abstraction from which this object reads; null for none. Requires: the abstraction exists as long as this
+  /// object uses it.
   void use(const Abstraction* abstraction) {
     components_ = abstraction != nullptr ? &abstraction->components() : nullptr;
   }

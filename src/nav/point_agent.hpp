@@ -4,13 +4,13 @@
 
 namespace waywright::nav {
 
-/// Says which edges of a mesh an agent without extent can cross. The searches and the abstraction ask only this class
-/// about an agent. They do not call TriangleMesh::is_fixed for this purpose. That function says which edges the mesh
-/// must keep, and an agent of another kind may be able to cross some of these, or may be too large for others.
+/// Says which edges of a mesh an agent without extent can cross. The searches and the abstraction use only this class
+/// to decide this. They do not call TriangleMesh::is_fixed, which says which edges the mesh must keep. An agent of
+/// another kind may be able to cross some fixed edges, or may be too large for some free edges.
 ///
-/// For a point agent every constrained edge is a wall. An agent of another kind needs a class like this one, which says
-/// which edges it can cross, which width it needs, and what crossing costs. The functions are inline and the class has
-/// no state. So a call costs no more than the call of the mesh in it.
+/// For a point agent every constrained edge is a wall. An agent of another kind needs a class like this one. That class
+/// says which edges the agent can cross, which width it needs, and what it costs to cross an edge. The functions are
+/// inline and the class has no state. So a call costs no more than a call of TriangleMesh::is_fixed.
 class PointAgent {
  public:
   /// Returns whether the agent can cross the edge of `h`, so that the edge is a passage between its two faces.

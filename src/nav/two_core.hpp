@@ -102,8 +102,8 @@ class TwoCore {
   }
 
  private:
-  // The state of a face: a bit for each half-edge that is a passage in the core, the half-edge (0 to 2) towards the
-  // core, and whether the face is in the core.
+  // The state of a face: a bit for each half-edge that is a passage in the core; the number (0 to 2) of the half-edge
+  // that leads towards the core; and whether the face is in the core.
   using State = std::uint8_t;
   static constexpr State kPassages = 7;
   static constexpr State kSideShift = 3;

@@ -8,13 +8,14 @@
 
 #include "base/ieee.hpp"
 
-// Lengths in doubles. They only choose between paths and bound searches. Exact predicates decide on which side
-// something lies. The code uses the square root because it is correctly rounded on every machine, unlike std::hypot.
+// Lengths in doubles. They serve only two purposes: to choose between paths, and to bound searches. Exact predicates
+// decide whether a position lies left or right of a line. The code uses the square root because it is correctly rounded
+// on every machine, unlike std::hypot.
 
 namespace waywright::path {
 
-/// Edges whose squared length is at most this have no direction in doubles. Such an edge joins two vertices that round
-/// to one point, or to two points next to 0.
+/// If the squared length of an edge is at most this, the edge has no direction in doubles. The two ends of such an edge
+/// have the same rounded coordinates, or their rounded coordinates are very close to 0.
 inline constexpr double kNoLength = 0x1p-900;
 
 /// Returns `q` if it does not lie to the right of the line through `a` along `edge`, or if `edge` has no direction.
@@ -36,9 +37,9 @@ inline constexpr double kNoLength = 0x1p-900;
   return {a.x + share * edge.x, a.y + share * edge.y};
 }
 
-/// Returns the point where the ray from `p` in `direction` meets the segment from `a` along `edge`. If rounding lets
-/// the ray miss the segment, returns the nearer end. Returns nothing if the two are so nearly parallel that rounding
-/// could shift the point by more than 2^-34 of its distance from `p`.
+/// Returns the point where the ray from `p` in `direction` meets the segment from `a` along `edge`. If the ray misses
+/// the segment because of rounding, returns the nearer end. Returns nothing if the ray and the segment are so nearly
+/// parallel that rounding could move the point by more than 2^-34 of its distance from `p`.
 [[nodiscard]] inline std::optional<Point> meeting(const Point& p, const Point& direction, const Point& a,
                                                   const Point& edge) {
   const double one = direction.x * edge.y;
@@ -55,7 +56,7 @@ inline constexpr double kNoLength = 0x1p-900;
 }
 
 /// Returns the length of the shortest path from `p` to `q` that touches the segment from `a` to `b`. If all four points
-/// lie on one line, the path need only touch that line.
+/// lie on one line, the result is the distance from `p` to `q`.
 [[nodiscard]] inline double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
   const Point edge{b.x - a.x, b.y - a.y};
   const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;

@@ -12,8 +12,8 @@
 
 namespace waywright::path {
 
-/// Returns the default of PathQuery::end_tolerance, the largest distance by which a blocked end may be moved: 2^-20,
-/// about a millionth, of the domain's largest coordinate.
+/// Returns the default of PathQuery::end_tolerance, the largest distance by which the search may move an end: the
+/// largest magnitude of a coordinate of the domain, times 2^-20 (about a millionth).
 [[nodiscard]] double default_end_tolerance(const Box& domain);
 
 /// The start and the goal of a path, and the faces around each of them that no polygon covers. If there is no such face
@@ -23,12 +23,12 @@ class Ends {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Locates the start. `tolerance` is the distance by which blocked ends may be moved; the default is
+  /// Locates the start. `tolerance` is the largest distance by which an end may be moved; the default is
   /// default_end_tolerance(). Uses `abstraction` if it is not null. Requires: the triangulation and the abstraction do
-  /// not change during the query, the start lies in the domain, `tolerance` is not negative.
+  /// not change during the query; the start lies in the domain; `tolerance` is not negative.
   void set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
                  const std::optional<double>& tolerance);
-  /// Moves the start if it is blocked, before a goal is known. Searches with many goals call it, so that all paths
+  /// Moves the start if it is blocked. Call it before the first goal in a query with many goals, so that all paths
   /// begin at the same point.
   void free_start();
   /// Locates the goal. Returns the status of the path if no search is necessary, for example because the straight line
@@ -36,14 +36,13 @@ class Ends {
   /// returns nothing. Requires: the goal lies in the domain.
   std::optional<PathStatus> find_status_without_search(const Point& goal);
 
-  /// Writes which ends were moved and, if `status` says that an end is blocked, which polygons block it. Requires:
-  /// `path.blockers` is empty.
+  /// Writes to `path` which ends were moved and, if `status` says that an end is blocked, which polygons block it.
+  /// Requires: `path.blockers` is empty.
   void write_ends(PathStatus status, Path& path) {
     if (status != PathStatus::found || has_moved()) write_moved_and_blocked(status, path);
   }
 
-  /// The points from which and to which the path leads: the given ends or, if they were moved, the points to which they
-  /// were moved.
+  /// The start and the goal of the path: the ends in the query or, if the class has moved them, their new positions.
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_location() const { return start_location_; }

@@ -10,9 +10,9 @@ namespace {
 /// The search reads the clock each time it has entered this many triangles.
 constexpr std::size_t kSlice = 256;
 
-/// From this number of goals on, one search without a heuristic finds the paths to all of them. For fewer goals, each
-/// gets its own search, with a heuristic. At about this number the two cost the same in a world of some hundreds of
-/// obstacles.
+/// For this number of goals or more, one search without a heuristic finds the paths to all of them. For fewer goals,
+/// each goal has its own search, with a heuristic. In a world of some hundreds of obstacles, the two methods cost the
+/// same at about this number.
 constexpr std::size_t kManyGoals = 256;
 
 std::size_t add_or_stay_largest(std::size_t a, std::size_t b) {
@@ -62,8 +62,9 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   }
 }
 
-/// Marks the faces that were read to find the ends as looked at. Marks all faces if these faces are not known one by
-/// one: if the search is already done, if an end was moved, or if the algorithm is `tra`, which records no faces.
+/// Records that the search has looked at the faces that were read to find the ends. In three cases these faces are not
+/// known one by one, and the function records that the search has looked at every face: the search is already done; an
+/// end was moved; the algorithm is `tra`, which records no faces.
 void Finder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();
@@ -125,8 +126,9 @@ bool Finder::search(std::size_t limit, Path& path) {
   return is_proving_ ? search_optimal(slice, path) : search_ta(slice, path);
 }
 
-/// `ta` enters each half-edge only once, so its best path need not be the shortest. When `ta` has no channel left,
-/// `optimal` searches for a shorter path: this either proves that the path is shortest or improves it.
+/// `ta` enters each half-edge only once, so its best path need not be the shortest. When `ta` has followed all
+/// channels, `optimal` searches for a shorter path. It either finds the shortest path, or proves that the path of `ta`
+/// is the shortest.
 bool Finder::search_ta(std::size_t limit, Path& path) {
   if (!ta_.step(limit, path)) return false;
   if (path.status != PathStatus::found || path.lower_bound >= path.length) return true;

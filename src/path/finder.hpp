@@ -27,8 +27,8 @@ class Finder {
   /// frees a face that shares a vertex with f, or if it changes the entry of f in the abstraction.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
              Path& path, LookedAt* looked_at = nullptr);
-  /// Continues the search for at most `expansions` triangles, or a few more. Returns whether the search is done. `path`
-  /// is the best path found by then.
+  /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
+  /// search is done. `path` is then the best path so far.
   bool step(std::size_t expansions, Path& path);
 
   /// Makes room for faces and vertices that were added to the mesh. Call it before step() if the mesh has changed since
@@ -61,14 +61,14 @@ class Finder {
   PathQuery query_;
   bool is_done_ = true;
   bool is_searched_ = false;  ///< whether a search was necessary
-  bool is_proving_ = false;   ///< whether `ta` has no channel left, and `optimal` continues the search
+  bool is_proving_ = false;   ///< whether `ta` has followed all channels, and `optimal` continues the search
   double ta_bound_ = 0.0;     ///< the lower bound that `ta` has proven
   Clock::time_point start_time_;
   Ends ends_;
   TaStar ta_;
   TraStar tra_;
   Optimal optimal_;
-  std::vector<std::size_t> searched_;  ///< in a query of many goals: the goals that wait for settle()
+  std::vector<std::size_t> searched_;  ///< in a query with many goals: the goals that wait for settle()
 };
 
 }  // namespace waywright::path

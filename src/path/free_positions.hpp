@@ -23,9 +23,9 @@ class FreePositions {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// The faces with which a free position must be connected: only faces of their components count as open.
+  /// The faces with which a free position must be connected: only faces in the components of these faces count as open.
   struct Connection {
-    const nav::Components* components = nullptr;  ///< null if every open face counts
+    const nav::Components* components = nullptr;  ///< null if every open face counts as open
     const std::vector<mesh::HalfEdge>* faces = nullptr;
   };
 
@@ -58,7 +58,7 @@ class FreePositions {
   const Triangulation* triangulation_ = nullptr;
   constraint::Cover* cover_ = nullptr;
   Point point_;
-  double slack_ = 0.0;                  ///< larger than the rounding error of a distance in doubles
+  double slack_ = 0.0;                  ///< a bound of the rounding error of a distance in doubles
   double nearest_ = 0.0;                ///< `slack_` plus the smaller of `limit` and the least candidate distance
   memory::Pages<std::uint32_t> marks_;  ///< by face: the last search that reached it
   memory::Stamp stamp_;

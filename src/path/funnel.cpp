@@ -20,8 +20,8 @@ std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
-// A string of length zero has no direction, so no turn can be measured against it. So a vertex at the start is the root
-// itself.
+// A string of length zero has no direction, so the code could not decide whether the next piece turns left or right. So
+// the node of a vertex at the start is the root itself.
 std::uint32_t TautTree::add_seen(mesh::Vertex v) {
   return geometry_->order(nodes_[kRoot].position, geometry_->view(number(v))) == 0 ? kRoot : add(v, kRoot);
 }
@@ -60,7 +60,7 @@ Funnel TautTree::move_right(const Funnel& funnel, mesh::Vertex v) {
   return {apex_after(funnel, corner, funnel.right), funnel.left, add(v, corner)};
 }
 
-/// Returns the new apex. The apex moves if the string bends around the other chain.
+/// Returns the apex after a bend. The apex moves if the string bends around the other chain.
 std::uint32_t TautTree::apex_after(const Funnel& funnel, std::uint32_t corner, std::uint32_t own_end) const {
   for (std::uint32_t node = own_end; node != funnel.apex; node = nodes_[node].parent) {
     if (node == corner) return funnel.apex;

@@ -11,17 +11,17 @@
 
 namespace waywright::path {
 
-/// The funnel of a channel at a portal. The taut strings from the start to the portal's two ends run together up to
-/// `apex`. From there on the left string turns only to the left, the right string only to the right. The three numbers
-/// are nodes of a TautTree.
+/// The funnel of a channel at a portal. Two taut strings run from the start to the left and the right end of the
+/// portal. They are identical up to `apex`. From there on, the left string turns only to the left, and the right string
+/// only to the right. The three numbers are nodes of a TautTree.
 struct Funnel {
   std::uint32_t apex = 0;
   std::uint32_t left = 0;
   std::uint32_t right = 0;
 };
 
-/// The taut strings of all channels of one search, as a tree: the string to each node runs through its parent. Channels
-/// that share their beginning share the strings there.
+/// The taut strings of all channels of one search, as a tree: the string to each node runs through its parent. If two
+/// channels begin with the same faces, their strings share the nodes there.
 ///
 /// Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984 (the funnel).
 class TautTree {
@@ -31,7 +31,7 @@ class TautTree {
   /// Starts a new tree whose root is the point `start`. The funnel at the root consists of the root alone.
   void reset(const Geometry& geometry, const Point& start);
 
-  /// Returns the node of a vertex that the start sees. If the vertex lies at the start, this is the root itself.
+  /// Returns the node of a vertex that is visible from the start. If the vertex lies at the start, this is the root.
   [[nodiscard]] std::uint32_t add_seen(mesh::Vertex v);
   /// Returns the funnel after the left (or right) end of the portal has moved to `v`.
   [[nodiscard]] Funnel move_left(const Funnel& funnel, mesh::Vertex v);
@@ -54,7 +54,7 @@ class TautTree {
     double length;
   };
 
-  /// Returns on which side of the straight line from `p` to `q` the point `v` lies.
+  /// Returns whether `v` lies left of (positive), right of (negative) or on (zero) the line from `p` to `q`.
   [[nodiscard]] exact::Sign side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const;
   void collect(std::uint32_t end, std::uint32_t apex, std::vector<std::uint32_t>& chain) const;
   [[nodiscard]] std::uint32_t add(mesh::Vertex v, std::uint32_t parent);

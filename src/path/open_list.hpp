@@ -6,9 +6,9 @@
 
 namespace waywright::path {
 
-/// The open nodes of a search. pop() returns the node with the least bound; among equal bounds, the one made first. The
-/// heap has four children per node: it has fewer levels than a binary heap, and the children of a node lie side by side
-/// in memory.
+/// The open nodes of a search. pop() returns the node with the least bound. Of nodes with equal bounds, it returns the
+/// node with the smallest number, which was made first. The list is a heap with four children per node: it has fewer
+/// levels than a binary heap, and the children of a node are adjacent in memory.
 class OpenList {
  public:
   void clear() { entries_.clear(); }
@@ -50,7 +50,7 @@ class OpenList {
     return p.bound < q.bound || (p.bound == q.bound && p.node < q.node);
   }
 
-  /// Puts `entry` into the heap, whose top is free, and moves smaller entries up.
+  /// Puts `entry` into the heap, whose first position is free, and moves smaller entries up.
   void sink(const Entry& entry) {
     const std::size_t count = entries_.size();
     std::size_t at = 0;

@@ -19,7 +19,7 @@ constexpr int kFacesBetweenLooks = 8;
 
 }  // namespace
 
-/// The cone of a window. Decides whether a point lies left or right of each of the cone's two bounds.
+/// The cone of a window. It decides whether a position lies left or right of each of the cone's two bounds.
 class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)
@@ -48,8 +48,7 @@ class Optimal::Cone {
  private:
   const Geometry& geometry_;
   Geometry::View root_;
-  // The lines of the bounds. They run through the root, in the direction in which a path along the bound passes their
-  // two points.
+  // The lines on which the bounds lie. Each runs through the root, in the direction of a path along the bound.
   Geometry::Line left_;
   Geometry::Line right_;
 };
@@ -141,7 +140,7 @@ std::size_t Optimal::index_of(nav::Components::Id component) const {
   return static_cast<std::size_t>(at - goals_in_components_.begin());
 }
 
-/// Counts a goal face in its component, and at each face from there up to the core.
+/// Counts a goal face in its component, and at each face of the chain that leads from it up to the core.
 void Optimal::count_goal_face(mesh::Face f) {
   const nav::Components::Id component = components_->component_of(f);
   const std::size_t at = index_of(component);
@@ -436,9 +435,9 @@ void Optimal::offer(const Node& window, const Point& left, const Point& right) {
 
 /// Let E be the origin of `from_end`, a half-edge of the window's edge. Returns whether the known path to E, continued
 /// along the edge, reaches the other end of the edge sooner than the straight line from the root. By the triangle
-/// inequality it then also reaches every position between them sooner, so no shortest path comes through the window.
-/// "Sooner" means by more than the rounding error of a sum of lengths: of two equally long paths, neither rules out the
-/// other.
+/// inequality it then also reaches every position of the edge sooner, so no shortest path comes through the window.
+/// "Sooner" means that the difference is larger than the rounding error of a sum of lengths. So of two equally long
+/// paths, neither excludes the other.
 bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
   constexpr double kSurely = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
@@ -466,11 +465,12 @@ double Optimal::bound_from(const Point& p) const {
   return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
 }
 
-/// Returns a lower bound, up to rounding, of the length of the paths through the window. With one goal the bound covers
-/// the path through the window and on to the goal; with several goals, only the path to the window. All numbers are
+/// Returns a lower bound, up to rounding, of the length of the paths through the window: with one goal, the length of
+/// the path through the window to the goal; with several goals, the length of the path to the window. All numbers are
 /// doubles: no decision about left and right depends on the result. If the angle between a bound of the cone and the
-/// edge is very small, doubles cannot tell where they meet. The function then assumes the least length: with one goal,
-/// that the window is the whole edge; with several goals, that the path from the root to the window has length zero.
+/// edge is very small, doubles cannot express where they meet. The function then assumes the least length: with one
+/// goal, that the window is the whole edge; with several goals, that the path from the root to the window has length
+/// zero.
 double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
   const Point& a = position_of(mesh_->origin(window.entry));
   const Point& b = position_of(mesh_->target(window.entry));

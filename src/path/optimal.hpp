@@ -23,30 +23,30 @@ namespace waywright::path {
 /// A window consists of the edge, the root, and the two vertices that bound the cone of sight on the left and on the
 /// right. When a cone has entered a face across an edge, it leaves the face across one or both of the other edges. The
 /// face's apex is the vertex that is not on the edge of entry. If the apex lies inside the cone, the cone leaves across
-/// both edges, as far as an agent can cross them. If the apex lies left or right of the cone, the cone leaves across
-/// one. So only orientations of mesh vertices decide where a cone continues. Lengths decide only which node the search
-/// expands first, and which of two paths is shorter. Where a cone touches a vertex with walls, a path can turn around
-/// these walls. The vertex is then the root of new windows.
+/// those of the two edges that an agent can cross. If the apex lies left or right of the cone, the cone leaves across
+/// one edge, if an agent can cross it. So only orientations of mesh vertices decide where a cone continues. Lengths
+/// decide only which node the search expands first, and which of two paths is shorter. Where a cone touches a vertex
+/// with walls, a path can turn around these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
-/// search, its bound, and the rule that drops roots which a shorter path has reached. Differences:
+/// search, its bound, and the rule that drops a root if a shorter path to its vertex is known. Differences:
 /// - To decide where a window continues, the search never computes the positions of the window's ends.
 /// - It makes the windows beyond a turn only when no other node has a smaller bound.
-/// - If the bound of a window is not above the least bound, the search follows this window at once, without the open
-///   list.
-/// - It drops a window if a path through an end of its edge reaches all positions on it sooner (Xin and Wang,
-///   *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
+/// - If the bound of a new window is not above the least bound of the open list, the search follows this window at
+///   once, without the open list.
+/// - It drops a window if a known path through an end of its edge reaches all positions of the window sooner (Xin and
+///   Wang, *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
 class Optimal {
  public:
   using Triangulation = constraint::ExactTriangulation;
   using Geometry = exact::Geometry;
 
-  /// Starts a new search. Requires: the start in `ends`, the triangulation and the abstraction, if there is one, do not
-  /// change. If `looked_at` is not null, the search records there at which faces it looks.
+  /// Starts a new search. If `looked_at` is not null, the search records in it the faces at which it looks. Requires:
+  /// the start in `ends`, the triangulation and the abstraction (if there is one) do not change during the search.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// Adds a goal and the open faces around it. Requires: the goal does not lie at a face of the start. A search without
-  /// goals finds nothing.
+  /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: the goal does not lie at
+  /// a face of the start.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
   /// Call this after the last add_goal(). The search leaves out paths that are not shorter than `known_length`.
   void start(double known_length = std::numeric_limits<double>::infinity());
@@ -54,8 +54,8 @@ class Optimal {
   /// Makes room for faces and vertices that were added to the mesh after begin().
   void cover_mesh();
 
-  /// Continues the search until `expansions` reaches `limit` or the search has found the shortest path to each goal
-  /// that a path can reach. Returns whether the search is finished.
+  /// Continues the search until `expansions` reaches `limit`, or until the search is finished: it has then found the
+  /// shortest path to each goal that is connected with the start. Returns whether the search is finished.
   bool step(std::size_t limit, std::size_t& expansions);
   /// A lower bound of the length of each path that the search has not found yet. Requires: step() has returned false.
   [[nodiscard]] double least_bound() const { return open_.least_bound(); }
@@ -69,8 +69,8 @@ class Optimal {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
-  /// A value of Node::left and Node::right that is not a vertex. The cone is then bounded by the straight continuation
-  /// of the path's last segment, beyond the root.
+  /// The value of Node::left or Node::right if no vertex bounds the cone there. The straight continuation of the path's
+  /// last segment, beyond the root, then bounds the cone.
   static constexpr mesh::Vertex kContinuation = mesh::kNoVertex;
 
   /// A turn of paths, or their start.
@@ -115,11 +115,11 @@ class Optimal {
   struct Reached {
     double length = 0.0;
     std::uint32_t query = 0;
-    mesh::HalfEdge spoke{};  ///< an edge at the vertex, in the wedge between walls that the path reaches
+    mesh::HalfEdge spoke{};  ///< an edge at the vertex, in the wedge between walls through which the path arrives
   };
 
-  /// For a face outside the core: how many goal faces lie in its subtree of the dead-end tree, the face included. Valid
-  /// only in query number `query`.
+  /// For a face in a dead end: how many goal faces lie in its subtree, including the face itself. Valid only in query
+  /// number `query`.
   struct GoalsBelow {
     std::uint32_t query = 0;
     std::uint32_t count = 0;

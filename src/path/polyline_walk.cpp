@@ -43,8 +43,8 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
 
 namespace {
 
-/// Returns a box that contains all positions whose rounded coordinates are those of `point`, and little more. All
-/// coordinates of the box are in the valid range.
+/// Returns a small box that contains all positions whose rounded coordinates are the coordinates of `point`. All
+/// coordinates of the box are in range.
 Box box_of_rounded(const Point& point) {
   constexpr double kTiny = 2.0 * kSmallestCoordinate;
   const auto margin = [&](double coordinate) {
@@ -58,8 +58,8 @@ Box box_of_rounded(const Point& point) {
 
 }  // namespace
 
-/// Adds to `meanings_` the constructed vertices whose rounded coordinates are those of `point`. Each of them lies
-/// within box_of_rounded(point), so it is a corner of a face that meets this box.
+/// Adds to `meanings_` the constructed vertices whose rounded coordinates are the coordinates of `point`. Each of them
+/// lies within box_of_rounded(point), so it is a vertex of a face that meets this box.
 void PolylineWalk::collect_crossings_at(const Point& point) {
   if (!geometry().has_constructed()) return;
   const constraint::BoxTest box(box_of_rounded(point));

@@ -8,14 +8,15 @@
 
 namespace waywright::path {
 
-/// An approximate funnel of a channel, by which a search chooses between channels. It holds the last corner at which
-/// the taut string surely turns (the root), the length of the string up to there, and the cone in which the root sees
-/// the rest of the channel. All numbers are doubles. When the string turns, the corners between the new root and the
-/// next portal are forgotten. So a length is right or a little too short.
+/// An approximate funnel of a channel, by which a search chooses between channels. It contains the last turn of the
+/// taut string that is certain (the root), the length of the string up to the root, and the cone in which the rest of
+/// the channel is visible from the root. All numbers are doubles. When the string turns, the class forgets the vertices
+/// between the new root and the next portal. So a length is right or a little too short.
 class Sight {
  public:
   Sight() = default;
-  /// The cone of `from`, which lies inside or on the border of a face. The channel leaves this face through the portal.
+  /// Makes the cone from `from` through the first portal. `from` lies in the face that the channel leaves through this
+  /// portal, or on its border.
   Sight(const Point& from, const Point& left, const Point& right) : root_(from), left_(left), right_(right) {}
 
   /// Moves the left (or right) end of the portal to `v`. The other end stays.

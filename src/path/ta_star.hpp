@@ -15,10 +15,11 @@
 
 namespace waywright::path {
 
-/// Triangulation A* for a point agent: A* over half-edges through which a channel enters a face, each half-edge once.
-/// The path is the taut string through the channel. The bound of a node is the length of the string to the funnel's
-/// apex plus the length of the shortest path from there through the portal to the goal. This is a lower bound for every
-/// path along the channel. The search continues until no open bound is below the length of the best path found.
+/// Triangulation A* for a point agent: A* over the half-edges through which a channel enters a face. The search enters
+/// each half-edge only once. The path is the taut string through the channel. The bound of a node is the length of the
+/// string to the funnel's apex plus the length of the shortest path from there through the portal to the goal. This is
+/// a lower bound for every path along the channel. The search continues until no open bound is below the length of the
+/// best path found.
 ///
 /// Channels cross passages and never vertices. So no path passes a wall or a point where walls meet.
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Difference: in the paper, the bound
@@ -28,8 +29,9 @@ class TaStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search between two ends that do not lie at one face. Requires: the ends and the triangulation do not
-  /// change. If `looked_at` is not null, the search records there at which faces it looks.
+  /// Starts a search between two ends. If `looked_at` is not null, the search records in it the faces at which it
+  /// looks.
+  /// Requires: no face lies at both ends; the ends and the triangulation do not change during the search.
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
   void cover_mesh() { entered_.cover(std::size_t{3} * mesh_->face_slots()); }

@@ -6,8 +6,8 @@ namespace waywright::path {
 
 using exact::Sign;
 
-// A string of length zero has no direction, so no turn can be measured against it. So a vertex at the start is not
-// added: it is the apex itself.
+// A string of length zero has no direction, so the code could not decide whether the next piece turns left or right. So
+// a vertex at the start is not added: it is the apex itself.
 void TautString::begin(const Geometry& geometry, const Point& start, mesh::Vertex left, mesh::Vertex right,
                        std::size_t portal_count) {
   geometry_ = &geometry;

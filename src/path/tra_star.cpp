@@ -78,8 +78,8 @@ void TraStar::climb_from_goal(Face goal) {
   }
 }
 
-/// Marks the faces above the goal from which a passage up leads to the goal as well. These are the faces whose
-/// component has goal faces that do not lie below them:
+/// Sets the mark kGoalElsewhere at those faces above the goal from which a passage up leads to the goal, too. These are
+/// the faces whose component has goal faces that do not lie below them:
 /// - a top (the last face of a chain), if its component has a second top;
 /// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face that is marked
 ///   itself.
@@ -175,7 +175,8 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
   }
 }
 
-/// If two channels look equally long, prefers the one that is closer to the goal: more of its length is known.
+/// Opens a node. The bound includes a small fraction of the distance from the goal. So if the estimates of two channels
+/// are about equal, the search prefers the channel that is closer to the goal, because more of its length is known.
 void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
   constexpr double kHaste = 1.0 / 128;
   const Point& goal = ends_->goal();

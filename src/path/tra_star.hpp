@@ -19,9 +19,9 @@ namespace waywright::path {
 /// choice on its path out of a dead end, on its path into the dead end that contains the goal, and in a corridor. It
 /// never enters any other dead end. The path is the taut string through the first channel that reaches the goal.
 ///
-/// The search is cheap, and its paths are good. A path is not always the shortest one, for two reasons. The search
-/// orders the channels by an approximate length in doubles, which it updates as a channel grows. And it makes a choice
-/// at each face only once.
+/// The search is fast, and its paths are good. There are two reasons why a path is not always the shortest one. The
+/// search orders the channels by an approximate length in doubles, which it updates as a channel grows. And it makes
+/// its choice at each face only once.
 ///
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Differences: one rule says through
 /// which edges the search leaves a face, while the paper distinguishes cases by where start and goal lie. The search
@@ -31,8 +31,8 @@ class TraStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search between two ends that lie in one component, but not at one face. Requires: the ends, the
-  /// triangulation and its abstraction do not change.
+  /// Starts a search between two ends. Requires: the ends are connected; no face lies at both ends; the ends, the
+  /// triangulation and its abstraction do not change during the search.
   void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
   /// Finds the path.
   void find(Path& path);
@@ -70,7 +70,8 @@ class TraStar {
   [[nodiscard]] unsigned passages_on(mesh::Face f, std::uint32_t marks) const {
     return (marks & kAboveGoal) == 0 ? passages_up(f) : passages_above_goal(f, marks);
   }
-  /// Returns the passage up if the face lies in a dead end, or the passages to other core faces if it is a core face.
+  /// Returns the passage up if the face lies in a dead end. If it is a face of the core, returns the passages to other
+  /// faces of the core.
   [[nodiscard]] unsigned passages_up(mesh::Face f) const {
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);

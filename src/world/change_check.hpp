@@ -20,7 +20,7 @@ namespace waywright {
 class ChangeCheck {
  public:
   /// Whether the check remembers the changes that it has accepted. This is not necessary for a single change, or for
-  /// points whose ids count up. Without it, the check allocates nothing.
+  /// points whose ids count up. If the check does not remember them, it allocates nothing.
   enum class Record { no, yes };
 
   ChangeCheck(const constraint::ExactTriangulation& triangulation, Record record)
@@ -47,8 +47,8 @@ class ChangeCheck {
 
   const constraint::ExactTriangulation& triangulation_;
   bool keeps_record_;
-  ItemId largest_;                            ///< the largest id of all, including accepted changes
-  std::size_t vertex_count_;                  ///< an upper bound, after the changes accepted so far
+  ItemId largest_;                            ///< the largest id so far, including accepted changes
+  std::size_t vertex_count_;                  ///< an upper bound, after the accepted changes, without new crossings
   std::vector<ItemId> fresh_;                 ///< the inserted ids that were larger than all ids before; ascending
   std::unordered_map<ItemId, bool> changed_;  ///< for each other id in a change: whether its item is alive now
 };

@@ -20,8 +20,8 @@ namespace waywright {
          point.y <= domain.max.y;
 }
 
-/// Returns the error in `point`, which is number `index` of a list and which messages call `name`. Requires:
-/// is_point_of() is false.
+/// Returns the error in `point`. Its index in a list is `index`, and messages call it `name`. Requires: is_point_of()
+/// is false.
 [[nodiscard]] Error point_error(const Box& domain, const Point& point, std::size_t index,
                                 const detail::PointName& name);
 

@@ -7,8 +7,8 @@
 
 namespace waywright {
 
-/// The context that a world keeps for queries without one. A new context for each query would cost time for arrays as
-/// large as the mesh.
+/// The context that a world keeps for queries without a context. If each such query made a new context, it would spend
+/// time on arrays as large as the mesh.
 ///
 /// Threads: several queries may borrow at the same time. One gets the kept context, the others get new ones.
 class SpareContext {

@@ -24,7 +24,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Inserts a batch as one operation.
   template <class Batch>
   void insert_all(const Batch& batch, const threads::Crew& crew = {});
-  /// Records in `change_log` the items that a batch inserts, the item that is inserted or the item that is removed.
+  // The next three functions record items in `change_log`: all items of a batch, one item that an operation inserts, or
+  // one item that it removes.
   template <class Batch>
   void note_changes(const Batch& batch);
   template <class Rings>
@@ -41,8 +42,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   SpareContext spare_context;
 };
 
-/// An operation on a world. If it is destroyed before commit(), for instance because memory runs out, the world is as
-/// before.
+/// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
+/// destructor takes all changes back.
 class WAYWRIGHT_INTERNAL World::Operation {
  public:
   explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
@@ -91,7 +92,8 @@ class WAYWRIGHT_INTERNAL World::Operation {
   constraint::ExactTriangulation::UndoGuard operation_;
 };
 
-/// If the world has no items, builds a new triangulation: then a batch is all or nothing without an operation.
+/// If the world has no items, the function builds a new triangulation and then replaces the old one. So the insertion
+/// is all or nothing without an undo log.
 template <class Batch>
 void World::Impl::insert_all(const Batch& batch, const threads::Crew& crew) {
   if (triangulation.items().size() != 0) {
