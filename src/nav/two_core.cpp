@@ -38,8 +38,9 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // Often only one old tree face is adjacent to the new faces, and the core is far away. Then the climb to the core is
 // long and mostly useless, because the new faces only replace other faces that hung on the tree face. So update() first
 // peels the new faces as if the tree face were in the core. It climbs only if a cycle is left. There are two
-// exceptions: a second tree face is adjacent to the new faces, or a root or a face of the core was removed. Then the
-// climb might lead through another changed region and back, so update() climbs first.
+// exceptions: a second tree face or a face of the core is adjacent to the new faces, or a root or a face of the core
+// was removed. Then a cycle may lead up from the tree face and come back to the new faces elsewhere, so update() climbs
+// first.
 void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
   states_.cover(mesh.face_slots(), kAbsent);
   Surroundings around;
