@@ -34,7 +34,7 @@ class ConstrainedTriangulation {
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
   /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster.
   template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::Crew& crew = {});
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::ThreadTeam& team = {});
 
   [[nodiscard]] const Box& domain() const { return domain_; }
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
@@ -72,10 +72,10 @@ class ConstrainedTriangulation {
 
   /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(). For each i below
   /// this size, it has an id(i), a kind(i), a fill(i) and rings(i), which is a range of ranges of points: see
-  /// batch.hpp. Reports progress to the crew: first the number of corners that are inserted, then the number of all
-  /// corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
+  /// batch.hpp. Reports progress with team.report(): first the number of corners that are inserted, then the number of
+  /// all corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::Crew& crew = {});
+  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
 
   /// Removes an item from the lists of its edges and corners. Makes edges without items free. Removes vertices that are
   /// not needed any more. If another side passes through such a vertex, its two pieces become one edge. Requires: an

@@ -16,7 +16,7 @@
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "threads/crew.hpp"
+#include "threads/thread_team.hpp"
 
 namespace waywright::delaunay {
 
@@ -46,7 +46,7 @@ class DivideAndConquer {
 
   /// Triangulates all points and does `jobs` in the meantime. Reports how many points are done. Requires: there are at
   /// least two points.
-  void run(const threads::Crew& crew, std::span<const threads::Job> jobs);
+  void run(const threads::ThreadTeam& team, std::span<const threads::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
 
@@ -150,18 +150,18 @@ class DivideAndConquer {
 
 // The cuts do not depend on the number of threads: each task is a range that the recursion makes in any case.
 template <class Geometry>
-void DivideAndConquer<Geometry>::run(const threads::Crew& crew, std::span<const threads::Job> jobs) {
+void DivideAndConquer<Geometry>::run(const threads::ThreadTeam& team, std::span<const threads::Job> jobs) {
   const auto count = static_cast<std::uint32_t>(points_.size());
-  const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * crew.threads()));
+  const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * team.threads()));
   tasks_.clear();
   list_tasks(0, count, std::max(kSmallestTask, static_cast<std::uint32_t>(most)));
   std::atomic<std::size_t> done{0};
-  crew.take_turns(jobs.size() + tasks_.size(), [&](std::size_t, std::size_t i) {
+  team.for_each_index(jobs.size() + tasks_.size(), [&](std::size_t, std::size_t i) {
     if (i < jobs.size()) return jobs[i]();
     Task& task = tasks_[i - jobs.size()];
     task.part = triangulate(task.begin, task.end);
     done += task.end - task.begin;
-    crew.report(done);
+    team.report(done);
   });
   std::size_t next_task = 0;
   (void)merge_tasks(0, count, next_task);

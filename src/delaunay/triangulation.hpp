@@ -33,12 +33,12 @@ class Triangulation {
   /// Makes a box of two triangles. The four edges on its border (bottom, right, top, left) are fixed with these labels.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels)
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
-  /// Makes the triangulation of the box with a vertex at each point of `sorted`, all at once. The crew runs `jobs` at
+  /// Makes the triangulation of the box with a vertex at each point of `sorted`, all at once. The team runs `jobs` at
   /// the same time. `sorted` is the result of a sort whose first four points were the box's corners in the order of
   /// corners_of(). The constructor takes the points and keys out of `sorted` and leaves the ranks. Source: see
   /// DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
-                const threads::Crew& crew = {}, std::span<const threads::Job> jobs = {});
+                const threads::ThreadTeam& team = {}, std::span<const threads::Job> jobs = {});
 
   /// The box's corners as points, counter-clockwise from the smallest.
   [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {

@@ -20,13 +20,13 @@ using mesh::previous;
 // DivideAndConquer does not use the sectors. So a job can fill them at the same time.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
-                                       locate::SortedPoints&& sorted, const threads::Crew& crew,
+                                       locate::SortedPoints&& sorted, const threads::ThreadTeam& team,
                                        std::span<const threads::Job> jobs)
     : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
   std::vector<mesh::TriangleMesh::Corner> corners(6 * sorted.points.size() - 6);
   std::vector<threads::Job> all_jobs(jobs.begin(), jobs.end());
   all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
-  DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
+  DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(team, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
   sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory
   sorted.points.insert(sorted.points.begin(), Point{});  // the point of the ghost

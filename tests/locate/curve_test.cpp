@@ -36,7 +36,7 @@ TEST(Curve, CellsAreSquareInAnyBox) {
 }
 
 void expect_sorted(const Box& box, const std::vector<Point>& points, std::size_t threads) {
-  const SortedPoints sorted = sort_along_curve(box, points, threads::Crew(threads, {}));
+  const SortedPoints sorted = sort_along_curve(box, points, threads::ThreadTeam(threads, {}));
   const Curve curve(box);
   ASSERT_EQ(sorted.keys.size(), sorted.points.size());
   ASSERT_EQ(sorted.ranks.size(), points.size());
