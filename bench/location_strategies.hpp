@@ -30,11 +30,11 @@ struct Ground {
   }
   /// Returns whether `h`, which was stored earlier, now represents a face in the box.
   [[nodiscard]] bool holds(mesh::HalfEdge h) const {
-    return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
+    return h != mesh::kNoHalfEdge && mesh.is_live(mesh::face(h)) && is_inside(h);
   }
   /// Returns a face in the box that touches the box's boundary.
   [[nodiscard]] mesh::HalfEdge somewhere() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
-  /// Returns a face in the box that has `v` as a corner. Requires: `v` is alive and is not the ghost.
+  /// Returns a face in the box that has `v` as a corner. Requires: `v` is live and is not the ghost.
   [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
     mesh::HalfEdge h = mesh.outgoing(v);
     while (!is_inside(h)) h = mesh.next_around(h);
@@ -68,7 +68,7 @@ class CubeRootSampling {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t tries = 0; tries * tries * tries < vertex_count; ++tries) {
       const mesh::Vertex v{random.below(ground.mesh.vertex_slots())};
-      if (!ground.mesh.is_alive(v) || v == ground.ghost) continue;
+      if (!ground.mesh.is_live(v) || v == ground.ghost) continue;
       const Point at = ground.geometry.rounded(number(v));
       const double squared = (at.x - point.x) * (at.x - point.x) + (at.y - point.y) * (at.y - point.y);
       if (squared >= least) continue;

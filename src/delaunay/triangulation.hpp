@@ -55,8 +55,8 @@ class Triangulation {
   [[nodiscard]] bool is_ghost_face(mesh::HalfEdge h) const {
     return mesh_.origin(h) == ghost_ || mesh_.target(h) == ghost_ || mesh_.apex(h) == ghost_;
   }
-  /// Whether the face is alive and lies in the box.
-  [[nodiscard]] bool is_in_box(mesh::Face f) const { return mesh_.is_alive(f) && !is_ghost_face(mesh::first(f)); }
+  /// Whether the face is live and lies in the box.
+  [[nodiscard]] bool is_in_box(mesh::Face f) const { return mesh_.is_live(f) && !is_ghost_face(mesh::first(f)); }
   /// The box's corners as vertices, counter-clockwise from the smallest.
   [[nodiscard]] const std::array<mesh::Vertex, 4>& box_corners() const { return box_corners_; }
 

@@ -116,7 +116,7 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   mesh::Vertex nearest = mesh_.origin(recent_);
   double least = squared_distance(nearest);
   const auto consider = [&](mesh::Vertex v) {
-    if (!mesh_.is_alive(v)) return;
+    if (!mesh_.is_live(v)) return;
     const double distance = squared_distance(v);
     if (distance >= least) return;
     nearest = v;
@@ -136,7 +136,7 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
 template <class Geometry>
 void Triangulation<Geometry>::divide_sector(const Point& point) {
   const mesh::Vertex v = sectors_.near(sectors_.at(point));
-  if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return;
+  if (v == mesh::kNoVertex || !mesh_.is_live(v)) return;
   if (sectors_.are_in_one(point, geometry_.rounded(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }
 

@@ -46,7 +46,7 @@ template <class Geometry>
   using exact::Sign;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
-    if (!mesh.is_alive(f)) continue;
+    if (!mesh.is_live(f)) continue;
     std::array<Sign, 3> signs{};
     mesh::HalfEdge h = mesh::first(f);
     bool inside = true;

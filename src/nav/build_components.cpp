@@ -105,7 +105,7 @@ std::vector<Components::Door> Components::find_doors(const mesh::TriangleMesh& m
   std::vector<Door> doors;
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
-    if (!mesh.is_alive(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
+    if (!mesh.is_live(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
     const Id beyond = component_of(mesh::face(mesh.twin(h)));
     if (beyond != kNone && beyond != component_of(mesh::face(h))) doors.push_back({component_of(mesh::face(h)), h});
   }

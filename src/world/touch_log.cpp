@@ -22,7 +22,7 @@ bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangula
   };
   mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
     add(f);
-    if (entries_.size() > kLongest || !mesh.is_alive(f)) return;
+    if (entries_.size() > kLongest || !mesh.is_live(f)) return;
     for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
       if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
       mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) { add(mesh::face(around)); });

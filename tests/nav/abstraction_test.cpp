@@ -71,7 +71,7 @@ class Expected {
     std::iota(set_.begin(), set_.end(), 0U);
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
       const HalfEdge h = mesh::first(Face{i});
-      if (mesh_.is_alive(Face{i}) && !triangulation.triangulation().is_ghost_face(h)) faces_.push_back(i);
+      if (mesh_.is_live(Face{i}) && !triangulation.triangulation().is_ghost_face(h)) faces_.push_back(i);
     }
     for (const std::uint32_t f : faces_) {
       for (const HalfEdge h : free_sides(f)) set_[set_of(f)] = set_of(beyond(h));
