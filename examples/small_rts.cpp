@@ -89,7 +89,7 @@ class Game {
     for (double y = kMap.max.y - 2; y > kMap.min.y; y -= 4) {
       std::string line;
       for (double x = kMap.min.x + 1; x < kMap.max.x; x += 2) {
-        char letter = world_.locate({x, y}).value().inside.empty() ? '.' : '#';
+        char letter = world_.locate({x, y}).value().polygons.empty() ? '.' : '#';
         for (std::size_t i = 0; i < units_.size(); ++i) {
           const Point at = units_[i].position.at;
           if (at.x >= x - 1 && at.x < x + 1 && at.y >= y - 2 && at.y < y + 2) letter = static_cast<char>('a' + i);

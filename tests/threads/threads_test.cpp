@@ -27,7 +27,7 @@ Answers ask(const World& world, const std::vector<Point>& places) {
   Location location;
   for (std::size_t i = 1; i < places.size(); ++i) {
     world.locate(places[i], context, location).value();
-    answers.inside.push_back(location.inside);
+    answers.inside.push_back(location.polygons);
     world.find_path({places[i - 1], places[i]}, context, path).value();
     answers.paths.push_back(path.points);
     answers.paths.push_back(world.find_path({places[i], places[i - 1]}).value().points);  // the world's own context

@@ -60,7 +60,7 @@ TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
       "the value of a refused call was taken: the point, \\(3, 17\\), lies outside the domain, \\(0, 0\\) to \\(10, "
       "10\\)";
   EXPECT_DEATH(static_cast<void>(*refused), why);
-  EXPECT_DEATH(static_cast<void>(refused->at), why);
+  EXPECT_DEATH(static_cast<void>(refused->kind), why);
   EXPECT_DEATH(static_cast<void>(*world_of_ten().locate({3, 17})), why);
   const Result<Location> done = world_of_ten().locate({3, 7});
   EXPECT_DEATH(static_cast<void>(done.error()), "Result::error\\(\\): the call was carried out");

@@ -184,7 +184,7 @@ std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& 
     const auto hit = call([&] { return world->ray(from, to); });
     text += hit ? std::to_string(hit->hit) + bits_of(hit->at) : std::string(to_string(hit.error().code));
     const auto location = call([&] { return world->locate(to); });
-    if (location) text += bits_of(location->corners[0]) + std::string(to_string(location->at));
+    if (location) text += bits_of(location->vertices[0]) + std::string(to_string(location->kind));
     const auto crossed = call([&] { return world->items_crossed(from, to); });
     if (crossed) {
       for (const CrossedItem& item : *crossed) text += bits_of(item.at);

@@ -175,7 +175,7 @@ TEST(ItemsIn, AgreeWithBruteForceOnRandomScenes) {
     const auto holds = [&](const Point& r) {
       return r.x >= box.min.x && r.x <= box.max.x && r.y >= box.min.y && r.y <= box.max.y;
     };
-    const std::vector<ItemId> covering = world.locate(box.min).value().inside;
+    const std::vector<ItemId> covering = world.locate(box.min).value().polygons;
     std::vector<ItemId> expected;
     for (const Item& item : scene.items) {
       bool meets = std::find(covering.begin(), covering.end(), item.id) != covering.end();
