@@ -36,14 +36,14 @@ struct Strokes {
   double dot = 0.0;
 };
 
-bool is_one_place(PointSpan ring) {
+bool is_one_point(PointSpan ring) {
   return std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return point == ring.front(); });
 }
 
 void sort_item(Item item, Things& things) {
   if (item.shape.kind == ItemKind::polygon) {
     things.solids.push_back(std::move(item));
-  } else if (is_one_place(item.shape.rings.front())) {
+  } else if (is_one_point(item.shape.rings.front())) {
     things.dots.push_back(std::move(item));
   } else {
     things.walls.push_back(std::move(item));

@@ -177,9 +177,9 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
 
 /// If two channels look equally long, prefers the one that is closer to the goal: more of its length is known.
 void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
-  constexpr double kHaste = 1.0 / 128;
+  constexpr double kTieBreakWeight = 1.0 / 128;
   const Point& goal = ends_->goal();
-  const double bound = sight.length_to(goal) + kHaste * distance(position_of(mesh_->origin(entry)), goal);
+  const double bound = sight.length_to(goal) + kTieBreakWeight * distance(position_of(mesh_->origin(entry)), goal);
   open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
   nodes_.push_back({exit, entry, before, sight});
 }

@@ -33,14 +33,14 @@ bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangula
 
 void TouchLog::note_abstraction(const nav::Abstraction& abstraction) {
   if (complete_since_ > version_) return;  // everything counts as touched already
-  const bool is_told = abstraction.for_each_changed_face([&](mesh::Face f) {
+  const bool has_list = abstraction.for_each_changed_face([&](mesh::Face f) {
     if (entries_.size() < entries_.capacity()) {
       entries_.push_back({version_ + 1, f});
     } else {
       note_everything();
     }
   });
-  if (!is_told) note_everything();
+  if (!has_list) note_everything();
 }
 
 void TouchLog::shrink_to_fit() {
