@@ -59,7 +59,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
     : domain_(domain), triangulation_(domain, kSidesOfBox) {
   locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), team);
   const std::span<const std::uint32_t> ranks(sorted.ranks);
-  corner_uses_.cover(sorted.points.size() + 1, UseLists::kNone);
+  corner_uses_.grow_to(sorted.points.size() + 1, UseLists::kNone);
   std::vector<std::uint32_t> with_sides;
   ItemHash::Words hash{};
   const std::array<threads::Job, 2> jobs = {

@@ -168,7 +168,7 @@ class BoxFlood {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     const exact::Geometry& geometry = triangulation_.triangulation().geometry();
     const mesh::Vertex v = mesh.origin(h);
-    if (geometry.is_explicit(number(v)) && test_.holds(geometry.rounded(number(v)))) {
+    if (geometry.is_explicit(number(v)) && test_.contains(geometry.rounded(number(v)))) {
       triangulation_.uses().for_each(triangulation_.corner_uses(v),
                                      [&](std::uint32_t item) { scratch_.slots.push_back(item); });
     }

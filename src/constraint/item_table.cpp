@@ -27,7 +27,7 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   const bool is_slot_id = id.value == slot;
   if (!is_slot_id) {
     make_room_in_index(1);
-    ids_.cover(items_.size());
+    ids_.grow_to(items_.size());
     ids_.make_room(slot);
     ids_[slot] = id;
   }

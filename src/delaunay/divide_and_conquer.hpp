@@ -55,18 +55,18 @@ class DivideAndConquer {
   using Vertex = mesh::Vertex;
   using Sign = exact::Sign;
   /// A triangulated range of points. Each edge of its convex hull has a ghost face. The half-edge of this face that is
-  /// opposite to the ghost represents the hull edge: it runs clockwise around the part.
-  struct Part {
-    Vertex any{};                       ///< a vertex of the part
-    HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the part has more than one vertex
+  /// opposite to the ghost represents the hull edge: it runs clockwise around the piece.
+  struct Piece {
+    Vertex any{};                       ///< a vertex of the piece
+    HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the piece has more than one vertex
   };
   /// Whether a cut divides points by x or by y.
   enum class Cut : std::uint8_t { x, y };
 
-  // The state of a merge before its first step and between two steps. `l`, in the left part, and `r`, in the right
-  // part, are the ends of the uppermost edge between the parts so far. `base` is the half-edge of this edge from r to
-  // l; the face of its twin is still missing. `left` is the hull edge of the left part that ends at l, and `right` is
-  // the hull edge of the right part that starts at r. Each is missing if its part is a single vertex. `left_open` and
+  // The state of a merge before its first step and between two steps. `l`, in the left piece, and `r`, in the right
+  // piece, are the ends of the uppermost edge between the pieces so far. `base` is the half-edge of this edge from r to
+  // l; the face of its twin is still missing. `left` is the hull edge of the left piece that ends at l, and `right` is
+  // the hull edge of the right piece that starts at r. Each is missing if its piece is a single vertex. `left_open` and
   // `right_open` are the half-edges between l or r and the ghost above the base; they have no twin yet.
   struct MergeState {
     Vertex l, r;
@@ -84,8 +84,8 @@ class DivideAndConquer {
   [[nodiscard]] Sign orientation(Vertex a, Vertex b, Vertex c) const {
     return geometry_.orientation(view(a), view(b), view(c));
   }
-  [[nodiscard]] bool circle_holds(Vertex a, Vertex b, Vertex c, Vertex d) const {
-    return delaunay::circle_holds(geometry_, view(a), view(b), view(c), view(d));
+  [[nodiscard]] bool circle_contains(Vertex a, Vertex b, Vertex c, Vertex d) const {
+    return delaunay::circle_contains(geometry_, view(a), view(b), view(c), view(d));
   }
   [[nodiscard]] bool comes_before(Vertex p, Vertex q, Cut cut) const {
     const Point& a = point(p);
@@ -108,36 +108,36 @@ class DivideAndConquer {
     corners_[3 * std::size_t{f} + 2].origin = c;
     return HalfEdge{3 * f};
   }
-  /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the part.
+  /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the piece.
   [[nodiscard]] HalfEdge hull_next(HalfEdge hull) const { return previous(twin(previous(hull))); }
   [[nodiscard]] HalfEdge hull_previous(HalfEdge hull) const { return next(twin(next(hull))); }
 
   /// A range of points that one thread triangulates, and the result.
   struct Task {
     std::uint32_t begin, end;
-    Part part;
+    Piece piece;
   };
   void list_tasks(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
-  Part merge_tasks(std::uint32_t begin, std::uint32_t end, std::size_t& next_task);
+  Piece merge_tasks(std::uint32_t begin, std::uint32_t end, std::size_t& next_task);
 
   struct Split {
     std::uint32_t middle;
     Cut cut;
   };
   [[nodiscard]] Split split(std::uint32_t begin, std::uint32_t end) const;
-  Part triangulate(std::uint32_t begin, std::uint32_t end);
-  Part make_edge(std::uint32_t begin);
-  Part make_three(std::uint32_t begin);
-  Part make_triangle(std::uint32_t f, Vertex a, Vertex b, Vertex c);
-  Part make_chain(std::uint32_t f, Vertex a, Vertex b, Vertex c);
+  Piece triangulate(std::uint32_t begin, std::uint32_t end);
+  Piece make_edge(std::uint32_t begin);
+  Piece make_three(std::uint32_t begin);
+  Piece make_triangle(std::uint32_t f, Vertex a, Vertex b, Vertex c);
+  Piece make_chain(std::uint32_t f, Vertex a, Vertex b, Vertex c);
 
-  Part merge(const Part& left, const Part& right, std::uint32_t f, Cut cut);
+  Piece merge(const Piece& left, const Piece& right, std::uint32_t f, Cut cut);
   [[nodiscard]] HalfEdge find_last(HalfEdge hull, Cut cut) const;
   [[nodiscard]] HalfEdge find_first(HalfEdge hull, Cut cut) const;
-  [[nodiscard]] MergeState lower_tangent(const Part& left, const Part& right, Cut cut) const;
+  [[nodiscard]] MergeState lower_tangent(const Piece& left, const Piece& right, Cut cut) const;
   void open(MergeState& state, std::uint32_t f);
-  void uncover_left(MergeState& state, Vertex& candidate);
-  void uncover_right(MergeState& state, Vertex& candidate);
+  void remove_left_edges(MergeState& state, Vertex& candidate);
+  void remove_right_edges(MergeState& state, Vertex& candidate);
   void join_left(MergeState& state, Vertex candidate);
   void join_right(MergeState& state, Vertex candidate);
 
@@ -159,7 +159,7 @@ void DivideAndConquer<Geometry>::run(const threads::ThreadTeam& team, std::span<
   team.for_each_index(jobs.size() + tasks_.size(), [&](std::size_t, std::size_t i) {
     if (i < jobs.size()) return jobs[i]();
     Task& task = tasks_[i - jobs.size()];
-    task.part = triangulate(task.begin, task.end);
+    task.piece = triangulate(task.begin, task.end);
     done += task.end - task.begin;
     team.report(done);
   });
@@ -179,13 +179,13 @@ void DivideAndConquer<Geometry>::list_tasks(std::uint32_t begin, std::uint32_t e
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge_tasks(std::uint32_t begin,
-                                                                                  std::uint32_t end,
-                                                                                  std::size_t& next_task) {
-  if (tasks_[next_task].end == end) return tasks_[next_task++].part;
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::merge_tasks(std::uint32_t begin,
+                                                                                   std::uint32_t end,
+                                                                                   std::size_t& next_task) {
+  if (tasks_[next_task].end == end) return tasks_[next_task++].piece;
   const auto [middle, cut] = split(begin, end);
-  const Part left = merge_tasks(begin, middle, next_task);
-  const Part right = merge_tasks(middle, end, next_task);
+  const Piece left = merge_tasks(begin, middle, next_task);
+  const Piece right = merge_tasks(middle, end, next_task);
   return merge(left, right, 2 * middle - 2, cut);
 }
 
@@ -204,20 +204,20 @@ typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::triangulate(std::uint32_t begin,
-                                                                                  std::uint32_t end) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::triangulate(std::uint32_t begin,
+                                                                                   std::uint32_t end) {
   const std::uint32_t count = end - begin;
   if (count == 1) return {Vertex{begin + 1}, mesh::kNoHalfEdge};
   if (count == 2) return make_edge(begin);
   if (count == 3) return make_three(begin);
   const auto [middle, cut] = split(begin, end);
-  const Part left = triangulate(begin, middle);
-  const Part right = triangulate(middle, end);
+  const Piece left = triangulate(begin, middle);
+  const Piece right = triangulate(middle, end);
   return merge(left, right, 2 * middle - 2, cut);
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_edge(std::uint32_t begin) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_edge(std::uint32_t begin) {
   const Vertex a{begin + 1};
   const Vertex b{begin + 2};
   const HalfEdge ab = make_face(2 * begin, a, b, kGhost);
@@ -229,7 +229,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_edge(
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_three(std::uint32_t begin) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_three(std::uint32_t begin) {
   Vertex a{begin + 1};
   Vertex b{begin + 2};
   Vertex c{begin + 3};
@@ -243,8 +243,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_three
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_triangle(std::uint32_t f, Vertex a, Vertex b,
-                                                                                    Vertex c) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_triangle(std::uint32_t f, Vertex a,
+                                                                                     Vertex b, Vertex c) {
   const HalfEdge ab = make_face(f, a, b, c);
   const HalfEdge ba = make_face(f + 1, b, a, kGhost);
   const HalfEdge cb = make_face(f + 2, c, b, kGhost);
@@ -260,8 +260,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_trian
 
 /// Makes the triangulation of three points on a line, which are given in order.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
-                                                                                 Vertex c) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
+                                                                                  Vertex c) {
   const HalfEdge ab = make_face(f, a, b, kGhost);
   const HalfEdge bc = make_face(f + 1, b, c, kGhost);
   const HalfEdge cb = make_face(f + 2, c, b, kGhost);
@@ -315,11 +315,11 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) co
   }
 }
 
-// Starts at the two vertices nearest to the cut and moves down until both parts lie left of the line from l to r, or on
-// it. If several vertices of a part lie on this line, l or r is the one nearest to the cut.
+// Starts at the two vertices nearest to the cut and moves down until both pieces lie left of the line from l to r, or
+// on it. If several vertices of a piece lie on this line, l or r is the one nearest to the cut.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Part& left,
-                                                                                          const Part& right,
+typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Piece& left,
+                                                                                          const Piece& right,
                                                                                           Cut cut) const {
   MergeState state{left.any, right.any, {}, left.hull, right.hull, {}, {}};
   const bool has_left = left.hull != mesh::kNoHalfEdge;
@@ -381,12 +381,12 @@ void DivideAndConquer<Geometry>::open(MergeState& state, std::uint32_t f) {
 //      p ----- l    ->    p   | l    becomes the candidate. The edge from l to the ghost stays as it is.
 //        ghost             ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candidate) {
+void DivideAndConquer<Geometry>::remove_left_edges(MergeState& state, Vertex& candidate) {
   for (;;) {
     const HalfEdge lp = twin(state.left);
     const HalfEdge xl = previous(lp);
     const Vertex x = origin(xl);
-    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    if (x == kGhost || !circle_contains(state.l, state.r, candidate, x)) return;
     const HalfEdge ghost_to_p = previous(state.left);
     set_origin(state.left, x);
     set_origin(lp, kGhost);
@@ -397,14 +397,14 @@ void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candida
   }
 }
 
-/// Does the same as uncover_left() in the right part, where the hull edge is r - q.
+/// Does the same as remove_left_edges() in the right piece, where the hull edge is r - q.
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_right(MergeState& state, Vertex& candidate) {
+void DivideAndConquer<Geometry>::remove_right_edges(MergeState& state, Vertex& candidate) {
   for (;;) {
     const HalfEdge qr = twin(state.right);
     const HalfEdge rx = next(qr);
     const Vertex x = target(rx);
-    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    if (x == kGhost || !circle_contains(state.l, state.r, candidate, x)) return;
     const HalfEdge q_to_ghost = next(state.right);
     set_origin(q_to_ghost, x);
     set_origin(rx, kGhost);
@@ -440,11 +440,11 @@ void DivideAndConquer<Geometry>::join_right(MergeState& state, Vertex candidate)
   state.right = next(state.right_open);
 }
 
-// Each step finds the face above the base: a circle through the ends of the base grows upwards between the parts until
-// it meets the next vertex of either part.
+// Each step finds the face above the base: a circle through the ends of the base grows upwards between the pieces until
+// it meets the next vertex of either piece.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
-                                                                            std::uint32_t f, Cut cut) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::merge(const Piece& left, const Piece& right,
+                                                                             std::uint32_t f, Cut cut) {
   MergeState state = lower_tangent(left, right, cut);
   open(state, f);
   for (;;) {
@@ -453,9 +453,9 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(cons
     const bool has_p = orientation(state.l, state.r, p) == Sign::positive;
     const bool has_q = orientation(state.l, state.r, q) == Sign::positive;
     if (!has_p && !has_q) break;
-    if (has_p) uncover_left(state, p);
-    if (has_q) uncover_right(state, q);
-    if (!has_p || (has_q && circle_holds(state.l, state.r, p, q))) {
+    if (has_p) remove_left_edges(state, p);
+    if (has_q) remove_right_edges(state, q);
+    if (!has_p || (has_q && circle_contains(state.l, state.r, p, q))) {
       join_right(state, q);
     } else {
       join_left(state, p);

@@ -154,7 +154,7 @@ typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_ove
   const View& b = hole_positions_[to];
   std::uint32_t apex = from + 1;
   for (std::uint32_t i = apex + 1; i < to; ++i) {
-    if (circle_holds(geometry_, a, hole_positions_[apex], b, hole_positions_[i])) apex = i;
+    if (circle_contains(geometry_, a, hole_positions_[apex], b, hole_positions_[i])) apex = i;
   }
   return {from, apex, to};
 }

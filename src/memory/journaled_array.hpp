@@ -13,7 +13,7 @@
 namespace waywright::memory {
 
 /// An array with an undo log: it records each write() and append() of an operation, so that roll_back() can take them
-/// back. One operation uses append() or cover() on an array, not both.
+/// back. One operation uses append() or grow_to() on an array, not both.
 ///
 ///     array.begin();                // the operation starts
 ///     array.write(3, value);
@@ -37,7 +37,7 @@ class JournaledArray {
   // roll_back() does not take back the changes that the next two functions make.
 
   /// Makes the array at least `size` long. New elements are copies of `value`.
-  void cover(std::size_t size, const Value& value) {
+  void grow_to(std::size_t size, const Value& value) {
     if (values_.size() >= size) return;
     values_.resize(size, value);
     size_before_ = size;

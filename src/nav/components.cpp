@@ -52,8 +52,8 @@ void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<
 }
 
 void Components::make_room(const mesh::TriangleMesh& mesh) {
-  marks_.cover(mesh.face_slots());
-  ids_.cover(mesh.face_slots(), kNone);
+  marks_.grow_to(mesh.face_slots());
+  ids_.grow_to(mesh.face_slots(), kNone);
 }
 
 /// Takes the changed faces out of their components. Frees a component that has no face left.

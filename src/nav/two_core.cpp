@@ -9,7 +9,7 @@ using mesh::HalfEdge;
 
 TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  states_.cover(mesh.face_slots(), kAbsent);
+  states_.grow_to(mesh.face_slots(), kAbsent);
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     if (!triangulation.triangulation().is_in_box(Face{f})) continue;
     State& state = states_.unrecorded(f);
@@ -41,7 +41,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // short cut if there is a second tree face of this kind, or if a root or a face of the core was removed: then the climb
 // might lead through another changed region and back.
 void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
-  states_.cover(mesh.face_slots(), kAbsent);
+  states_.grow_to(mesh.face_slots(), kAbsent);
   Surroundings around;
   for (const Face f : gone) {
     around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
@@ -59,7 +59,7 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
 
 void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
                                    std::span<const Face> made) {
-  states_.cover(mesh.face_slots(), kAbsent);
+  states_.grow_to(mesh.face_slots(), kAbsent);
   for (const Face f : gone) write(f, kAbsent);
   for (const Face f : made) write(f, kCore | kPassages);
 }

@@ -75,11 +75,11 @@ void Finder::look_at_ends() {
   }
 }
 
-void Finder::cover_mesh() {
-  looked_at_->cover(triangulation_->topology().face_slots());
+void Finder::grow_to_mesh() {
+  looked_at_->grow_to(triangulation_->topology().face_slots());
   if (is_done_) return;
-  if (query_.algorithm == PathAlgorithm::optimal || is_proving_) return optimal_.cover_mesh();
-  if (query_.algorithm == PathAlgorithm::ta) ta_.cover_mesh();
+  if (query_.algorithm == PathAlgorithm::optimal || is_proving_) return optimal_.grow_to_mesh();
+  if (query_.algorithm == PathAlgorithm::ta) ta_.grow_to_mesh();
 }
 
 void Finder::write_straight(bool wants_channel, Path& path) const {

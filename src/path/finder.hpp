@@ -33,7 +33,7 @@ class Finder {
 
   /// Makes room for faces and vertices that were added to the mesh. Call it before step() if the mesh has changed since
   /// the last step.
-  void cover_mesh();
+  void grow_to_mesh();
   /// Returns whether the search is not done and a polygon now covers one of its ends.
   [[nodiscard]] bool has_covered_end() { return !is_done_ && ends_.are_covered(); }
 

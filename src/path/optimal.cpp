@@ -73,7 +73,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   goal_bits_ = 0;
   goals_in_components_.clear();
   if (components_ != nullptr) list_components();
-  forget_last_query();
+  clear_last_query();
 }
 
 /// Lists the components of the start's faces, in ascending order, each once.
@@ -124,14 +124,14 @@ void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
   for (auto at = first; at != goal_faces_.end() && at->face == f; ++at) visit(at->goal);
 }
 
-void Optimal::forget_last_query() {
+void Optimal::clear_last_query() {
   stamp_.next(1, reached_, goals_below_);
-  cover_mesh();
+  grow_to_mesh();
 }
 
-void Optimal::cover_mesh() {
-  reached_.cover(mesh_->vertex_slots());
-  goals_below_.cover(mesh_->face_slots());
+void Optimal::grow_to_mesh() {
+  reached_.grow_to(mesh_->vertex_slots());
+  goals_below_.grow_to(mesh_->face_slots());
 }
 
 /// Returns the index of a component's entry in the list of components, or the index where it would be.

@@ -52,7 +52,7 @@ class Optimal {
   void start(double known_length = std::numeric_limits<double>::infinity());
 
   /// Makes room for faces and vertices that were added to the mesh after begin().
-  void cover_mesh();
+  void grow_to_mesh();
 
   /// Continues the search until `expansions` reaches `limit` or the search has found the shortest path to each goal
   /// that a path can reach. Returns whether the search is finished.
@@ -133,7 +133,7 @@ class Optimal {
 
   class Cone;
 
-  void forget_last_query();
+  void clear_last_query();
   void list_components();
   [[nodiscard]] std::size_t index_of(nav::Components::Id component) const;
   void count_goal_face(mesh::Face f);

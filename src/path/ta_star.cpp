@@ -16,13 +16,13 @@ void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedA
   open_.clear();
   is_found_ = false;
   given_up_bound_ = std::numeric_limits<double>::infinity();
-  forget_entries();
+  clear_entries();
   for (const mesh::HalfEdge h : ends.start_faces()) leave_start_face(h);
 }
 
-void TaStar::forget_entries() {
+void TaStar::clear_entries() {
   stamp_.next(1, entered_);
-  cover_mesh();
+  grow_to_mesh();
 }
 
 bool TaStar::step(std::size_t limit, Path& path) {

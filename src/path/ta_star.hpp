@@ -32,7 +32,7 @@ class TaStar {
   /// change. If `looked_at` is not null, the search records there at which faces it looks.
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
-  void cover_mesh() { entered_.cover(std::size_t{3} * mesh_->face_slots()); }
+  void grow_to_mesh() { entered_.grow_to(std::size_t{3} * mesh_->face_slots()); }
   /// Continues the search until `path.expansions` reaches `limit`, a path better than the one in `path` is found, or no
   /// better path can be found. Returns whether the last is the case.
   bool step(std::size_t limit, Path& path);
@@ -50,7 +50,7 @@ class TaStar {
     double bound;  ///< no path from start to goal along this channel is shorter
   };
 
-  void forget_entries();
+  void clear_entries();
   /// Opens a node for each face adjacent to a start face, or to the face of a node.
   void leave_start_face(mesh::HalfEdge h);
   void leave(std::uint32_t position);

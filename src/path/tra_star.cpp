@@ -23,7 +23,7 @@ void TraStar::begin(const Triangulation& triangulation, const nav::Abstraction& 
 void TraStar::find(Path& path) {
   nodes_.clear();
   open_.clear();
-  forget_marks();
+  clear_marks();
   mark_passages_to_goal();
   for (const HalfEdge h : ends_->start_faces()) mark(mesh::face(h), kChosen);
   for (const HalfEdge h : ends_->start_faces()) {
@@ -45,9 +45,9 @@ void TraStar::find(Path& path) {
   }
 }
 
-void TraStar::forget_marks() {
+void TraStar::clear_marks() {
   stamp_.next(kMarks, marks_);
-  marks_.cover(mesh_->face_slots());
+  marks_.grow_to(mesh_->face_slots());
 }
 
 void TraStar::mark(Face f, std::uint32_t mark) {

@@ -57,7 +57,7 @@ class TraStar {
   static constexpr std::uint32_t kChosen = 8;         ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 
-  void forget_marks();
+  void clear_marks();
   [[nodiscard]] std::uint32_t marks_of(mesh::Face f) const {
     return marks_[number(f)] >= stamp_.value() ? marks_[number(f)] - stamp_.value() : 0;
   }

@@ -30,7 +30,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   /// Continues the search in the current version of the world. Restarts it if a change concerns it.
   void catch_up() {
     if (version == touch_log->version()) return;
-    finder.cover_mesh();
+    finder.grow_to_mesh();
     const bool is_concerned = touch_log->has_touched(looked_at, version) || finder.has_covered_end();
     version = touch_log->version();
     if (!is_concerned) return;

@@ -55,7 +55,7 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
     }
     const Point point = random_point(random);
     const Ground ground = ground_of(triangulation);
-    ASSERT_TRUE(ground.holds(strategy.start(ground, point)));
+    ASSERT_TRUE(ground.contains(strategy.start(ground, point)));
     const Located location = bench::locate_by(strategy, ground, point);
     const Located right = locate::search_all(ground.mesh, ground.geometry, exact::Geometry::view(point), ground.ghost);
     ASSERT_EQ(location.spot, right.spot);
