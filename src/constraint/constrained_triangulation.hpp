@@ -164,10 +164,10 @@ class ConstrainedTriangulation {
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
   mesh::HalfEdge take(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);
-  void strip_side(std::uint32_t slot);
-  void strip_corner(mesh::Vertex v, std::uint32_t item);
+  void remove_side(std::uint32_t slot);
+  void remove_corner_use(mesh::Vertex v, std::uint32_t item);
   /// Removes `v` if neither a corner nor a crossing needs it.
-  void drop_if_unneeded(mesh::Vertex v);
+  void remove_if_unneeded(mesh::Vertex v);
   /// The edge on which `side` leaves `u`. Requires: there is such an edge, and the list of the edge on which `side`
   /// reached `u` no longer contains `side`.
   [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;

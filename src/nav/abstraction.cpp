@@ -58,7 +58,7 @@ void Abstraction::update(const Triangulation& triangulation) {
     return guard.done();
   }
   collect_made(triangulation);
-  drop_replaced();
+  remove_common_polygons();
   if (is_in_the_open(mesh)) {
     components_.update_in_open_space(mesh, gone_, made_);
     core_.update_in_open_space(mesh, gone_, made_);
@@ -98,7 +98,7 @@ void Abstraction::collect_made(const Triangulation& triangulation) {
 }
 
 /// Removes the polygons that this operation both inserted and removed from both lists.
-void Abstraction::drop_replaced() {
+void Abstraction::remove_common_polygons() {
   std::sort(inserted_.begin(), inserted_.end());
   std::sort(removed_.begin(), removed_.end());
   common_.clear();

@@ -61,7 +61,7 @@ class Abstraction {
   void rebuild(const Triangulation& triangulation);
   void collect_touched(const mesh::TriangleMesh& mesh);
   void collect_made(const Triangulation& triangulation);
-  void drop_replaced();
+  void remove_common_polygons();
   [[nodiscard]] bool is_in_the_open(const mesh::TriangleMesh& mesh) const;
 
   Components components_;

@@ -27,7 +27,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   }
   remove_changed_faces(changes.gone);
   find_groups(mesh, changes.made);
-  drop_removed(triangulation, changes);
+  remove_from_covers(triangulation, changes);
   find_remainders(mesh);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);

@@ -125,14 +125,14 @@ class Components {
 
   // Finding the components of a whole triangulation.
   /// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face.
-  struct Door {
+  struct SeparatingWall {
     Id component;
     mesh::HalfEdge h;
   };
   [[nodiscard]] static std::vector<Id> join_faces(const Triangulation& triangulation);
   void number_components(std::vector<Id>& ids);
   void cover_components(const Triangulation& triangulation);
-  [[nodiscard]] std::vector<Door> find_doors(const mesh::TriangleMesh& mesh) const;
+  [[nodiscard]] std::vector<SeparatingWall> find_separating_walls(const mesh::TriangleMesh& mesh) const;
 
   // Updating ids.
   void make_room(const mesh::TriangleMesh& mesh);
@@ -163,7 +163,7 @@ class Components {
   }
 
   // Updating covers.
-  void drop_removed(const Triangulation& triangulation, const Changes& changes);
+  void remove_from_covers(const Triangulation& triangulation, const Changes& changes);
   void find_covered(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made, std::uint32_t polygon);
   void cover_new_groups(const Triangulation& triangulation, const Changes& changes);
   [[nodiscard]] bool cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group);

@@ -184,7 +184,7 @@ void Optimal::leave_start() {
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
       if (exit == h && spot != locate::Spot::face) continue;
       if (exit == mesh::previous(h) && spot == locate::Spot::vertex) continue;
-      if (is_barred(exit)) continue;
+      if (is_excluded(exit)) continue;
       const mesh::HalfEdge entry = mesh_->twin(exit);
       offer({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
     }
@@ -228,7 +228,7 @@ void Optimal::follow_window(Node window) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
     look(f);
-    if (may_have_goals(f)) meet_goals(window, cone);
+    if (may_have_goals(f)) reach_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
@@ -244,16 +244,16 @@ void Optimal::follow_window(Node window) {
       if (right == Sign::zero) cone.set_right(window.right = apex);
     } else {
       exit = mesh::next(window.entry);
-      if (is_barred(f, exit)) {
+      if (is_excluded(f, exit)) {
         exit = mesh::previous(window.entry);
         cone.set_right(window.right = apex);
-      } else if (is_barred(f, mesh::previous(window.entry))) {
+      } else if (is_excluded(f, mesh::previous(window.entry))) {
         cone.set_left(window.left = apex);
       } else {
         return divide(window, cone, apex);
       }
     }
-    if (is_barred(f, exit)) return;
+    if (is_excluded(f, exit)) return;
     window.entry = mesh_->twin(exit);
     window.trace = traced(window.entry, window.trace);
     if (faces % kFacesBetweenLooks != 0) continue;
@@ -277,7 +277,7 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
   offer(right, to_apex, cone.right_direction());
 }
 
-void Optimal::meet_goals(const Node& window, const Cone& cone) {
+void Optimal::reach_goals(const Node& window, const Cone& cone) {
   for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
     const Geometry::View position = Geometry::view(goals_[goal].point);
     if (cone.side_of_left(position) == Sign::positive || cone.side_of_right(position) == Sign::negative) return;
@@ -304,8 +304,8 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const mesh::HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool leads_on = !is_barred(near_edge) || (sees_apex && !is_barred(far_edge));
-  if (!leads_on) {
+  const bool can_continue = !is_excluded(near_edge) || (sees_apex && !is_excluded(far_edge));
+  if (!can_continue) {
     bool is_at_goal = false;
     for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
     if (!is_at_goal) return;
@@ -365,20 +365,20 @@ void Optimal::make_left_turn(const Node& turn) {
     if (is_seen) end_at(goal, root, turn.trace);
   });
   const mesh::HalfEdge far_edge = mesh::next(turn.entry);
-  if (sees_apex && !is_barred(far_edge)) {
+  if (sees_apex && !is_excluded(far_edge)) {
     window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::previous(h));) {
+  for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::previous(h));) {
     h = mesh_->next_around(h);
     trace = traced(h, trace);
     ++expansions_;
     look(mesh::face(h));
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::next(h);
-    if (is_barred(exit)) continue;
+    if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
     offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
   }
@@ -398,20 +398,20 @@ void Optimal::make_right_turn(const Node& turn) {
     if (is_seen) end_at(goal, root, turn.trace);
   });
   const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
-  if (sees_apex && !is_barred(far_edge)) {
+  if (sees_apex && !is_excluded(far_edge)) {
     window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::next(h));) {
+  for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::next(h));) {
     h = mesh_->twin(mesh::next(h));
     trace = traced(h, trace);
     ++expansions_;
     look(mesh::face(h));
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::previous(h);
-    if (is_barred(exit)) continue;
+    if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
     offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
   }
@@ -440,12 +440,12 @@ void Optimal::offer(const Node& window, const Point& left, const Point& right) {
 /// "Sooner" means by more than the rounding error of a sum of lengths: of two equally long paths, neither rules out the
 /// other.
 bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
-  constexpr double kSurely = 1.0 + 0x1p-40;
+  constexpr double kRoundingMargin = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
   const Point& other_end = position_of(mesh_->target(from_end));
   const Root& root = roots_[window.root];
-  const bool is_sooner =
-      (known.length + distance(position_of(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
+  const bool is_sooner = (known.length + distance(position_of(end), other_end)) * kRoundingMargin <
+                         root.length + distance(root.point, other_end);
   return is_sooner && are_in_one_wedge(from_end, known.spoke);
 }
 
@@ -483,7 +483,7 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   const bool passes_left = cross(left, to_q) > 0.0;
   if (!passes_left && !(cross(right, to_q) < 0.0)) return length + distance(p, q);
   const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
-  if (has_one_goal) return length + (end ? length_by_way_of(p, *end, q) : distance_by_way_of(p, a, b, q));
+  if (has_one_goal) return length + (end ? distance_via_point(p, *end, q) : distance_via_segment(p, a, b, q));
   return end ? length + distance(p, *end) : length;
 }
 

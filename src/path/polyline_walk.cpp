@@ -32,10 +32,10 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
     return stays && !cover.is_strictly_inside(triangulation, start);
   }
   for (std::size_t i = 1; i < points.size() && !states_.empty(); ++i) {
-    meanings_.assign(1, exact::Geometry::view(points[i]));
+    possible_ends_.assign(1, exact::Geometry::view(points[i]));
     if (i + 1 < points.size()) collect_crossings_at(points[i]);
     arrived_.clear();
-    for (const View& meaning : meanings_) walk_piece(meaning);
+    for (const View& end : possible_ends_) walk_piece(end);
     std::swap(states_, arrived_);
   }
   return !states_.empty();
@@ -58,7 +58,7 @@ Box box_of_rounded(const Point& point) {
 
 }  // namespace
 
-/// Adds to `meanings_` the constructed vertices whose rounded coordinates are those of `point`. Each of them lies
+/// Adds to `possible_ends_` the constructed vertices whose rounded coordinates are those of `point`. Each of them lies
 /// within box_of_rounded(point), so it is a corner of a face that meets this box.
 void PolylineWalk::collect_crossings_at(const Point& point) {
   if (!geometry().has_constructed()) return;
@@ -76,10 +76,10 @@ void PolylineWalk::collect_crossings_at(const Point& point) {
     HalfEdge h = mesh::first(flooded_[i]);
     for (int corner = 0; corner < 3; ++corner, h = mesh::next(h)) {
       const auto v = number(mesh_->origin(h));
-      const bool is_meant = !geometry().is_explicit(v) && geometry().rounded(v) == point;
-      const auto is_known = [&](const View& meaning) { return meaning.vertex == v; };
-      if (is_meant && std::none_of(meanings_.begin(), meanings_.end(), is_known))
-        meanings_.push_back(geometry().view(v));
+      const bool is_possible_end = !geometry().is_explicit(v) && geometry().rounded(v) == point;
+      const auto is_known = [&](const View& end) { return end.vertex == v; };
+      if (is_possible_end && std::none_of(possible_ends_.begin(), possible_ends_.end(), is_known))
+        possible_ends_.push_back(geometry().view(v));
       if (box.meets(geometry().exact(v), geometry().exact(number(mesh_->target(h))))) reach(mesh_->twin(h));
     }
   }
@@ -185,7 +185,7 @@ void PolylineWalk::leave_face(HalfEdge h) {
     // A corner on the line lies ahead if the next corner is to the left of the line and the previous one to its right.
     if (corner[i] == Sign::zero && after == Sign::positive && before == Sign::negative) {
       if (ends_before(mesh_->origin(sides[i]))) return arrive(Spot::face, h);
-      return come_to_vertex(sides[i]);
+      return reach_vertex(sides[i]);
     }
     if (corner[i] == Sign::negative && after == Sign::positive) return cross_faces(sides[i]);
   }
@@ -195,7 +195,7 @@ void PolylineWalk::leave_face(HalfEdge h) {
 /// that starts at that vertex.
 void PolylineWalk::run_along(HalfEdge edge, HalfEdge at_end) {
   if (ends_before(mesh_->origin(at_end))) return arrive(Spot::edge, edge);
-  come_to_vertex(at_end);
+  reach_vertex(at_end);
 }
 
 /// Leaves a face through the interior of its edge `exit`, unless the segment ends before or on that edge.
@@ -212,7 +212,7 @@ void PolylineWalk::enter(HalfEdge entry) {
     const Sign apex_side = side(mesh_->apex(entry));
     if (apex_side == Sign::zero) {
       if (ends_before(mesh_->apex(entry))) return arrive(Spot::face, entry);
-      return come_to_vertex(mesh::previous(entry));
+      return reach_vertex(mesh::previous(entry));
     }
     const HalfEdge exit = apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry);
     const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
@@ -232,8 +232,8 @@ void PolylineWalk::add_arrived(const State& state) {
   if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
 }
 
-/// Comes to the origin of `outgoing` through the face of `outgoing`. The segment ends there or continues from there.
-void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
+/// Reaches the origin of `outgoing` through the face of `outgoing`. The segment ends there or continues from there.
+void PolylineWalk::reach_vertex(HalfEdge outgoing) {
   const HalfEdge wedge = first_of_wedge(outgoing);
   // The agent reaches the vertices in their order on the line, and each at most once from each side of the line.
   const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));

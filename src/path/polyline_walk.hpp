@@ -62,14 +62,14 @@ class PolylineWalk {
   void enter(mesh::HalfEdge entry);
   void arrive(locate::Spot spot, mesh::HalfEdge h);
   void add_arrived(const State& state);
-  void come_to_vertex(mesh::HalfEdge outgoing);
+  void reach_vertex(mesh::HalfEdge outgoing);
   [[nodiscard]] mesh::HalfEdge first_of_wedge(mesh::HalfEdge outgoing) const;
 
   const Triangulation* triangulation_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   exact::Geometry::Line line_;          ///< of the segment that the agent walks along
   bool ascends_ = false;                ///< whether the segment's end comes after its start in (x, y) order
-  std::vector<View> meanings_;          ///< the exact positions for which the segment's end stands
+  std::vector<View> possible_ends_;     ///< exact positions: the segment's end may be any of them
   std::vector<State> states_;           ///< at the start of the segment
   std::vector<State> arrived_;          ///< at the end of the segment
   std::vector<State> waiting_;          ///< at vertices on the segment

@@ -96,8 +96,8 @@ bool TaStar::arrive(std::uint32_t position) {
 }
 
 double TaStar::bound(const Funnel& funnel) const {
-  return tree_.length(funnel.apex) + distance_by_way_of(tree_.point(funnel.apex), tree_.point(funnel.left),
-                                                        tree_.point(funnel.right), ends_->goal());
+  return tree_.length(funnel.apex) + distance_via_segment(tree_.point(funnel.apex), tree_.point(funnel.left),
+                                                          tree_.point(funnel.right), ends_->goal());
 }
 
 void TaStar::write_path(Path& path) const {

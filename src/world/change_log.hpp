@@ -37,7 +37,7 @@ class ChangeLog {
 
   /// Allocates the memory that commit() needs.
   void reserve() {
-    if (entries_.size() + boxes_.size() > 2 * kKept) drop_oldest();
+    if (entries_.size() + boxes_.size() > 2 * kKept) remove_oldest();
     if (entries_.capacity() < entries_.size() + boxes_.size()) entries_.reserve(2 * (entries_.size() + boxes_.size()));
   }
   /// Ends an operation that has succeeded. `version` is the new version of the world. Allocates nothing. Requires:
@@ -81,7 +81,7 @@ class ChangeLog {
     return false;
   }
 
-  void drop_oldest() {
+  void remove_oldest() {
     const auto kept = entries_.end() - static_cast<std::ptrdiff_t>(std::min(kKept, entries_.size()));
     if (kept != entries_.begin()) complete_since_ = (kept - 1)->version;
     entries_.erase(entries_.begin(), kept);

@@ -123,8 +123,8 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     std::size_t end = i;
     while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
     if (end > i + 1) {
-      const std::span<const ItemId> their_ids(ids.data() + i, end - i);
-      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), their_ids});
+      const std::span<const ItemId> batch_ids(ids.data() + i, end - i);
+      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), batch_ids});
       i = end - 1;
       continue;
     }

@@ -36,10 +36,10 @@ TEST(Distance, TheShortestWayByAnEdgeGoesStraightOrByItsEnd) {
   const Point a{2, 0};
   const Point b{2, 4};
   for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
-    EXPECT_DOUBLE_EQ(path::distance_by_way_of({0, 2}, one, other, {4, 2}), 4.0);
-    EXPECT_DOUBLE_EQ(path::distance_by_way_of({0, 1}, one, other, {0, 1}), 4.0) << "there and back";
-    EXPECT_DOUBLE_EQ(path::distance_by_way_of({-1, 8}, one, other, {5, 8}), 10.0) << "by the upper end";
-    EXPECT_DOUBLE_EQ(path::distance_by_way_of({2, -3}, one, other, {2, 1}), 4.0) << "along it";
+    EXPECT_DOUBLE_EQ(path::distance_via_segment({0, 2}, one, other, {4, 2}), 4.0);
+    EXPECT_DOUBLE_EQ(path::distance_via_segment({0, 1}, one, other, {0, 1}), 4.0) << "there and back";
+    EXPECT_DOUBLE_EQ(path::distance_via_segment({-1, 8}, one, other, {5, 8}), 10.0) << "by the upper end";
+    EXPECT_DOUBLE_EQ(path::distance_via_segment({2, -3}, one, other, {2, 1}), 4.0) << "along it";
   }
 }
 
