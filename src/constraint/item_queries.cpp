@@ -193,8 +193,8 @@ void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point
   const locate::Located location = delaunay.locate(point);
   Slots& slots = scratch.slots;
   slots = cover.of_location(triangulation, location);
-  if (location.spot == locate::Spot::edge) append_items_of_edge(triangulation, location.h, slots);
-  if (location.spot == locate::Spot::vertex) {
+  if (location.kind == locate::LocatedKind::edge) append_items_of_edge(triangulation, location.h, slots);
+  if (location.kind == locate::LocatedKind::vertex) {
     const mesh::Vertex v = triangulation.topology().origin(location.h);
     append_items_around(triangulation, v, slots);
     triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) { slots.push_back(item); });

@@ -113,9 +113,9 @@ mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) 
 template <class Visitor>
 void SegmentWalk::run(Visitor&& visitor) {
   Stop stop;
-  if (start_.spot == locate::Spot::vertex) {
+  if (start_.kind == locate::LocatedKind::vertex) {
     stop = stop_at_vertex(mesh_.origin(start_.h));
-  } else if (start_.spot == locate::Spot::edge) {
+  } else if (start_.kind == locate::LocatedKind::edge) {
     stop = stop_on_start_edge();
     if (stop.vertex != mesh::kNoVertex && !visitor.at_edge(start_.h, false)) return;
   } else {

@@ -157,7 +157,7 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
 template <class Geometry>
 typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point,
                                                                            const locate::Located& location) {
-  if (location.spot == locate::Spot::vertex) {
+  if (location.kind == locate::LocatedKind::vertex) {
     remember(location.h);
     return {mesh_.origin(location.h), false, mesh::kNoHalfEdge};
   }
@@ -165,10 +165,10 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
   // makes the vertex.
   for (const mesh::HalfEdge h : {location.h, next(location.h), previous(location.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
-  const bool splits_fixed_edge = location.spot == locate::Spot::edge && mesh_.is_fixed(location.h);
+  const bool splits_fixed_edge = location.kind == locate::LocatedKind::edge && mesh_.is_fixed(location.h);
   const mesh::Vertex end = mesh_.origin(location.h);
   in_doubt_.clear();
-  if (location.spot == locate::Spot::face) {
+  if (location.kind == locate::LocatedKind::face) {
     for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(location.h), v)) in_doubt_.push_back(h);
   } else {
     for (const mesh::HalfEdge h : mesh_.split_edge(location.h, v)) {

@@ -106,7 +106,7 @@ void Components::set_cover(Id component, Uses cover) { records_.write(component,
 /// Returns a half-edge that starts at `v`, in a face of the box. To the right of this half-edge lies only what comes
 /// before `v` in (x, y) order, or what lies beyond the box.
 HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::Vertex v) {
-  constraint::faces_at(triangulation, {locate::Spot::vertex, triangulation.topology().outgoing(v)}, around_);
+  constraint::faces_at(triangulation, {locate::LocatedKind::vertex, triangulation.topology().outgoing(v)}, around_);
   return around_.front();
 }
 

@@ -176,14 +176,14 @@ bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
 // All edges of the start's faces are visible from the start, except the edges on which it lies.
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
-  const locate::Spot spot = ends_->start_location().spot;
+  const locate::LocatedKind kind = ends_->start_location().kind;
   at_once_bound_ = -1.0;  // do not follow any window at once
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
-    if (spot == locate::Spot::vertex) reached(mesh_->origin(h)).length = 0.0;
+    if (kind == locate::LocatedKind::vertex) reached(mesh_->origin(h)).length = 0.0;
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-      if (exit == h && spot != locate::Spot::face) continue;
-      if (exit == mesh::previous(h) && spot == locate::Spot::vertex) continue;
+      if (exit == h && kind != locate::LocatedKind::face) continue;
+      if (exit == mesh::previous(h) && kind == locate::LocatedKind::vertex) continue;
       if (is_excluded(exit)) continue;
       const mesh::HalfEdge entry = mesh_->twin(exit);
       offer({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});

@@ -12,7 +12,7 @@
 namespace waywright::path {
 
 using exact::Sign;
-using locate::Spot;
+using locate::LocatedKind;
 using mesh::HalfEdge;
 
 bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cover& cover,
@@ -23,8 +23,8 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
   const locate::Located start = triangulation.triangulation().locate(points.front());
   arrived_.clear();
   for (const HalfEdge h : cover.open_faces(triangulation, start)) {
-    const HalfEdge canonical = start.spot == Spot::vertex ? first_of_wedge(h) : h;
-    add_arrived({start.spot, canonical, exact::Geometry::view(points.front())});
+    const HalfEdge canonical = start.kind == LocatedKind::vertex ? first_of_wedge(h) : h;
+    add_arrived({start.kind, canonical, exact::Geometry::view(points.front())});
   }
   std::swap(states_, arrived_);
   if (states_.empty()) {
@@ -116,12 +116,12 @@ bool PolylineWalk::is_ahead(const View& p, const View& q) const {
 bool PolylineWalk::ends_before(mesh::Vertex v) const { return is_ahead(line_.to, view(v)); }
 
 void PolylineWalk::leave(const State& state) {
-  switch (state.spot) {
-    case Spot::vertex:
+  switch (state.kind) {
+    case LocatedKind::vertex:
       return leave_vertex(state.h);
-    case Spot::edge:
+    case LocatedKind::edge:
       return leave_edge(state.h);
-    case Spot::face:
+    case LocatedKind::face:
       return leave_face(state.h);
   }
 }
@@ -184,7 +184,7 @@ void PolylineWalk::leave_face(HalfEdge h) {
     const Sign before = corner[(i + 2) % 3];
     // A corner on the line lies ahead if the next corner is to the left of the line and the previous one to its right.
     if (corner[i] == Sign::zero && after == Sign::positive && before == Sign::negative) {
-      if (ends_before(mesh_->origin(sides[i]))) return arrive(Spot::face, h);
+      if (ends_before(mesh_->origin(sides[i]))) return arrive(LocatedKind::face, h);
       return reach_vertex(sides[i]);
     }
     if (corner[i] == Sign::negative && after == Sign::positive) return cross_faces(sides[i]);
@@ -194,15 +194,15 @@ void PolylineWalk::leave_face(HalfEdge h) {
 /// Follows `edge`, in its face, to a vertex or to the end of the segment. `at_end` is the half-edge of the same face
 /// that starts at that vertex.
 void PolylineWalk::run_along(HalfEdge edge, HalfEdge at_end) {
-  if (ends_before(mesh_->origin(at_end))) return arrive(Spot::edge, edge);
+  if (ends_before(mesh_->origin(at_end))) return arrive(LocatedKind::edge, edge);
   reach_vertex(at_end);
 }
 
 /// Leaves a face through the interior of its edge `exit`, unless the segment ends before or on that edge.
 void PolylineWalk::cross_faces(HalfEdge exit) {
   const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
-  if (end_side == Sign::positive) return arrive(Spot::face, exit);
-  if (end_side == Sign::zero) return arrive(Spot::edge, exit);
+  if (end_side == Sign::positive) return arrive(LocatedKind::face, exit);
+  if (end_side == Sign::zero) return arrive(LocatedKind::edge, exit);
   if (nav::PointAgent::can_cross(*mesh_, exit)) enter(mesh_->twin(exit));
 }
 
@@ -211,23 +211,23 @@ void PolylineWalk::enter(HalfEdge entry) {
   for (;;) {
     const Sign apex_side = side(mesh_->apex(entry));
     if (apex_side == Sign::zero) {
-      if (ends_before(mesh_->apex(entry))) return arrive(Spot::face, entry);
+      if (ends_before(mesh_->apex(entry))) return arrive(LocatedKind::face, entry);
       return reach_vertex(mesh::previous(entry));
     }
     const HalfEdge exit = apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry);
     const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
-    if (end_side == Sign::positive) return arrive(Spot::face, exit);
-    if (end_side == Sign::zero) return arrive(Spot::edge, exit);
+    if (end_side == Sign::positive) return arrive(LocatedKind::face, exit);
+    if (end_side == Sign::zero) return arrive(LocatedKind::edge, exit);
     if (!nav::PointAgent::can_cross(*mesh_, exit)) return;
     entry = mesh_->twin(exit);
   }
 }
 
-void PolylineWalk::arrive(Spot spot, HalfEdge h) { add_arrived({spot, h, line_.to}); }
+void PolylineWalk::arrive(LocatedKind kind, HalfEdge h) { add_arrived({kind, h, line_.to}); }
 
 void PolylineWalk::add_arrived(const State& state) {
   const auto is_same = [&](const State& other) {
-    return other.h == state.h && other.spot == state.spot && other.location.vertex == state.location.vertex;
+    return other.h == state.h && other.kind == state.kind && other.location.vertex == state.location.vertex;
   };
   if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
 }
@@ -240,8 +240,8 @@ void PolylineWalk::reach_vertex(HalfEdge outgoing) {
   if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
   const View location = view(mesh_->origin(outgoing));
-  if (geometry().order(location, line_.to) == 0) return arrive(Spot::vertex, wedge);
-  waiting_.push_back({Spot::vertex, wedge, location});
+  if (geometry().order(location, line_.to) == 0) return arrive(LocatedKind::vertex, wedge);
+  waiting_.push_back({LocatedKind::vertex, wedge, location});
 }
 
 /// Names the wedge between walls that contains the face of `outgoing` by its first half-edge, counter-clockwise. A

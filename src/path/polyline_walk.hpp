@@ -39,7 +39,7 @@ class PolylineWalk {
   /// position lies inside the face, the half-edge along the edge if it lies on an edge, the outgoing half-edge if it is
   /// a vertex.
   struct State {
-    locate::Spot spot;
+    locate::LocatedKind kind;
     mesh::HalfEdge h;
     View location;
   };
@@ -60,7 +60,7 @@ class PolylineWalk {
   void run_along(mesh::HalfEdge edge, mesh::HalfEdge at_end);
   void cross_faces(mesh::HalfEdge exit);
   void enter(mesh::HalfEdge entry);
-  void arrive(locate::Spot spot, mesh::HalfEdge h);
+  void arrive(locate::LocatedKind kind, mesh::HalfEdge h);
   void add_arrived(const State& state);
   void reach_vertex(mesh::HalfEdge outgoing);
   [[nodiscard]] mesh::HalfEdge first_of_wedge(mesh::HalfEdge outgoing) const;

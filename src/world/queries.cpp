@@ -32,9 +32,9 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   const auto& delaunay = triangulation.triangulation();
   const locate::Located located = delaunay.locate(point);
   constexpr std::array<LocationKind, 3> kKinds = {LocationKind::vertex, LocationKind::edge, LocationKind::face};
-  const auto spot = static_cast<std::size_t>(located.spot);
-  location.kind = kKinds[spot];
-  location.vertex_count = spot + 1;
+  const auto kind = static_cast<std::size_t>(located.kind);
+  location.kind = kKinds[kind];
+  location.vertex_count = kind + 1;
   std::array<mesh::Vertex, 3> vertices = {mesh.origin(located.h), mesh.target(located.h), mesh.apex(located.h)};
   const auto end = vertices.begin() + static_cast<std::ptrdiff_t>(location.vertex_count);
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); };

@@ -48,7 +48,7 @@ class FindFault : public testing::Test {
   void displace(const Point& place, const Point& by) {
     ASSERT_EQ(triangulation_.find_fault(), std::nullopt);
     const auto located = triangulation_.triangulation().locate(place);
-    ASSERT_EQ(located.spot, locate::Spot::vertex);
+    ASSERT_EQ(located.kind, locate::LocatedKind::vertex);
     LyingGeometry::displaced_vertex = number(triangulation_.topology().origin(located.h));
     LyingGeometry::displacement = by;
   }
