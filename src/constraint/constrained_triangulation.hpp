@@ -102,8 +102,8 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
   /// The first four sides are those of the domain.
-  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::of(0), UseLists::of(1), UseLists::of(2),
-                                                             UseLists::of(3)};
+  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::single(0), UseLists::single(1),
+                                                             UseLists::single(2), UseLists::single(3)};
 
   /// The next piece of a side. It crosses the free edges in `crossed_`. Then it ends at `vertex`, or at the edge
   /// `fixed`.

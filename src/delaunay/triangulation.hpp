@@ -201,7 +201,7 @@ class Triangulation {
   void collect_hole(const Star& star, std::size_t from, std::size_t to);
   mesh::HalfEdge refill_hole();
   [[nodiscard]] Triangle triangle_over(std::uint32_t from, std::uint32_t to) const;
-  void forget(mesh::Vertex v, mesh::HalfEdge near);
+  void free_vertex(mesh::Vertex v, mesh::HalfEdge near);
 
   void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
   void append_to(Chain& chain, mesh::HalfEdge inner);

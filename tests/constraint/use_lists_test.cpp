@@ -39,7 +39,7 @@ TEST(UseLists, ACopyGoesItsOwnWay) {
   EXPECT_NE(copy, list);
   copy = lists.add(copy, 4);
   EXPECT_EQ(sorted(lists, list), (std::vector<std::uint32_t>{1, 2, 3}));
-  EXPECT_EQ(lists.copy(UseLists::of(9)), UseLists::of(9)) << "a lone user takes no memory";
+  EXPECT_EQ(lists.copy(UseLists::single(9)), UseLists::single(9)) << "a lone user takes no memory";
   EXPECT_EQ(lists.copy(UseLists::kNone), UseLists::kNone);
 }
 

@@ -35,9 +35,9 @@ TEST(Sectors, RememberTheLastVertexUntilItGoes) {
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{3});
   EXPECT_EQ(near(sectors, {0.6, 0.6}), Vertex{2});
   EXPECT_EQ(near(sectors, {0.6, 0.1}), kNoVertex);
-  sectors.forget({0.1, 0.1}, Vertex{1}, Vertex{9});
+  sectors.replace({0.1, 0.1}, Vertex{1}, Vertex{9});
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{3}) << "vertex 1 wasn't remembered";
-  sectors.forget({0.2, 0.2}, Vertex{3}, Vertex{9});
+  sectors.replace({0.2, 0.2}, Vertex{3}, Vertex{9});
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{9});
 }
 
