@@ -97,7 +97,7 @@ class ChangeMaker {
 
   static bool are_near(const Shape& a, const Shape& b) {
     if (b.rings.empty()) return true;
-    return Box::of(a.rings.points()).overlaps(Box::of(b.rings.points()));
+    return Box::bounding(a.rings.points()).overlaps(Box::bounding(b.rings.points()));
   }
 
   /// Stores the shape, so that it can be inserted again later.

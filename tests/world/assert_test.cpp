@@ -125,7 +125,7 @@ TEST(AssertionOf, ShapesAndBoxes) {
   EXPECT_DEATH(static_cast<void>(rings.back()), "there is no ring of this index");
   EXPECT_DEATH(rings.add_point({1, 1}), "there is no ring yet");
   EXPECT_DEATH(static_cast<void>(centroid({ItemKind::polygon, {{}}})), "the shape has no point");
-  EXPECT_DEATH(static_cast<void>(Box::of({})), "Box::of: there is no point");
+  EXPECT_DEATH(static_cast<void>(Box::bounding({})), "Box::bounding: there is no point");
   EXPECT_DEATH(static_cast<void>(Shape::regular_polygon({0, 0}, 1, 2)), "3 corners or more");
 }
 
