@@ -74,7 +74,7 @@ class Abstraction {
 
   // Scratch.
   std::vector<bool> is_touched_;  ///< by face
-  std::vector<mesh::Face> gone_;
+  std::vector<mesh::Face> changed_;
   std::vector<mesh::Face> made_;
   std::vector<std::uint32_t> common_;
 };

@@ -49,11 +49,12 @@ class Components {
     covers_.for_each(records_[component_of(f)].cover, visit);
   }
 
-  /// What has changed since the last update. `gone` lists the faces, by slot, that were made, rebuilt or freed. `made`
-  /// lists those of them that are faces of the box now. Each list contains a face once. `removed` and `inserted` list
-  /// the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in neither list.
+  /// What has changed since the last update. `changed` lists the faces, by slot, that were made, rebuilt or freed.
+  /// `made` lists those of them that are faces of the box now. Each list contains a face once. `removed` and `inserted`
+  /// list the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in neither
+  /// list.
   struct Changes {
-    std::span<const mesh::Face> gone;
+    std::span<const mesh::Face> changed;
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
@@ -62,8 +63,8 @@ class Components {
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
   /// Does the same as update(), for a change with three properties: the faces in `made` fill the area of the faces in
-  /// `gone`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
-  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone,
+  /// `changed`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
+  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
                             std::span<const mesh::Face> made);
 
   /// Compares this object with `other`, which also contains the components of `faces`. Returns the first difference, or
@@ -136,7 +137,7 @@ class Components {
 
   // Updating ids.
   void make_room(const mesh::TriangleMesh& mesh);
-  void remove_changed_faces(std::span<const mesh::Face> gone);
+  void remove_changed_faces(std::span<const mesh::Face> changed);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
   void find_remainders(const mesh::TriangleMesh& mesh);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);

@@ -40,10 +40,10 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // peels the new faces as if the tree face were in the core. It climbs only if a cycle is left. It does not take this
 // short cut if there is a second tree face of this kind, or if a root or a face of the core was removed: then the climb
 // might lead through another changed region and back.
-void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
+void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> changed, std::span<const Face> made) {
   states_.grow_to(mesh.face_slots(), kAbsent);
   Surroundings around;
-  for (const Face f : gone) {
+  for (const Face f : changed) {
     around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
     write(f, kAbsent);
   }
@@ -57,10 +57,10 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   for (const Face f : made) states_.unrecorded(number(f)) = static_cast<State>(states_[number(f)] & ~kNew);
 }
 
-void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
+void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
                                    std::span<const Face> made) {
   states_.grow_to(mesh.face_slots(), kAbsent);
-  for (const Face f : gone) write(f, kAbsent);
+  for (const Face f : changed) write(f, kAbsent);
   for (const Face f : made) write(f, kCore | kPassages);
 }
 

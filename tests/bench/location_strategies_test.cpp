@@ -49,9 +49,9 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
       const auto inserted = triangulation.insert(random_point(random));
       if (inserted.is_new && inserted.split == mesh::kNoHalfEdge) vertices.push_back(inserted.vertex);
     } else {
-      const std::size_t gone = random.below(vertices.size());
-      triangulation.remove_vertex(triangulation.star(vertices[gone]));
-      vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(gone));
+      const std::size_t removed_index = random.below(vertices.size());
+      triangulation.remove_vertex(triangulation.star(vertices[removed_index]));
+      vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(removed_index));
     }
     const Point point = random_point(random);
     const Ground ground = ground_of(triangulation);

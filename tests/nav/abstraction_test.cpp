@@ -80,7 +80,7 @@ class Expected {
     for (bool is_done = false; !is_done;) {
       is_done = true;
       for (const std::uint32_t f : faces_) {
-        if (core_.contains(f) && ways(f) < 2) {
+        if (core_.contains(f) && passages(f) < 2) {
           core_.erase(f);
           is_done = false;
         }
@@ -106,7 +106,7 @@ class Expected {
     return sides;
   }
   [[nodiscard]] std::uint32_t beyond(HalfEdge h) const { return number(mesh::face(mesh_.twin(h))); }
-  [[nodiscard]] unsigned ways(std::uint32_t f) const {
+  [[nodiscard]] unsigned passages(std::uint32_t f) const {
     unsigned count = 0;
     for (const HalfEdge h : free_sides(f)) count += core_.contains(beyond(h)) ? 1 : 0;
     return count;
@@ -148,10 +148,11 @@ class Expected {
       if (core.is_core(Face{f}) != core_.contains(f)) {
         return "face " + std::to_string(f) + (core_.contains(f) ? " is of the core" : " is not of the core");
       }
-      if (core.degree(Face{f}) != (core_.contains(f) ? ways(f) : 0)) return "a face has another degree";
+      if (core.degree(Face{f}) != (core_.contains(f) ? passages(f) : 0)) return "a face has another degree";
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        const bool is_way = core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
-        if (core.is_passage(HalfEdge{h}) != is_way) return "a way is not one, or one is missed";
+        const bool is_passage =
+            core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
+        if (core.is_passage(HalfEdge{h}) != is_passage) return "a way is not one, or one is missed";
       }
     }
     return std::nullopt;
@@ -228,17 +229,17 @@ TEST(Abstraction, ASolidIsARingsMiddle) {
 
 TEST(Abstraction, WallsPartAndTheirGoingJoins) {
   Reduced reduced(kTen);
-  const auto parted = [&] {
+  const auto is_divided = [&] {
     const nav::Components& components = reduced.abstraction().components();
     return components.component_of(reduced.face_at({1, 4.5})) != components.component_of(reduced.face_at({9, 4.5}));
   };
   reduced.insert(wall({5, 0}, {5, 6}));
-  EXPECT_FALSE(parted());
+  EXPECT_FALSE(is_divided());
   const ItemId upper = reduced.insert(wall({5, 6}, {5, 10}));
-  EXPECT_TRUE(parted());
+  EXPECT_TRUE(is_divided());
   EXPECT_EQ(fault_of(reduced), std::nullopt);
   reduced.remove(upper);
-  EXPECT_FALSE(parted());
+  EXPECT_FALSE(is_divided());
   EXPECT_EQ(fault_of(reduced), std::nullopt);
 }
 
@@ -326,13 +327,13 @@ TEST(Abstraction, KeepsComponentsApartWherePointsComeAndGoInTheOpen) {
   ASSERT_EQ(fault_of(reduced), std::nullopt);
   const ItemId inside{1001};
   const ItemId outside{1002};
-  const std::vector<Change> come{{Change::Kind::insert, {}, {ItemKind::point, {{{51, 51.5}}}}},
-                                 {Change::Kind::insert, {}, {ItemKind::point, {{{11, 11.5}}}}}};
-  reduced.apply(come, {inside, outside});
+  const std::vector<Change> insertions{{Change::Kind::insert, {}, {ItemKind::point, {{{51, 51.5}}}}},
+                                       {Change::Kind::insert, {}, {ItemKind::point, {{{11, 11.5}}}}}};
+  reduced.apply(insertions, {inside, outside});
   ASSERT_EQ(fault_of(reduced), std::nullopt);
   reduced.apply({{Change::Kind::remove, inside, {}}, {Change::Kind::remove, outside, {}}}, {inside, outside});
   ASSERT_EQ(fault_of(reduced), std::nullopt);
-  reduced.apply({come[0]}, {inside});
+  reduced.apply({insertions[0]}, {inside});
   ASSERT_EQ(fault_of(reduced), std::nullopt);
   reduced.remove(inside);
   ASSERT_EQ(fault_of(reduced), std::nullopt);

@@ -18,10 +18,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns, for the edge from each corner k of a triangle to the next corner, where the position lies: 1 inside, 0 on
 /// the edge's line, -1 outside.
-std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPoint& place) {
+std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPoint& position) {
   const auto& v = arrangement.vertices;
   std::array<int, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) sides[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], place);
+  for (std::size_t k = 0; k < 3; ++k) sides[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], position);
   return sides;
 }
 

@@ -71,7 +71,7 @@ TEST(Clear, ItTellsWhichPointIsOutside) {
 }
 
 /// Returns a point of the scene: a corner of an item, the rounded position of a vertex, or any point.
-Point random_place(const PathCase& path_case, const std::vector<oracle::OraclePoint>& vertices, Random& random) {
+Point random_point(const PathCase& path_case, const std::vector<oracle::OraclePoint>& vertices, Random& random) {
   if (random.chance(40)) {
     const oracle::OraclePoint& v = vertices[random.below(vertices.size())];
     return {v.x, v.y};
@@ -98,7 +98,7 @@ std::size_t check_against_oracle(const PathCase& path_case, const WorldOptions& 
   for (int i = 0; i < 12; ++i) {
     std::vector<Point> points;
     const std::size_t count = 1 + random.below(4);
-    while (points.size() < count) points.push_back(random_place(path_case, vertices, random));
+    while (points.size() < count) points.push_back(random_point(path_case, vertices, random));
     if (random.chance(20)) points.push_back(points.front());
     check(points);
   }
@@ -169,7 +169,7 @@ TEST(Affected, AreThePathsThatAChangedItemsBoxMeets) {
 // The log forgets old boxes. A path from before the oldest box in the log counts as affected.
 TEST(Affected, IsEverythingThatTheLogHasForgotten) {
   World world = World::create({{0, 0}, {100, 100}}).value();
-  const std::vector<Point> way = {{0, 90}, {100, 90}};
+  const std::vector<Point> path = {{0, 90}, {100, 90}};
   const std::uint64_t at_first = world.version();
   std::uint64_t recent = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -177,15 +177,15 @@ TEST(Affected, IsEverythingThatTheLogHasForgotten) {
     if (i == 2500) recent = world.version();
     world.remove(id).value();
   }
-  EXPECT_TRUE(world.is_affected(way, at_first));
-  EXPECT_FALSE(world.is_affected(way, recent));
+  EXPECT_TRUE(world.is_affected(path, at_first));
+  EXPECT_FALSE(world.is_affected(path, recent));
   std::vector<Item> many;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const double x = static_cast<double>(i % 100);
     many.push_back({ItemId{i + 10000}, {ItemKind::segment, {{{x, 1}, {x, 2}}}}});
   }
   world.insert_all(many).value();
-  EXPECT_FALSE(world.is_affected(way, recent));
+  EXPECT_FALSE(world.is_affected(path, recent));
   EXPECT_TRUE(world.is_affected(std::vector<Point>{{0.5, 0}, {0.5, 5}}, recent)) << "the box of many items is one";
 }
 

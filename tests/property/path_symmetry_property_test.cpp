@@ -88,7 +88,7 @@ std::size_t expect_alike(const PathCase& path_case) {
   return found;
 }
 
-void expect_as_long_the_other_way(const PathCase& path_case) {
+void expect_same_length_in_reverse(const PathCase& path_case) {
   const World world = moved_world(path_case.scene, stay);
   for (const Ends& ends : path_case.queries) {
     const Path path = find(world, ends, PathAlgorithm::optimal, stay);
@@ -132,7 +132,7 @@ TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndTheWayBack) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(GetParam(), seed, kQueries);
     found += expect_alike(path_case);
-    expect_as_long_the_other_way(path_case);
+    expect_same_length_in_reverse(path_case);
     expect_scaled(path_case);
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
@@ -148,7 +148,7 @@ TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndTheWayBack) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
     expect_alike(path_case);
-    expect_as_long_the_other_way(path_case);
+    expect_same_length_in_reverse(path_case);
     if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its smallest coordinates cannot shrink
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }

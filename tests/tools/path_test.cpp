@@ -46,9 +46,9 @@ TEST(PathCommand, NoPathIsAnAnswer) {
   const std::string map = folder.file("map.wws",
                                       "waywright 1\ndomain 0 0 10 10\nsegment 1 5 0 5 10\n"
                                       "polygon 2 3 1 1 4 1 1 4\npath 1 1 2 2 0\n");
-  const auto parted = run_command(arguments(map, {"4", "8"}, {"8", "8"}));
-  EXPECT_EQ(parted.status, 0);
-  EXPECT_EQ(parted.out, "{\"op\":\"path\",\"found\":false,\"reason\":\"no-path\"}\n");
+  const auto unconnected = run_command(arguments(map, {"4", "8"}, {"8", "8"}));
+  EXPECT_EQ(unconnected.status, 0);
+  EXPECT_EQ(unconnected.out, "{\"op\":\"path\",\"found\":false,\"reason\":\"no-path\"}\n");
   EXPECT_EQ(json_lines(run_command(arguments(map, {"2", "2"}, {"4", "8"})).out).at(0).at("reason"), "start-blocked");
   EXPECT_EQ(json_lines(run_command(arguments(map, {"4", "8"}, {"2", "2"})).out).at(0).at("reason"), "goal-blocked");
 }
@@ -131,10 +131,10 @@ TEST(ConvertCommand, WritesAScriptThatHoldsTheSameWorld) {
   EXPECT_EQ(converted.status, 0);
   EXPECT_EQ(converted.out + converted.err, "");
   // The cell (2, 1) touches the free cell at its upper right only diagonally, and that diagonal is closed.
-  const auto places = run_script(read_file(script) +
+  const auto result = run_script(read_file(script) +
                                  "locate 1.5 1.5\nlocate 2.5 1.5\nlocate 3.5 0.5\nlocate 4.5 3.5\n"
                                  "path 2.5 1.5 3.5 0.5 0\n");
-  const auto lines = json_lines(places.out);
+  const auto lines = json_lines(result.out);
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines[0].at("inside").size(), 1U);
   EXPECT_EQ(lines[1].at("inside").size(), 0U);

@@ -111,15 +111,15 @@ TEST(FillRule, AWallBetweenTwoInsidesIsASideAllTheSame) {
 TEST(FillRule, IsKeptWhileOtherThingsComeAndGo) {
   for (const FillRule rule : {FillRule::even_odd, FillRule::nonzero}) {
     World world = world_with({ItemKind::polygon, {kStar, kOuter}, rule});
-    const std::vector<Point> places = {{10, 9}, {8, 8}, {6, 4}, {2, 2}, {14, 4}, {10, 16}, {8.5, 10}, {10, 12.0625}};
+    const std::vector<Point> points = {{10, 9}, {8, 8}, {6, 4}, {2, 2}, {14, 4}, {10, 16}, {8.5, 10}, {10, 12.0625}};
     std::vector<std::vector<ItemId>> before;
-    for (const Point& p : places) before.push_back(world.locate(p)->polygons);
+    for (const Point& p : points) before.push_back(world.locate(p)->polygons);
     for (double x = 0.5; x < 20; x += 1.25) {
       const ItemId wall = world.insert_segment({x, 0}, {20 - x, 20}).value();
       const ItemId crossing = world.insert_segment({0, x}, {20, x}).value();
       const Validation validation = world.validate();
       ASSERT_TRUE(validation.ok) << validation.fault;
-      for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(world.locate(places[i])->polygons, before[i]);
+      for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(world.locate(points[i])->polygons, before[i]);
       world.remove(wall).value();
       ASSERT_TRUE(world.validate().ok);
       world.remove(crossing).value();

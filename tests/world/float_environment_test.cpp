@@ -168,7 +168,7 @@ std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& 
   const auto somewhere = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random.below(33)) / 32.0);
   };
-  const auto place = [&]() -> Point {
+  const auto random_point = [&]() -> Point {
     return {somewhere(script.domain.min.x, script.domain.max.x), somewhere(script.domain.min.y, script.domain.max.y)};
   };
   std::string text;
@@ -176,8 +176,8 @@ std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& 
     const auto done = call([&] { return perform(*world, step); });
     text += done ? "done" : to_string(done.error().code);
     text += ' ' + to_string(world->items_hash()) + '\n';
-    const Point from = place();
-    const Point to = place();
+    const Point from = random_point();
+    const Point to = random_point();
     for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
       text += text_of(call([&] { return world->find_path({.start = from, .goal = to, .algorithm = algorithm}); }));
     }

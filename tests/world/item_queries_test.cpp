@@ -207,7 +207,7 @@ TEST(Shapes, CentroidIsTheCentreOfArea) {
 // A square of side 2 and half of another beside it, with both directions of the ring.
 TEST(Shapes, CentroidIsTheSameOfARingTurnedRound) {
   std::vector<Point> ring = {{0, 0}, {4, 0}, {2, 2}, {0, 2}};
-  for (int way = 0; way < 2; ++way) {
+  for (int direction = 0; direction < 2; ++direction) {
     const Point centre = centroid({ItemKind::polygon, {ring}});
     EXPECT_DOUBLE_EQ(centre.x, (4 * 1.0 + 2 * (2 + 2 / 3.0)) / 6);
     EXPECT_DOUBLE_EQ(centre.y, (4 * 1.0 + 2 * (2 / 3.0)) / 6);
