@@ -31,7 +31,7 @@ TEST(UseLists, ListsGrowOneByOneAndMayRepeat) {
   EXPECT_EQ(sorted(lists, list), (std::vector<std::uint32_t>{0, 5, 5, UseLists::kLargestUser}));
 }
 
-TEST(UseLists, ACopyGoesItsOwnWay) {
+TEST(UseLists, ACopyIsIndependent) {
   UseLists lists;
   const Uses list = lists.add(lists.add(lists.add(UseLists::kNone, 1), 2), 3);
   Uses copy = lists.copy(list);

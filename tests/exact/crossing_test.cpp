@@ -149,7 +149,7 @@ TEST(Rounding, TiesGoToEven) {
   EXPECT_EQ(exact::round_to_nearest(above).nearest, (Point{0, 0x1p53 + 4}));
 }
 
-TEST(Rounding, PlacesNearerToZeroThanTheRangeStayConstructed) {
+TEST(Rounding, PositionsNearerToZeroThanTheRangeStayConstructed) {
   const exact::Crossing crossing{{-0x1p60, -0x1p-60}, {0x1p60, 0x1p-60}, {0x1p-60, -1}, {0x1p-60, 1}};
   const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
   EXPECT_EQ(rounded.nearest, (Point{0x1p-60, 0x1p-180}));
@@ -203,7 +203,7 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
 
 // Tests all triples of the points of a small lattice and the crossings of lines between them. Many triples are
 // collinear.
-TEST(Geometry, TellsOrientationsAndSidesOfLines) {
+TEST(Geometry, DecidesOrientationsAndSidesOfLines) {
   exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
   std::vector<RationalPoint> positions;
   std::array<std::size_t, 3> signs = {0, 0, 0};
@@ -241,7 +241,7 @@ TEST(Geometry, TellsOrientationsAndSidesOfLines) {
 }
 
 // Triangles with sides parallel to the axes, so small that the error bound of the box cannot decide their orientation.
-TEST(Geometry, TellsTinyTrianglesFromTies) {
+TEST(Geometry, DistinguishesTinyTrianglesFromTies) {
   const exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
   const std::array<Point, 6> points = {{{0, 0}, {0x1p-60, 0}, {0, 0x1p-60}, {0x1p-60, 0x1p-60}, {0, 3}, {3, 0x1p-60}}};
   for (const Point& a : points) {

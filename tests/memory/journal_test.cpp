@@ -57,7 +57,7 @@ TEST(JournaledArray, IsAsBeforeAfterRollBack) {
   }
 }
 
-TEST(JournaledArray, KeepsWhatIsNoPartOfAnOperation) {
+TEST(JournaledArray, RollBackKeepsUnrecordedChanges) {
   memory::JournaledArray<int> array;
   array.begin();
   array.grow_to(3, 5);

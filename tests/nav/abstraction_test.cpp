@@ -227,7 +227,7 @@ TEST(Abstraction, ASolidIsARingsMiddle) {
   EXPECT_FALSE(abstraction.core().is_core(reduced.face_at({5, 1})));
 }
 
-TEST(Abstraction, WallsPartAndTheirGoingJoins) {
+TEST(Abstraction, WallsDivideAComponentAndTheirRemovalConnectsIt) {
   Reduced reduced(kTen);
   const auto is_divided = [&] {
     const nav::Components& components = reduced.abstraction().components();
@@ -264,7 +264,7 @@ TEST(Abstraction, SolidsInSolidsAreCoveredByAll) {
 }
 
 // A ring that visits all its corners twice encloses nothing under the even-odd rule.
-TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
+TEST(Abstraction, EqualSolidsAreCountedOneByOne) {
   Reduced reduced(kTen);
   const Shape once = rectangle(4, 4, 6, 6);
   Shape twice = once;
@@ -284,7 +284,7 @@ TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
 }
 
 /// A wall with a gap that opens and closes, deep in a maze whose component is one tree.
-TEST(Abstraction, RingsComeAndGoInATree) {
+TEST(Abstraction, RingsAreInsertedAndRemovedInATree) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<ItemId> walls;
   for (int i = 1; i < 20; ++i) {
@@ -311,7 +311,7 @@ TEST(Abstraction, RingsComeAndGoInATree) {
 
 // These changes do not touch a wall, so the abstraction checks them only briefly. But the area inside the polygon and
 // the area outside are different components.
-TEST(Abstraction, KeepsComponentsApartWherePointsComeAndGoInTheOpen) {
+TEST(Abstraction, KeepsComponentsSeparateWhilePointsChangeInOpenSpace) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<Change> lattice{
       {Change::Kind::insert, {}, {ItemKind::polygon, {{{30, 30}, {70, 30}, {70, 70}, {30, 70}}}}}};

@@ -85,7 +85,7 @@ TEST(OracleExpected, CrossingsThatCoincideAreOneVertex) {
   EXPECT_EQ(oracle.constraint_count(), 4U + 7U);
 }
 
-TEST(OracleExpected, PlacesAreExactAtTheEndsOfTheRange) {
+TEST(OracleExpected, PositionsAreExactAtTheEndsOfTheRange) {
   const double big = 0x1p100;
   const double tiny = 0x1p-100;
   const OracleScene scene{{{-big, -big}, {big, big}},
@@ -226,7 +226,7 @@ TEST(OracleLocate, NamesVertexEdgeAndFace) {
   EXPECT_EQ(locations[5].kind, OracleLocation::Kind::vertex);
 }
 
-TEST(OracleConnected, GoesThroughFreeEdgesOnly) {
+TEST(OracleConnected, ConnectsThroughFreeEdgesOnly) {
   // The walls 5 and 9 divide the square into four pieces: left, bottom, right and the rest above.
   const Oracle oracle(kCrossing);
   EXPECT_TRUE(oracle.connected(kCrossingDump, {0.125, 2}, {2, 2.5}));

@@ -168,7 +168,7 @@ double distance_to_free(const Scene& scene, const oracle::Oracle& oracle, const 
   return found == candidates.end() ? kInfinity : found->first;
 }
 
-TEST(BlockedEnds, AreMovedToTheNearestFreePlace) {
+TEST(BlockedEnds, AreMovedToTheNearestFreePosition) {
   std::size_t moved = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const PathCase path_case = random_path_case(Obstacles::boxes, 300 + seed, 12);

@@ -51,7 +51,7 @@ TEST(PathPosition, AdvancesAsFarAsAUnitGoes) {
   expect_position(position, {1, 0}, {1, 0}, 0, 1);
 }
 
-TEST(PathPosition, IsFoundNearAPlace) {
+TEST(PathPosition, IsFoundNearAPoint) {
   expect_position(kCorner.nearest({1, 1}), {1, 0}, {1, 0}, 0, 1);
   expect_position(kCorner.nearest({-2, 5}), {0, 0}, {1, 0}, 0, 0);
   expect_position(kCorner.nearest({5, 3}), {4, 3}, {0, 1}, 1, 7);

@@ -111,7 +111,7 @@ World world_of_doors() {
 
 const PathQuery kThroughTheDoors{{0.5, 5}, {9.5, 5}};
 
-TEST(PathSearch, GoesOnWhenAChangeDoesNotConcernIt) {
+TEST(PathSearch, ContinuesWhenAChangeDoesNotConcernIt) {
   World world = world_of_doors();
   for (double x = 20; x < 90; x += 5) world.insert_segment({x, 2}, {x, 8}).value();
   PathSearch search;
@@ -166,7 +166,7 @@ TEST(PathSearch, SeesThatAPolygonHasComeToCoverItsEnds) {
   EXPECT_EQ(search.path().status, PathStatus::start_blocked);
 }
 
-TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
+TEST(PathSearch, OfAStraightPathNoticesAWallInsertedBeforeTheFirstStep) {
   World world = World::create({{0, 0}, {10, 10}}).value();
   PathSearch search;
   ASSERT_TRUE(search.begin(world, {{1, 5}, {9, 5}}).ok());
@@ -182,7 +182,7 @@ TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
 }
 
 // The search has not visited the faces beside the wall between its ends. The change only makes the straight path free.
-TEST(PathSearch, NoticesThatTheStraightWayHasBecomeFree) {
+TEST(PathSearch, NoticesThatTheStraightPathHasBecomeFree) {
   for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
     World world = World::create({{0, 0}, {100, 100}}).value();
     // Small faces: those beside the wall have no vertex in common with those at the ends.

@@ -30,7 +30,7 @@ World square_in_the_middle() {
 
 bool is_clear(const World& world, const std::vector<Point>& points) { return world.is_clear(points).value(); }
 
-TEST(Clear, AWayMayTouchWallsAndRunAlongThem) {
+TEST(Clear, APolylineMayTouchWallsAndRunAlongThem) {
   const World world = square_in_the_middle();
   EXPECT_TRUE(is_clear(world, {{4, 0}, {4, 10}})) << "along a side";
   EXPECT_TRUE(is_clear(world, {{2, 6}, {6, 2}})) << "past a corner";
@@ -39,7 +39,7 @@ TEST(Clear, AWayMayTouchWallsAndRunAlongThem) {
   EXPECT_TRUE(is_clear(world, {{4, 5}})) << "on a side";
 }
 
-TEST(Clear, AWayMustNotPass) {
+TEST(Clear, APolylineMustNotPassFromWedgeToWedge) {
   const World world = square_in_the_middle();
   EXPECT_FALSE(is_clear(world, {{0, 5}, {10, 5}}));
   EXPECT_FALSE(is_clear(world, {{4, 4}, {6, 6}})) << "a diagonal inside";
@@ -49,7 +49,7 @@ TEST(Clear, AWayMustNotPass) {
   EXPECT_FALSE(is_clear(world, {})) << "no points";
 }
 
-TEST(Clear, NoWayLeadsThroughAPointWhereWallsMeet) {
+TEST(Clear, NoPolylineLeadsThroughAPointWhereWallsMeet) {
   World world = World::create({{0, 0}, {10, 10}}).value();
   world.insert_segment({5, 0}, {5, 5}).value();
   world.insert_segment({5, 5}, {5, 10}).value();
@@ -61,7 +61,7 @@ TEST(Clear, NoWayLeadsThroughAPointWhereWallsMeet) {
   EXPECT_TRUE(is_clear(world, {{1, 5}, {5, 5}, {5, 9}, {1, 9}}));
 }
 
-TEST(Clear, ItTellsWhichPointIsOutside) {
+TEST(Clear, TheErrorNamesThePointThatIsOutside) {
   const World world = square_in_the_middle();
   const auto refused = world.is_clear(std::vector<Point>{{1, 1}, {2, 2}, {11, 1}});
   ASSERT_FALSE(refused.ok());

@@ -153,7 +153,7 @@ void for_each_move(const mesh::TriangleMesh& mesh, const Channel& channel, Left&
   }
 }
 
-TEST_F(TautStrings, AreTheShortestWaysThroughTheirChannels) {
+TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
   Random random(1);
   path::TautString string;
   path::TautTree tree;

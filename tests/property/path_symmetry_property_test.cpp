@@ -127,7 +127,7 @@ void expect_scaled(const PathCase& path_case) {
 
 class PathSymmetryAmongObstacles : public ::testing::TestWithParam<Obstacles> {};
 
-TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndTheWayBack) {
+TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndReversal) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(GetParam(), seed, kQueries);
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Obstacles, PathSymmetryAmongObstacles, ::testing::Value
 
 class PathSymmetryInRandomScenes : public ::testing::TestWithParam<Flavour> {};
 
-TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndTheWayBack) {
+TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndReversal) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
     expect_alike(path_case);

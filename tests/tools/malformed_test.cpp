@@ -124,7 +124,7 @@ TEST(MalformedScript, TheWholeScriptIsReadBeforeAnythingRuns) {
   expect_malformed(result, "-", 5);
 }
 
-TEST(MalformedScript, ADomainOutOfRangeIsToldByItsLine) {
+TEST(MalformedScript, ADomainOutOfRangeIsReportedWithItsLine) {
   const TemporaryFolder folder;
   const auto result = run_command({"run", folder.file("a.wws", "waywright 1\n\ndomain 0 0 inf 1\nlocate 0 0\n")});
   expect_malformed(result, folder.file("a.wws"), 3);

@@ -72,7 +72,7 @@ void expect_path(const std::string& map, const std::vector<std::string>& from, c
 }
 
 // Over the block, from corner to corner, the length is 5 + 2 + 5; under it 2 + 2 sqrt(109).
-TEST_P(PathCommandBy, GoesAroundTheNearerSide) {
+TEST_P(PathCommandBy, LeadsAroundTheNearerCorners) {
   const TemporaryFolder folder;
   const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 20\npolygon 1 4 4 2 6 2 6 16 4 16\n");
   expect_path(map, {"1", "12"}, {"9", "12"}, GetParam(), 12.0, {1, 12, 4, 16, 6, 16, 9, 12});
@@ -87,7 +87,7 @@ TEST_P(PathCommandBy, WindsAroundWallsThatCross) {
               {1, 1, 2, 4, 4, 7, 8, 4, 7, 1});
 }
 
-TEST_P(PathCommandBy, GoesStraightWhereItCan) {
+TEST_P(PathCommandBy, IsStraightWherePossible) {
   const TemporaryFolder folder;
   const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 10\nsegment 1 4 5 4 7\npoint 2 5 4\n");
   expect_path(map, {"1", "1"}, {"9", "7"}, GetParam(), 10.0, {1, 1, 9, 7});

@@ -78,7 +78,7 @@ TEST(ToSvg, MarksFailedPathsWithTheirStatus) {
   for (std::size_t i = 1; i < lines.size(); i += 2) EXPECT_TRUE(lines[i].contains("stroke-dasharray"));
 }
 
-TEST(ToSvg, ColoursPlacesByTheirAnswer) {
+TEST(ToSvg, ColoursLocationsByTheirAnswer) {
   World world = make_world({{0, 0}, {10, 10}});
   world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
   world.insert_segment({6, 1}, {6, 9}, {2}).value();

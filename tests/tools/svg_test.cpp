@@ -96,7 +96,7 @@ TEST(ToSvg, IsTheSameTextEveryTimeWhateverTheLocale) {
   std::locale::global(before);
 }
 
-TEST(ToSvg, ShowsPlacesWhereItsFrameSays) {
+TEST(ToSvg, ShowsPointsWhereItsFrameSays) {
   World world = make_world({{-10, 5}, {30, 25}});
   const Point point{2, 9};
   put(world, ItemKind::point, {{point}});

@@ -75,7 +75,7 @@ TEST(Removal, KeepsACrossingAsLongAsTwoWallsMeetThere) {
 }
 
 // Walls 1 to 5 and 3 to 7 on one line: three pieces, then one again.
-TEST(Removal, JoinsThePiecesOfWhatOverlapped) {
+TEST(Removal, MergesThePiecesOfTheRemainingSide) {
   World world = World::create(kEight).value();
   ASSERT_TRUE(world.insert_segment({1, 4}, {5, 4}, {1}).ok());
   ASSERT_TRUE(world.insert_segment({3, 4}, {7, 4}, {2}).ok());

@@ -53,7 +53,7 @@ void expect_inside(const Shape& shape, const std::vector<Point>& inside, const s
   }
 }
 
-TEST(FillRule, ARingInARingIsAHoleByTheWayItTurns) {
+TEST(FillRule, ARingInARingIsAHoleDependingOnItsDirection) {
   const Point between{2, 5};
   const Point middle{5, 5};
   const Point beyond{12, 5};
@@ -89,7 +89,7 @@ TEST(FillRule, ARingTwiceRoundIsInsideWhereTurnsCount) {
 }
 
 // Two squares with opposite directions: where they overlap, the turns cancel out.
-TEST(FillRule, APlaceWhereTurnsCancelOutIsFreeBetweenItsWalls) {
+TEST(FillRule, AFaceWithWindingNumberZeroIsFreeBetweenItsWalls) {
   const std::vector<Point> other = {{5, 5}, {5, 13}, {13, 13}, {13, 5}};
   const Shape shape{ItemKind::polygon, {kOuter, other}, FillRule::nonzero};
   expect_inside(shape, {{2, 2}, {12, 12}}, {{7, 7}, {12, 2}});
@@ -108,7 +108,7 @@ TEST(FillRule, AWallBetweenTwoInsidesIsASideAllTheSame) {
 }
 
 // Changes inside a star must not change which cells between its sides are covered.
-TEST(FillRule, IsKeptWhileOtherThingsComeAndGo) {
+TEST(FillRule, IsKeptWhileOtherItemsChange) {
   for (const FillRule rule : {FillRule::even_odd, FillRule::nonzero}) {
     World world = world_with({ItemKind::polygon, {kStar, kOuter}, rule});
     const std::vector<Point> points = {{10, 9}, {8, 8}, {6, 4}, {2, 2}, {14, 4}, {10, 16}, {8.5, 10}, {10, 12.0625}};

@@ -44,7 +44,7 @@ TEST(ItemsAt, CoverSidesCornersAndPoints) {
   EXPECT_EQ(world.items_at({11, 0}).error().code, ErrorCode::out_of_domain);
 }
 
-TEST(ItemsCrossed, ComeInOrderWithTheirPlaces) {
+TEST(ItemsCrossed, AreSortedAndHaveTheirPositions) {
   const World world = furnished_world();
   using Crossed = std::vector<CrossedItem>;
   EXPECT_EQ(world.items_crossed({2.5, 0}, {2.5, 10}).value(),
@@ -84,7 +84,7 @@ TEST(Ray, StopsAtTheFirstWallItTouches) {
   EXPECT_EQ(world.ray({1, 1}, {11, 1}).error().index, 1U);
 }
 
-TEST(Ray, GivesTheNearestDoublesOfAPlaceThatNoneNames) {
+TEST(Ray, GivesTheNearestDoublesOfAPositionWithoutDoubles) {
   World world = World::create({{0, 0}, {8, 8}}).value();
   ASSERT_TRUE(world.insert_segment({1, 1}, {4, 3}, {1}).ok());
   EXPECT_EQ(world.ray({1, 2}, {4, 1}).value(), (RayHit{true, {2, 5.0 / 3.0}, ids({1})}));

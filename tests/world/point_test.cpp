@@ -60,7 +60,7 @@ TEST(Point, SortsByXThenY) {
   EXPECT_EQ(points, (std::vector<Point>{{0, 9}, {1, -5}, {1, 5}, {2, 1}}));
 }
 
-TEST(Point, HashesEqualPlacesAlike) {
+TEST(Point, HashesEqualPointsAlike) {
   EXPECT_EQ(std::hash<Point>{}({0.0, 1}), std::hash<Point>{}({-0.0, 1}));
   std::unordered_set<std::size_t> hashes;
   for (int x = 0; x < 30; ++x) {

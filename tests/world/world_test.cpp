@@ -110,7 +110,7 @@ TEST(World, RingsThatRepeatTheirFirstPointAtTheEnd) {
   EXPECT_TRUE(world.validate().ok) << world.validate().fault;
 }
 
-TEST(World, LocateNamesPlaceCornersAndPolygons) {
+TEST(World, LocateReturnsKindVerticesAndPolygons) {
   World world = empty_world();
   const std::vector<std::vector<Point>> rings = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
   ASSERT_TRUE(world.insert_polygon(rings, {9}).ok());
