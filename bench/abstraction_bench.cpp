@@ -35,7 +35,7 @@ Workload square_moves(std::size_t count) {
 }
 
 /// Times searches for paths between two halves of a world that a wall disconnects.
-void time_parted_ends(benchmark::State& state, std::size_t count) {
+void time_unconnected_ends(benchmark::State& state, std::size_t count) {
   constexpr std::size_t kQueries = 1000;
   const Workload workload = random_squares(count);
   World world = world_of(workload);
@@ -66,7 +66,7 @@ void register_abstraction() {
                                                  [count] { return square_moves(count); });
     register_updates<WaywrightReplace>(moves, "waywright_replace", [count] { return square_moves(count); });
     benchmark::RegisterBenchmark(("no_path/" + std::to_string(count) + "/waywright").c_str(),
-                                 [count](benchmark::State& state) { time_parted_ends(state, count); })
+                                 [count](benchmark::State& state) { time_unconnected_ends(state, count); })
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
   }

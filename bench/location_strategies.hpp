@@ -29,12 +29,12 @@ struct Ground {
     return mesh.origin(h) != ghost && mesh.target(h) != ghost && mesh.apex(h) != ghost;
   }
   /// Returns whether `h`, which was stored earlier, now represents a face in the box.
-  [[nodiscard]] bool holds(mesh::HalfEdge h) const {
-    return h != mesh::kNoHalfEdge && mesh.is_alive(mesh::face(h)) && is_inside(h);
+  [[nodiscard]] bool contains(mesh::HalfEdge h) const {
+    return h != mesh::kNoHalfEdge && mesh.is_live(mesh::face(h)) && is_inside(h);
   }
   /// Returns a face in the box that touches the box's boundary.
-  [[nodiscard]] mesh::HalfEdge somewhere() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
-  /// Returns a face in the box that has `v` as a corner. Requires: `v` is alive and is not the ghost.
+  [[nodiscard]] mesh::HalfEdge face_at_border() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
+  /// Returns a face in the box that has `v` as a corner. Requires: `v` is live and is not the ghost.
   [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
     mesh::HalfEdge h = mesh.outgoing(v);
     while (!is_inside(h)) h = mesh.next_around(h);
@@ -47,7 +47,7 @@ class LastFace {
  public:
   template <class Geometry>
   [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point&) const {
-    return ground.holds(last_) ? last_ : ground.somewhere();
+    return ground.contains(last_) ? last_ : ground.face_at_border();
   }
   void found(const Point&, mesh::HalfEdge h) { last_ = h; }
 
@@ -64,11 +64,11 @@ class CubeRootSampling {
   [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point& point) const {
     const std::size_t vertex_count = ground.mesh.vertex_count();
     locate::Random random(point);
-    mesh::HalfEdge nearest = ground.somewhere();
+    mesh::HalfEdge nearest = ground.face_at_border();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t tries = 0; tries * tries * tries < vertex_count; ++tries) {
       const mesh::Vertex v{random.below(ground.mesh.vertex_slots())};
-      if (!ground.mesh.is_alive(v) || v == ground.ghost) continue;
+      if (!ground.mesh.is_live(v) || v == ground.ghost) continue;
       const Point at = ground.geometry.rounded(number(v));
       const double squared = (at.x - point.x) * (at.x - point.x) + (at.y - point.y) * (at.y - point.y);
       if (squared >= least) continue;
@@ -89,8 +89,8 @@ class SectorsOfSearches {
   template <class Geometry>
   [[nodiscard]] mesh::HalfEdge start(const Ground<Geometry>& ground, const Point& point) const {
     const mesh::HalfEdge remembered = sectors_[sector(point)];
-    if (ground.holds(remembered)) return remembered;
-    return ground.holds(last_) ? last_ : ground.somewhere();
+    if (ground.contains(remembered)) return remembered;
+    return ground.contains(last_) ? last_ : ground.face_at_border();
   }
   void found(const Point& point, mesh::HalfEdge h) {
     sectors_[sector(point)] = h;

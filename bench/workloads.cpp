@@ -287,10 +287,10 @@ Workload rts(Crowd crowd, std::size_t steps) {
   };
   while (ids.size() < kCount) workload.before.push_back(next_polygon());
   for (std::size_t step = 0; step < steps; ++step) {
-    const std::size_t gone = random.below(kCount);
-    const ItemId removed{ids[gone]};
-    std::swap(boxes[gone], boxes.back());
-    std::swap(ids[gone], ids.back());
+    const std::size_t removed_index = random.below(kCount);
+    const ItemId removed{ids[removed_index]};
+    std::swap(boxes[removed_index], boxes.back());
+    std::swap(ids[removed_index], ids.back());
     boxes.pop_back();
     ids.pop_back();
     workload.updates.push_back({removed, next_polygon()});

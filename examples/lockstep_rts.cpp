@@ -70,7 +70,7 @@ double share_of(std::uint64_t number) { return static_cast<double>(mixed(number)
 /// building has the same coordinates whether it is built at a point or moved there.
 double rounded(double value) { return static_cast<double>(static_cast<std::int64_t>(256 * value)) / 256; }
 
-Point place_of(std::uint64_t number) {
+Point point_of(std::uint64_t number) {
   return {rounded(20 + (kMapSize - 40) * share_of(2 * number)),
           rounded(20 + (kMapSize - 40) * share_of(2 * number + 1))};
 }
@@ -124,7 +124,7 @@ Commands commands_of(std::size_t player, Tick tick) {
   Commands commands;
   const Tick row = tick / kRow;
   if (tick < kOpening || row % 2 == 1) {
-    const Point first = place_of(number_of(player, row));
+    const Point first = point_of(number_of(player, row));
     const double side = kSpacing * static_cast<double>(tick % kRow);
     const Point centre{first.x, first.y > kMapSize / 2 ? first.y - side : first.y + side};
     commands.building = {building_id(player, tick), building_at(centre, number_of(player, row))};
@@ -135,7 +135,7 @@ Commands commands_of(std::size_t player, Tick tick) {
   for (std::uint64_t i = 0; (tick + player) % 4 == 0 && i < 2; ++i) {
     const std::uint64_t number = number_of(player, tick) + i;
     const auto rank = static_cast<std::size_t>(number % (kUnits / kPlayers));
-    commands.orders.push_back({kPlayers * rank + player, place_of(number)});
+    commands.orders.push_back({kPlayers * rank + player, point_of(number)});
   }
   return commands;
 }
@@ -145,8 +145,8 @@ Commands commands_of(std::size_t player, Tick tick) {
 Commands predicted(const Commands& last, std::size_t player, Tick tick) {
   Commands commands;
   if (last.building) {
-    const double way = last.building->shape.rings[0][0].y > kMapSize / 2 ? -kSpacing : kSpacing;
-    commands.building = {building_id(player, tick), translated(last.building->shape, 0, way)};
+    const double offset = last.building->shape.rings[0][0].y > kMapSize / 2 ? -kSpacing : kSpacing;
+    commands.building = {building_id(player, tick), translated(last.building->shape, 0, offset)};
   }
   if (!last.destroyed.is_null()) commands.destroyed = {last.destroyed.value + 1};
   return commands;
@@ -245,15 +245,15 @@ Machine::Machine(Tick ticks, const MachineOptions& options)
     : packets_(ticks), hashes_(ticks), options_(options), contexts_(options.threads) {
   std::vector<Item> rocks;
   for (std::size_t i = 0; i < kRocks; ++i) {
-    const Point place = place_of(1000000 + i);
-    rocks.push_back({kRockIds + i, building_at(place, i)});
+    const Point position = point_of(1000000 + i);
+    rocks.push_back({kRockIds + i, building_at(position, i)});
     // Every third rock is a fence, which is a wall without thickness.
     const Point middle{kMapSize / 2, kMapSize / 2};
-    const Point end{middle.x + 0.8 * (place.x - middle.x), middle.y + 0.9 * (place.y - middle.y)};
-    if (i % 3 == 0) rocks.back().shape = Shape::segment(place, end);
+    const Point end{middle.x + 0.8 * (position.x - middle.x), middle.y + 0.9 * (position.y - middle.y)};
+    if (i % 3 == 0) rocks.back().shape = Shape::segment(position, end);
   }
   world_.insert_all(rocks).value();
-  for (std::size_t i = 0; i < kUnits; ++i) units_[i].position.at = units_[i].goal = place_of(2000000 + i);
+  for (std::size_t i = 0; i < kUnits; ++i) units_[i].position.at = units_[i].goal = point_of(2000000 + i);
 }
 
 Machine::Machine(const Machine& other, const MachineOptions& options)
@@ -349,7 +349,7 @@ void Machine::apply_orders(const Played& played) {
 bool Machine::needs_path(std::size_t i, std::uint64_t version_before) {
   Unit& unit = units_[i];
   const bool is_there = unit.path && unit.position.distance >= unit.path->length;
-  if (is_there) unit.goal = place_of(number_of(i, tick_));
+  if (is_there) unit.goal = point_of(number_of(i, tick_));
   if (is_there || !unit.path || (tick_ + i) % 64 == 0) return true;
   // What lies behind the unit does not matter. The rest of its path was clear at the tick before.
   const auto rest = std::span(unit.path->points).subspan(unit.position.segment);
@@ -383,7 +383,7 @@ void Machine::take_path(std::size_t i, Path& path) {
   Unit& unit = units_[i];
   unit.path = nullptr;
   if (path.status != PathStatus::found) {
-    unit.goal = place_of(number_of(i, tick_));  // the unit tries another goal at the next tick
+    unit.goal = point_of(number_of(i, tick_));  // the unit tries another goal at the next tick
     return;
   }
   counts_.moved += path.moved_start ? 1 : 0;

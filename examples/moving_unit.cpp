@@ -33,7 +33,7 @@ struct Unit {
 };
 
 /// Returns whether there is a path to the goal.
-bool find_way(const World& world, QueryContext& context, Unit& unit) {
+bool find_path(const World& world, QueryContext& context, Unit& unit) {
   const PathQuery query{.start = unit.position.at, .goal = unit.goal};
   world.find_path(query, context, unit.path).value();
   if (unit.path.status != PathStatus::found) return false;
@@ -64,9 +64,9 @@ void walk(FloatUnit& unit, double step) {
 
 // ---- Ends that are blocked ----
 
-/// Does what find_way does. If the unit or its goal is inside a building, moves it to the nearest free position within
+/// Does what find_path does. If the unit or its goal is inside a building, moves it to the nearest free position within
 /// `tolerance`.
-bool find_way_out(const World& world, QueryContext& context, Unit& unit, double tolerance) {
+bool find_path_with_moved_ends(const World& world, QueryContext& context, Unit& unit, double tolerance) {
   const PathQuery query{.start = unit.position.at, .goal = unit.goal, .end_tolerance = tolerance};
   world.find_path(query, context, unit.path).value();
   if (unit.path.status == PathStatus::start_blocked || unit.path.status == PathStatus::goal_blocked) {
@@ -87,20 +87,20 @@ void return_to_path(const World& world, QueryContext& context, Unit& unit, const
   if (world.is_clear(pushed_to, nearest.at, context).value()) {
     unit.position = nearest;  // or let the unit walk there first
   } else {
-    find_way(world, context, unit);
+    find_path(world, context, unit);
   }
 }
 
 // ---- After buildings come and go ----
 
 /// Finds new paths for the units whose paths a change blocks. `before` is World::version() before the change.
-std::size_t find_new_ways(const World& world, QueryContext& context, std::span<Unit> units, std::uint64_t before) {
+std::size_t find_new_paths(const World& world, QueryContext& context, std::span<Unit> units, std::uint64_t before) {
   std::size_t count = 0;
   for (Unit& unit : units) {
     if (!world.is_affected(unit.path.points, before)) continue;
     const auto rest = std::span(unit.path.points).subspan(unit.position.segment);
     if (world.is_clear(rest, context).value()) continue;
-    find_way(world, context, unit);
+    find_path(world, context, unit);
     ++count;
   }
   return count;
@@ -134,7 +134,7 @@ class PathQueue {
 // ---- Many at once ----
 
 /// Finds paths for all units, on as many threads as there are contexts.
-void find_ways(const World& world, std::span<QueryContext> contexts, std::span<Unit> units) {
+void find_all_paths(const World& world, std::span<QueryContext> contexts, std::span<Unit> units) {
   std::vector<PathQuery> queries;
   for (const Unit& unit : units) queries.push_back({.start = unit.position.at, .goal = unit.goal});
   std::vector<Path> paths;
@@ -173,21 +173,21 @@ void check_one_unit() {
   Unit unit{.position = {}, .goal = {95, 10}, .path = {}};
   unit.position.at = {5, 10};
   FloatUnit twin;
-  expect(find_way(world, context, unit), "there is a path");
+  expect(find_path(world, context, unit), "there is a path");
   twin.path = unit.path;
   bool is_there = false;
   for (int tick = 0; tick < 1000 && !is_there; ++tick) {
     is_there = walk(unit, 0.3);
     walk(twin, 0.3);
-    expect(!is_blocked(world, unit.position.at), "the unit stands at a free position");
-    expect(!is_blocked(world, {twin.x, twin.y}), "the unit in float stands at a free position");
+    expect(!is_blocked(world, unit.position.at), "the unit stands on a free position");
+    expect(!is_blocked(world, {twin.x, twin.y}), "and so does the one in float");
   }
   expect(is_there && unit.position.at == unit.goal, "the unit gets to its goal");
 }
 
 /// If a program computes positions on a path by itself, rounding may put them inside a polygon, or beyond a wall
 /// without thickness. The positions that the library computes here never lie there.
-void check_places() {
+void check_positions() {
   const World with_wedge = world_with_wedge();
   World with_fence = World::create({{0, 0}, {100, 100}}).value();
   with_fence.insert_polyline({{20, 5}, {33, 53}, {61, 47}, {80, 0}}, 1).value();
@@ -203,10 +203,10 @@ void check_places() {
     const Point by_hand{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     blocked_by_hand += is_blocked(with_wedge, by_hand) ? 1 : 0;
     beyond_by_hand += with_fence.is_clear(std::vector<Point>{path.points[0], a, by_hand}).value() ? 0 : 1;
-    const Point point = path.at(before + share * length).at;
-    expect(!is_blocked(with_wedge, point), "a position from the library is free");
-    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, point}).value(),
-           "a position from the library is in front of the fence");
+    const Point position = path.at(before + share * length).at;
+    expect(!is_blocked(with_wedge, position), "a position from the library is free");
+    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, position}).value(),
+           "and on the right side of a fence");
   }
   std::printf("of 999 positions computed by hand, %d lie inside a polygon, %d beyond a fence\n", blocked_by_hand,
               beyond_by_hand);
@@ -218,11 +218,13 @@ void check_blocked_ends() {
   QueryContext context;
   Unit unit{.position = {}, .goal = {50, 20}, .path = {}};  // a goal inside the wedge
   unit.position.at = {5, 10};
-  expect(!find_way(world, context, unit) && unit.path.blockers == std::vector<ItemId>{1}, "the goal is blocked");
-  expect(find_way_out(world, context, unit, 30) && !is_blocked(world, unit.goal), "a free goal is taken instead");
+  expect(!find_path(world, context, unit) && unit.path.blockers == std::vector<ItemId>{1}, "the goal is blocked");
+  expect(find_path_with_moved_ends(world, context, unit, 30) && !is_blocked(world, unit.goal),
+         "a free goal is taken instead");
 
   world.insert_polygon({{1, 5}, {11, 5}, {11, 13}, {1, 13}}, 2).value();  // on the unit
-  expect(find_way_out(world, context, unit, 30) && unit.position.at == Point{5, 13}, "the unit leaves the house");
+  expect(find_path_with_moved_ends(world, context, unit, 30) && unit.position.at == Point{5, 13},
+         "the unit goes out of the house");
 
   return_to_path(world, context, unit, {6, 15});
   expect(unit.position.distance > 0 && world.is_clear({6, 15}, unit.position.at).value(),
@@ -237,7 +239,7 @@ void check_changes() {
     units[i].position.at = {2.0, 5.0 + 4.0 * static_cast<double>(i)};
     units[i].goal = {98.0, 90.0 - 4.0 * static_cast<double>(i)};
   }
-  find_ways(world, contexts, units);
+  find_all_paths(world, contexts, units);
 
   PathQueue queue;
   for (Unit& unit : units) queue.ask(unit);
@@ -250,20 +252,20 @@ void check_changes() {
 
   const std::uint64_t version = world.version();
   world.insert_segment({47, 53}, {47, 99}, 3).value();  // leaves a gap above its upper end
-  expect(find_new_ways(world, contexts[0], units, version) > 0, "the wall blocks paths");
+  expect(find_new_paths(world, contexts[0], units, version) > 0, "the wall blocks paths");
   for (const Unit& unit : units) {
     expect(unit.path.status == PathStatus::found && world.is_clear(unit.path.points).value(), "all paths are clear");
   }
   const std::uint64_t later = world.version();
   world.insert_point({50, 1}, 4).value();
-  expect(find_new_ways(world, contexts[0], units, later) == 0, "a point blocks nothing");
+  expect(find_new_paths(world, contexts[0], units, later) == 0, "a point blocks nothing");
 }
 
 }  // namespace
 
 int main() {
   check_one_unit();
-  check_places();
+  check_positions();
   check_blocked_ends();
   check_changes();
   return is_right ? 0 : 1;

@@ -18,7 +18,7 @@ int main() {
   for (int i = 0; i < kPoints; ++i) {
     const waywright::Point point{coordinate(), coordinate()};
     world.locate(point, context, location).value();
-    if (location.at == waywright::LocationKind::vertex) ++on_vertex;
+    if (location.kind == waywright::LocationKind::vertex) ++on_vertex;
     world.insert_point(point).value();
   }
   const std::size_t vertices = world.vertex_count();

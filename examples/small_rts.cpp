@@ -45,7 +45,7 @@ class Game {
   void add_unit(const Point& at) {
     Unit& unit = units_.emplace_back();
     unit.position.at = unit.goal = at;
-    find_way(unit);
+    find_path(unit);
   }
 
   /// Sends all units to points beside each other, around `goal`.
@@ -54,7 +54,7 @@ class Game {
     for (Unit& unit : units_) {
       unit.goal = {goal.x, y};
       y += 2;
-      find_way(unit);
+      find_path(unit);
     }
   }
 
@@ -76,7 +76,7 @@ class Game {
       for (std::size_t i = 0; i < units_.size(); ++i) {
         Unit& unit = units_[i];
         const bool asks = (static_cast<std::size_t>(tick_) + i) % kAskEvery == 0;
-        if (asks) find_way(unit);
+        if (asks) find_path(unit);
         if (unit.path.status != PathStatus::found) continue;
         unit.position = unit.path.advance(unit.position, kSpeed * kTick);
       }
@@ -89,7 +89,7 @@ class Game {
     for (double y = kMap.max.y - 2; y > kMap.min.y; y -= 4) {
       std::string line;
       for (double x = kMap.min.x + 1; x < kMap.max.x; x += 2) {
-        char letter = world_.locate({x, y}).value().inside.empty() ? '.' : '#';
+        char letter = world_.locate({x, y}).value().polygons.empty() ? '.' : '#';
         for (std::size_t i = 0; i < units_.size(); ++i) {
           const Point at = units_[i].position.at;
           if (at.x >= x - 1 && at.x < x + 1 && at.y >= y - 2 && at.y < y + 2) letter = static_cast<char>('a' + i);
@@ -101,7 +101,7 @@ class Game {
   }
 
  private:
-  void find_way(Unit& unit) {
+  void find_path(Unit& unit) {
     const PathQuery query{.start = unit.position.at, .goal = unit.goal, .end_tolerance = kBuildingSize};
     world_.find_path(query, context_, unit.path).value();
     if (unit.path.status != PathStatus::found) return;
@@ -116,7 +116,7 @@ class Game {
       if (unit.path.points.empty()) continue;
       const auto ahead = std::span(unit.path.points).subspan(unit.position.segment);
       if (!world_.is_affected(ahead, before) || world_.is_clear(ahead, context_).value()) continue;
-      find_way(unit);
+      find_path(unit);
       ++count;
     }
     if (count > 0) std::printf("%.1f s: %d units need a new path\n", kTick * tick_, count);

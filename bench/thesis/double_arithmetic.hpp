@@ -12,20 +12,20 @@ namespace waywright::bench {
 /// The arithmetic "double" of Chen 2009: plain doubles, rounded crossings, and a determinant within 1e-14 of 0 counts
 /// as 0.
 struct DoubleArithmetic {
-  struct Place {
+  struct Position {
     Point rounded;
   };
   using View = Point;
 
-  [[nodiscard]] static Place at(const Point& point) { return {point}; }
-  [[nodiscard]] static Place crossing(const Place& a, const Place& b, const Place& c, const Place& d) {
+  [[nodiscard]] static Position at(const Point& point) { return {point}; }
+  [[nodiscard]] static Position crossing(const Position& a, const Position& b, const Position& c, const Position& d) {
     const Point ab = difference(b.rounded, a.rounded);
     const Point cd = difference(d.rounded, c.rounded);
     const Point ac = difference(c.rounded, a.rounded);
     const double along = (ac.x * cd.y - ac.y * cd.x) / (ab.x * cd.y - ab.y * cd.x);
     return {{a.rounded.x + along * ab.x, a.rounded.y + along * ab.y}};
   }
-  [[nodiscard]] static View view(const Place& place) { return place.rounded; }
+  [[nodiscard]] static View view(const Position& position) { return position.rounded; }
   [[nodiscard]] static View view(const Point& point) { return point; }
 
   [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {

@@ -128,15 +128,15 @@ struct Wrong {
 void try_once(const MovedRectangle& rectangle, Wrong& wrong) {
   const std::array<RationalPoint, 4> corners = rectangle.corners();
   std::array<Point, 4> rounded;
-  std::array<IntervalArithmetic::Place, 4> places;
+  std::array<IntervalArithmetic::Position, 4> positions;
   for (std::size_t i = 0; i < 4; ++i) {
     rounded[i] = {nearest(corners[i].x), nearest(corners[i].y)};
-    places[i] = IntervalArithmetic::at(corners[i]);
+    positions[i] = IntervalArithmetic::at(corners[i]);
   }
   const Sign of_rationals = rectangle.in_circle();
   const Sign of_doubles = ask(rounded, RationalArithmetic());
   const Sign by_double = ask(rounded, DoubleArithmetic());
-  const Sign by_intervals = ask(places, IntervalArithmetic());
+  const Sign by_intervals = ask(positions, IntervalArithmetic());
   const Sign by_us = ask(rounded, exact::Geometry(Box{{-101.0, -101.0}, {101.0, 101.0}}));
   wrong.double_of_rationals += by_double != of_rationals ? 1 : 0;
   wrong.double_of_doubles += by_double != of_doubles ? 1 : 0;

@@ -29,17 +29,18 @@ std::optional<std::strong_ordering> order_of_bounds(const Bounds& p, const Bound
 
 Evaluations IntervalArithmetic::evaluations;
 
-IntervalArithmetic::Place IntervalArithmetic::at(const Point& point) {
+IntervalArithmetic::Position IntervalArithmetic::at(const Point& point) {
   return {{{point.x, point.x}, {point.y, point.y}}, {mpq_class(point.x), mpq_class(point.y)}, point};
 }
 
-IntervalArithmetic::Place IntervalArithmetic::at(RationalPoint point) {
+IntervalArithmetic::Position IntervalArithmetic::at(RationalPoint point) {
   const Point rounded = {point.x.get_d(), point.y.get_d()};
   const BoundedPoint bounds = {bounds_of(point.x), bounds_of(point.y)};
   return {bounds, std::move(point), rounded};
 }
 
-IntervalArithmetic::Place IntervalArithmetic::crossing(const Place& a, const Place& b, const Place& c, const Place& d) {
+IntervalArithmetic::Position IntervalArithmetic::crossing(const Position& a, const Position& b, const Position& c,
+                                                          const Position& d) {
   return at(bench::crossing(a.exact, b.exact, c.exact, d.exact));
 }
 

@@ -21,20 +21,20 @@ struct Evaluations {
 /// The arithmetic "interval + exact" of Chen 2009, section 4.3.2: each vertex stores intervals of doubles, which answer
 /// a question if they can; GMP's rationals answer the rest.
 struct IntervalArithmetic {
-  struct Place {
+  struct Position {
     BoundedPoint bounds;
     RationalPoint exact;
     Point rounded;
   };
-  using View = PlaceView<Place>;
+  using View = PositionView<Position>;
 
   /// Counts for the process, since its start or since they were last set to 0.
   static Evaluations evaluations;
 
-  [[nodiscard]] static Place at(const Point& point);
-  [[nodiscard]] static Place at(RationalPoint point);
-  [[nodiscard]] static Place crossing(const Place& a, const Place& b, const Place& c, const Place& d);
-  [[nodiscard]] static View view(const Place& place) { return View(&place); }
+  [[nodiscard]] static Position at(const Point& point);
+  [[nodiscard]] static Position at(RationalPoint point);
+  [[nodiscard]] static Position crossing(const Position& a, const Position& b, const Position& c, const Position& d);
+  [[nodiscard]] static View view(const Position& position) { return View(&position); }
   [[nodiscard]] static View view(const Point& point) { return View(at(point)); }
 
   [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c);

@@ -63,12 +63,12 @@ class By {
   Strategy strategy_;
 };
 
-template <class Way>
-void insert_all(Triangulation& triangulation, Way& way, const std::vector<Point>& points) {
+template <class Method>
+void insert_all(Triangulation& triangulation, Method& method, const std::vector<Point>& points) {
   for (const Point& point : points) {
     triangulation.begin();
-    const auto inserted = triangulation.insert(point, way.find(triangulation, point));
-    way.found(point, triangulation.topology().outgoing(inserted.vertex));
+    const auto inserted = triangulation.insert(point, method.find(triangulation, point));
+    method.found(point, triangulation.topology().outgoing(inserted.vertex));
   }
 }
 
@@ -83,38 +83,38 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-template <class Way>
+template <class Method>
 void time_insertion(benchmark::State& state, std::size_t count) {
   const Workload workload = thesis_points(count);
   const std::vector<Point> points = points_of(workload);
   time_once(state, count, [&] {
     Triangulation triangulation(workload.domain, {1, 2, 3, 4});
-    Way way(workload.domain);
+    Method method(workload.domain);
     const auto begin = std::chrono::steady_clock::now();
-    insert_all(triangulation, way, points);
+    insert_all(triangulation, method, points);
     const double seconds = seconds_since(begin);
     state.counters["vertices"] = static_cast<double>(triangulation.topology().vertex_count() - 1);
     return seconds;
   });
 }
 
-template <class Way>
+template <class Method>
 void time_location(benchmark::State& state, std::size_t count) {
   const Workload workload = thesis_points(count);
   Triangulation triangulation(workload.domain, {1, 2, 3, 4});
   for (const Point& point : points_of(workload)) triangulation.insert(point);
-  const std::vector<Point> places = queries();
-  time_once(state, places.size(), [&] {
-    Way way(workload.domain);
+  const std::vector<Point> points = queries();
+  time_once(state, points.size(), [&] {
+    Method method(workload.domain);
     const auto begin = std::chrono::steady_clock::now();
-    for (const Point& located : places) benchmark::DoNotOptimize(way.find(triangulation, located));
+    for (const Point& located : points) benchmark::DoNotOptimize(method.find(triangulation, located));
     return seconds_since(begin);
   });
   state.counters["vertices"] = static_cast<double>(triangulation.topology().vertex_count() - 1);
 }
 
-template <class Way>
-void register_way(const std::string& contender, std::size_t count) {
+template <class Method>
+void register_method(const std::string& contender, std::size_t count) {
   const auto add = [&](const std::string& workload, void (*run)(benchmark::State&, std::size_t)) {
     const std::string name = workload + '/' + std::to_string(count) + '/' + contender;
     benchmark::RegisterBenchmark(name.c_str(), [run, count](benchmark::State& state) { run(state, count); })
@@ -122,18 +122,18 @@ void register_way(const std::string& contender, std::size_t count) {
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
   };
-  add("location", time_location<Way>);
-  add("insertion", time_insertion<Way>);
+  add("location", time_location<Method>);
+  add("insertion", time_insertion<Method>);
 }
 
 }  // namespace
 
 void register_location() {
   for (std::size_t count = 1000; count <= 10000; count += 1000) {
-    register_way<OwnSectors>("waywright", count);
-    register_way<By<LastFace>>("last_face", count);
-    register_way<By<CubeRootSampling>>("cube_root", count);
-    register_way<By<SectorsOfSearches>>("sectors_16", count);
+    register_method<OwnSectors>("waywright", count);
+    register_method<By<LastFace>>("last_face", count);
+    register_method<By<CubeRootSampling>>("cube_root", count);
+    register_method<By<SectorsOfSearches>>("sectors_16", count);
   }
 }
 

@@ -40,10 +40,11 @@ RationalPoint crossing(const RationalPoint& a, const RationalPoint& b, const Rat
   return {a.x + along * ab.x, a.y + along * ab.y};
 }
 
-RationalArithmetic::Place RationalArithmetic::crossing(const Place& a, const Place& b, const Place& c, const Place& d) {
-  RationalPoint place = bench::crossing(a.exact, b.exact, c.exact, d.exact);
-  const Point rounded = {place.x.get_d(), place.y.get_d()};
-  return {std::move(place), rounded};
+RationalArithmetic::Position RationalArithmetic::crossing(const Position& a, const Position& b, const Position& c,
+                                                          const Position& d) {
+  RationalPoint position = bench::crossing(a.exact, b.exact, c.exact, d.exact);
+  const Point rounded = {position.x.get_d(), position.y.get_d()};
+  return {std::move(position), rounded};
 }
 
 }  // namespace waywright::bench

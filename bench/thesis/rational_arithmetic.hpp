@@ -24,15 +24,15 @@ struct RationalPoint {
 
 /// The arithmetic "exact" of Chen 2009: GMP's rationals for everything.
 struct RationalArithmetic {
-  struct Place {
+  struct Position {
     RationalPoint exact;
     Point rounded;
   };
-  using View = PlaceView<Place>;
+  using View = PositionView<Position>;
 
-  [[nodiscard]] static Place at(const Point& point) { return {{mpq_class(point.x), mpq_class(point.y)}, point}; }
-  [[nodiscard]] static Place crossing(const Place& a, const Place& b, const Place& c, const Place& d);
-  [[nodiscard]] static View view(const Place& place) { return View(&place); }
+  [[nodiscard]] static Position at(const Point& point) { return {{mpq_class(point.x), mpq_class(point.y)}, point}; }
+  [[nodiscard]] static Position crossing(const Position& a, const Position& b, const Position& c, const Position& d);
+  [[nodiscard]] static View view(const Position& position) { return View(&position); }
   [[nodiscard]] static View view(const Point& point) { return View(at(point)); }
 
   [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {

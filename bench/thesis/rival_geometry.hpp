@@ -14,25 +14,26 @@
 namespace waywright::bench {
 
 /// A reference to a point that is too large to copy: that of a vertex, or one made for a point that is not a vertex.
-template <class Place>
-class PlaceView {
+template <class Position>
+class PositionView {
  public:
-  PlaceView() = default;  // refers to nothing yet
-  explicit PlaceView(const Place* vertex) : place_(vertex) {}
-  explicit PlaceView(Place&& point) : owned_(std::make_shared<const Place>(std::move(point))), place_(owned_.get()) {}
+  PositionView() = default;  // refers to nothing yet
+  explicit PositionView(const Position* vertex) : position_(vertex) {}
+  explicit PositionView(Position&& point)
+      : owned_(std::make_shared<const Position>(std::move(point))), position_(owned_.get()) {}
 
-  const Place* operator->() const { return place_; }
+  const Position* operator->() const { return position_; }
 
  private:
-  std::shared_ptr<const Place> owned_;
-  const Place* place_ = nullptr;
+  std::shared_ptr<const Position> owned_;
+  const Position* position_ = nullptr;
 };
 
 /// A geometry (exact::AnyGeometry) over arithmetic other than the library's. It stores, logs and prefetches the same
 /// data at the same times as exact::Geometry, so that a comparison compares only arithmetic.
 ///
-/// An Arithmetic has: a `Place`, the coordinates of a vertex, with a `rounded` Point; a `View` of one; `at(point)` and
-/// `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three predicates on views.
+/// An Arithmetic has: a `Position`, the coordinates of a vertex, with a `rounded` Point; a `View` of one; `at(point)`
+/// and `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three predicates on views.
 template <class Arithmetic>
 class RivalGeometry {
  public:
@@ -42,19 +43,19 @@ class RivalGeometry {
 
   void set_position(std::uint32_t vertex, const Point& point) { put(vertex, Arithmetic::at(point)); }
   void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    put(vertex, Arithmetic::crossing(places_[a], places_[b], places_[c], places_[d]));
+    put(vertex, Arithmetic::crossing(positions_[a], positions_[b], positions_[c], positions_[d]));
   }
   void clear(std::uint32_t) {}  // the next vertex with this slot overwrites it
 
   void begin() { log_.clear(); }
   void roll_back() {
-    for (; !log_.empty(); log_.pop_back()) places_[log_.back().vertex] = std::move(log_.back().place);
+    for (; !log_.empty(); log_.pop_back()) positions_[log_.back().vertex] = std::move(log_.back().position);
   }
 
-  [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(places_[vertex]); }
-  void prefetch(std::uint32_t vertex) const { base::prefetch(&places_[vertex]); }
+  [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(positions_[vertex]); }
+  void prefetch(std::uint32_t vertex) const { base::prefetch(&positions_[vertex]); }
   [[nodiscard]] static View view(const Point& point) { return Arithmetic::view(point); }
-  [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return places_[vertex].rounded; }
+  [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return positions_[vertex].rounded; }
 
   [[nodiscard]] static exact::Sign orientation(const View& a, const View& b, const View& c) {
     return Arithmetic::orientation(a, b, c);
@@ -65,19 +66,19 @@ class RivalGeometry {
   [[nodiscard]] static std::strong_ordering order(const View& p, const View& q) { return Arithmetic::order(p, q); }
 
  private:
-  using Place = typename Arithmetic::Place;
+  using Position = typename Arithmetic::Position;
   struct Undo {
     std::uint32_t vertex;
-    Place place;  ///< the place before
+    Position position;  ///< the place before
   };
 
-  void put(std::uint32_t vertex, Place place) {
-    if (vertex >= places_.size()) places_.resize(vertex + std::size_t{1});
-    log_.push_back({vertex, std::move(places_[vertex])});
-    places_[vertex] = std::move(place);
+  void put(std::uint32_t vertex, Position position) {
+    if (vertex >= positions_.size()) positions_.resize(vertex + std::size_t{1});
+    log_.push_back({vertex, std::move(positions_[vertex])});
+    positions_[vertex] = std::move(position);
   }
 
-  std::vector<Place> places_;
+  std::vector<Position> positions_;
   std::vector<Undo> log_;
 };
 

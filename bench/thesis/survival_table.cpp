@@ -20,14 +20,14 @@ Workload lattice_scene(std::uint64_t seed) {
   constexpr std::int64_t kSide = 12;
   constexpr std::size_t kCount = 40;
   Random random(seed);
-  const auto place = [&] {
+  const auto random_point = [&] {
     const double x = random.between(0, kSide);
     return Point{x, random.between(0, kSide)};
   };
   Workload workload{{{-1.0, -1.0}, {kSide + 1.0, kSide + 1.0}}, {}, {}};
   for (std::size_t id = 1; id <= kCount; ++id) {
-    const Point from = place();
-    workload.updates.push_back({{}, {ItemId{id}, {ItemKind::segment, {{from, place()}}}}});
+    const Point from = random_point();
+    workload.updates.push_back({{}, {ItemId{id}, {ItemKind::segment, {{from, random_point()}}}}});
   }
   for (std::size_t id = 1; id <= kCount; id += 2) workload.updates.push_back({ItemId{id}, {}});
   return workload;
@@ -57,7 +57,7 @@ Result run(const Workload& workload) {
 }
 
 template <class Geometry>
-std::string fate(const Workload& workload, const Result& right) {
+std::string outcome_of(const Workload& workload, const Result& right) {
   constexpr double kSeconds = 1.0;  // the correct mesh takes less than a thousandth of this
   const auto outcome = run_in_child(kSeconds, [&] { return run<Geometry>(workload); });
   if (!outcome.result) return outcome.failure;
@@ -68,15 +68,15 @@ std::string fate(const Workload& workload, const Result& right) {
 }
 
 template <class Geometry>
-void print_fates(const char* name, std::size_t scenes) {
-  std::map<std::string, std::size_t> fates;
+void print_outcomes(const char* name, std::size_t scenes) {
+  std::map<std::string, std::size_t> outcomes;
   for (std::size_t seed = 1; seed <= scenes; ++seed) {
     const Workload workload = lattice_scene(seed);
-    ++fates[fate<Geometry>(workload, run<exact::Geometry>(workload))];
+    ++outcomes[outcome_of<Geometry>(workload, run<exact::Geometry>(workload))];
   }
-  std::printf("| %s | %zu |", name, fates["right"]);
+  std::printf("| %s | %zu |", name, outcomes["right"]);
   const char* separator = " ";
-  for (const auto& [how, count] : fates) {
+  for (const auto& [how, count] : outcomes) {
     if (how == "right") continue;
     std::printf("%s%zu %s", separator, count, how.c_str());
     separator = ", ";
@@ -89,10 +89,10 @@ void print_fates(const char* name, std::size_t scenes) {
 
 void print_survival_table(std::size_t scenes) {
   std::printf("| arithmetic | right of %zu | what else |\n| --- | ---: | --- |\n", scenes);
-  print_fates<DoubleGeometry>("double", scenes);
-  print_fates<IntervalGeometry>("interval + exact", scenes);
-  print_fates<RationalGeometry>("rationals", scenes);
-  print_fates<exact::Geometry>("Waywright", scenes);
+  print_outcomes<DoubleGeometry>("double", scenes);
+  print_outcomes<IntervalGeometry>("interval + exact", scenes);
+  print_outcomes<RationalGeometry>("rationals", scenes);
+  print_outcomes<exact::Geometry>("Waywright", scenes);
 }
 
 }  // namespace waywright::bench

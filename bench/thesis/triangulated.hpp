@@ -79,7 +79,7 @@ class Triangulated {
   void for_each_half_edge(Visit&& visit) const {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
-      if (mesh.is_alive(mesh::face(mesh::HalfEdge{i}))) visit(mesh::HalfEdge{i});
+      if (mesh.is_live(mesh::face(mesh::HalfEdge{i}))) visit(mesh::HalfEdge{i});
     }
   }
 

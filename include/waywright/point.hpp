@@ -165,7 +165,7 @@ using MutablePointSpan = BasicPointSpan<Point>;
 /// A closed axis-aligned box.
 ///
 /// @code{.cpp}
-/// const Box box = Box::of({{4, 1}, {2, 5}, {3, 3}});  // == Box{{2, 1}, {4, 5}}
+/// const Box box = Box::bounding({{4, 1}, {2, 5}, {3, 3}});  // == Box{{2, 1}, {4, 5}}
 /// const bool is_inside = box.contains({2, 1});        // == true
 /// const std::vector<ItemId> near = world.items_in(box.expanded(20)).value();
 /// @endcode
@@ -177,7 +177,7 @@ struct Box {
 
   /// Returns the smallest box that contains all of the points.
   /// Requires: there is a point.
-  [[nodiscard]] WAYWRIGHT_API static Box of(PointSpan points);
+  [[nodiscard]] WAYWRIGHT_API static Box bounding(PointSpan points);
 
   /// Returns the extent in x.
   [[nodiscard]] constexpr double width() const { return max.x - min.x; }

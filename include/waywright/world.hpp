@@ -114,18 +114,18 @@ enum class LocationKind : std::uint8_t { vertex, edge, face };
 ///
 /// @code{.cpp}
 /// const Location location = world.locate({50, 50}).value();
-/// const bool is_in_house = !location.inside.empty() && location.inside.front() == 1;  // == true
-/// for (std::size_t i = 0; i < location.corner_count; ++i) std::puts(to_string(location.corners[i]).c_str());
+/// const bool is_in_house = !location.polygons.empty() && location.polygons.front() == 1;  // == true
+/// for (std::size_t i = 0; i < location.vertex_count; ++i) std::puts(to_string(location.vertices[i]).c_str());
 /// @endcode
 struct Location {
-  LocationKind at = LocationKind::face;
+  LocationKind kind = LocationKind::face;
   /// The vertices of the location, each coordinate rounded to the nearest double: 1 vertex, the 2 ends of an edge, or
   /// the 3 vertices of a face, counter-clockwise. Of an edge or a face, the first vertex in the array is the one that
   /// comes first in (x, y) order.
-  std::array<Point, 3> corners{};
-  std::size_t corner_count = 0;  ///< the number of vertices in `corners`
+  std::array<Point, 3> vertices{};
+  std::size_t vertex_count = 0;  ///< the number of vertices in `vertices`
   /// The polygons that contain the point in their interior or on their boundary, ascending.
-  std::vector<ItemId> inside;
+  std::vector<ItemId> polygons;
 };
 
 /// The answer of World::validate.

@@ -20,7 +20,7 @@ class BoxTest {
         corners_{exact::explicit_point(box.min), exact::ExactPoint{box.max.x, box.min.y},
                  exact::explicit_point(box.max), exact::ExactPoint{box.min.x, box.max.y}} {}
 
-  [[nodiscard]] bool holds(const Point& p) const {
+  [[nodiscard]] bool contains(const Point& p) const {
     return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
   }
 

@@ -16,7 +16,7 @@ namespace waywright::constraint {
 /// Sorts `others` and then the corners of all items of a batch along the curve of the domain.
 template <class Batch>
 locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others,
-                                  const threads::Crew& crew) {
+                                  const threads::ThreadTeam& team) {
   std::size_t count = others.size();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     for (const auto& ring : batch.rings(i)) count += ring.size();
@@ -29,7 +29,7 @@ locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::sp
       for_each_corner(ring, batch.kind(i) == ItemKind::polygon, [&](const Point& point) { corners.push_back(point); });
     }
   }
-  return locate::sort_along_curve(domain, corners, crew);
+  return locate::sort_along_curve(domain, corners, team);
 }
 
 /// The sum of the hashes of a batch's items. The corners are hashed as the caller gave them, so no mesh is needed.
@@ -55,11 +55,11 @@ ItemHash::Words hash_of_batch(const Batch& batch) {
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
-                                                             const threads::Crew& crew)
+                                                             const threads::ThreadTeam& team)
     : domain_(domain), triangulation_(domain, kSidesOfBox) {
-  locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), crew);
+  locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), team);
   const std::span<const std::uint32_t> ranks(sorted.ranks);
-  corner_uses_.cover(sorted.points.size() + 1, UseLists::kNone);
+  corner_uses_.grow_to(sorted.points.size() + 1, UseLists::kNone);
   std::vector<std::uint32_t> with_sides;
   ItemHash::Words hash{};
   const std::array<threads::Job, 2> jobs = {
@@ -70,14 +70,14 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
         });
       },
       [&] { hash = hash_of_batch(batch); }};
-  triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), crew, jobs);
+  triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), team, jobs);
   items_.outline(ItemTable::kDomain, outline_);
   items_.add_hash(hash_of(ItemTable::kDomain, outline_));
   items_.add_hash(hash);
   insert_sides(with_sides, [&](std::size_t items) {
     if (items % kItemsBetweenReports != 0) return;
     begin();
-    crew.report(ranks.size() - 4 + items);
+    team.report(ranks.size() - 4 + items);
   });
   begin();
 }
@@ -91,18 +91,18 @@ void ConstrainedTriangulation<Geometry>::add_domain(std::span<const std::uint32_
 
 template <class Geometry>
 template <class Batch>
-void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const threads::Crew& crew) {
-  const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, crew);
+void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
+  const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, team);
   std::vector<mesh::Vertex> vertices;
   vertices.reserve(sorted.points.size());
   for (const Point& point : sorted.points) {
     vertices.push_back(insert_vertex(triangulation_.insert(point)));
-    if (vertices.size() % kItemsBetweenReports == 0) crew.report(vertices.size());
+    if (vertices.size() % kItemsBetweenReports == 0) team.report(vertices.size());
   }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
   items_.add_hash(hash_of_batch(batch));
   insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
-    if (items % kItemsBetweenReports == 0) crew.report(sorted.ranks.size() + items);
+    if (items % kItemsBetweenReports == 0) team.report(sorted.ranks.size() + items);
   });
 }
 

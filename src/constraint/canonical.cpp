@@ -33,7 +33,7 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
   vertices.clear();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const mesh::Vertex v{i};
-    if (mesh.is_alive(v) && v != delaunay.ghost()) vertices.push_back(v);
+    if (mesh.is_live(v) && v != delaunay.ghost()) vertices.push_back(v);
   }
   std::sort(vertices.begin(), vertices.end(),
             [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); });

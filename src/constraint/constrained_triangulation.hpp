@@ -34,7 +34,7 @@ class ConstrainedTriangulation {
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
   /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster.
   template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::Crew& crew = {});
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::ThreadTeam& team = {});
 
   [[nodiscard]] const Box& domain() const { return domain_; }
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
@@ -72,10 +72,10 @@ class ConstrainedTriangulation {
 
   /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(). For each i below
   /// this size, it has an id(i), a kind(i), a fill(i) and rings(i), which is a range of ranges of points: see
-  /// batch.hpp. Reports progress to the crew: first the number of corners that are inserted, then the number of all
-  /// corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
+  /// batch.hpp. Reports progress with team.report(): first the number of corners that are inserted, then the number of
+  /// all corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::Crew& crew = {});
+  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
 
   /// Removes an item from the lists of its edges and corners. Makes edges without items free. Removes vertices that are
   /// not needed any more. If another side passes through such a vertex, its two pieces become one edge. Requires: an
@@ -103,8 +103,8 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
   /// The first four sides are those of the domain.
-  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::of(0), UseLists::of(1), UseLists::of(2),
-                                                             UseLists::of(3)};
+  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::single(0), UseLists::single(1),
+                                                             UseLists::single(2), UseLists::single(3)};
 
   /// The next piece of a side. It first crosses the free edges in `crossed_`. It ends at `vertex`, or at the edge
   /// `fixed`.
@@ -165,10 +165,10 @@ class ConstrainedTriangulation {
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
   mesh::HalfEdge take(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);
-  void strip_side(std::uint32_t slot);
-  void strip_corner(mesh::Vertex v, std::uint32_t item);
+  void remove_side(std::uint32_t slot);
+  void remove_corner_use(mesh::Vertex v, std::uint32_t item);
   /// Removes `v` if neither a corner nor a crossing needs it.
-  void drop_if_unneeded(mesh::Vertex v);
+  void remove_if_unneeded(mesh::Vertex v);
   /// The edge on which `side` leaves `u`. Requires: there is such an edge, and the list of the edge on which `side`
   /// reached `u` no longer contains `side`.
   [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;

@@ -80,14 +80,14 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
   const auto add = [&](mesh::HalfEdge h) {
     if (!delaunay.is_ghost_face(h)) faces.push_back(h);
   };
-  if (location.spot == locate::Spot::vertex) {
+  if (location.kind == locate::LocatedKind::vertex) {
     const mesh::HalfEdge start = first_neighbour(triangulation, mesh.origin(location.h));
     mesh::HalfEdge h = start;
     do {
       add(h);
       h = mesh.next_around(h);
     } while (h != start);
-  } else if (location.spot == locate::Spot::edge) {
+  } else if (location.kind == locate::LocatedKind::edge) {
     const bool ascends = delaunay.comes_before(mesh.origin(location.h), mesh.target(location.h));
     const mesh::HalfEdge left = ascends ? location.h : mesh.twin(location.h);
     add(left);
@@ -126,8 +126,8 @@ std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdg
 
 void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& location) {
   touching_.clear();
-  if (location.spot == locate::Spot::edge) append_polygons(triangulation, location.h, touching_);
-  if (location.spot == locate::Spot::vertex) {
+  if (location.kind == locate::LocatedKind::edge) append_polygons(triangulation, location.h, touching_);
+  if (location.kind == locate::LocatedKind::vertex) {
     const mesh::TriangleMesh& mesh = triangulation.topology();
     const mesh::Vertex v = mesh.origin(location.h);
     mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) { append_polygons(triangulation, h, touching_); });

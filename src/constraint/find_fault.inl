@@ -30,7 +30,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault(
   const mesh::TriangleMesh& mesh = topology();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
-    if (!mesh.is_alive(f)) continue;
+    if (!mesh.is_live(f)) continue;
     const mesh::HalfEdge h = mesh::first(f);
     if (triangulation_.is_ghost_face(h)) continue;
     if (triangulation_.orientation(mesh.origin(h), mesh.target(h), mesh.apex(h)) != exact::Sign::positive) {
@@ -62,7 +62,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_delaunay_fau
   const mesh::TriangleMesh& mesh = topology();
   for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
     const mesh::HalfEdge h{i};
-    if (!mesh.is_alive(mesh::face(h)) || h > mesh.twin(h) || triangulation_.is_ghost_face(h)) continue;
+    if (!mesh.is_live(mesh::face(h)) || h > mesh.twin(h) || triangulation_.is_ghost_face(h)) continue;
     if (triangulation_.is_ghost_face(mesh.twin(h))) {
       if (!mesh.is_fixed(h)) return detail::edge_name(mesh, h) + " on the border is not fixed";
     } else if (!mesh.is_fixed(h) && !triangulation_.is_legal(h)) {
@@ -80,7 +80,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_use_fault() 
   std::size_t uses_by_edges = 0;
   for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
     const mesh::HalfEdge h{i};
-    if (!mesh.is_alive(mesh::face(h)) || h > mesh.twin(h)) continue;
+    if (!mesh.is_live(mesh::face(h)) || h > mesh.twin(h)) continue;
     uses_.for_each(mesh.label(h), [&](std::uint32_t) { ++uses_by_edges; });
   }
   std::size_t uses_by_sides = 0;
@@ -138,7 +138,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_vertex_fault
   std::vector<Corner> by_vertices;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const mesh::Vertex v{i};
-    if (!mesh.is_alive(v) || v == triangulation_.ghost()) continue;
+    if (!mesh.is_live(v) || v == triangulation_.ghost()) continue;
     uses_.for_each(corner_uses_[i], [&](std::uint32_t item) { by_vertices.emplace_back(i, item); });
     if (corner_uses_[i] != UseLists::kNone) continue;
     std::size_t fixed_edges = 0;

@@ -113,7 +113,7 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
 template <class Geometry>
 mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, std::uint32_t side) {
   if (step.along == mesh::kNoHalfEdge) {
-    return triangulation_.force_edge(u, step.vertex, crossed_, UseLists::of(side));
+    return triangulation_.force_edge(u, step.vertex, crossed_, UseLists::single(side));
   }
   triangulation_.fix(step.along, uses_.add(topology().label(step.along), side));
   return step.along;

@@ -168,7 +168,7 @@ class BoxFlood {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
     const exact::Geometry& geometry = triangulation_.triangulation().geometry();
     const mesh::Vertex v = mesh.origin(h);
-    if (geometry.is_explicit(number(v)) && test_.holds(geometry.rounded(number(v)))) {
+    if (geometry.is_explicit(number(v)) && test_.contains(geometry.rounded(number(v)))) {
       triangulation_.uses().for_each(triangulation_.corner_uses(v),
                                      [&](std::uint32_t item) { scratch_.slots.push_back(item); });
     }
@@ -193,8 +193,8 @@ void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point
   const locate::Located location = delaunay.locate(point);
   Slots& slots = scratch.slots;
   slots = cover.of_location(triangulation, location);
-  if (location.spot == locate::Spot::edge) append_items_of_edge(triangulation, location.h, slots);
-  if (location.spot == locate::Spot::vertex) {
+  if (location.kind == locate::LocatedKind::edge) append_items_of_edge(triangulation, location.h, slots);
+  if (location.kind == locate::LocatedKind::vertex) {
     const mesh::Vertex v = triangulation.topology().origin(location.h);
     append_items_around(triangulation, v, slots);
     triangulation.uses().for_each(triangulation.corner_uses(v), [&](std::uint32_t item) { slots.push_back(item); });

@@ -15,26 +15,26 @@ constexpr std::size_t kSmallestIndex = 16;
 
 ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({kNone, ItemKind::polygon}); }
 
-void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home(id)]); }
+void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home_bucket(id)]); }
 
 // If memory runs out, the undo log lists exactly the changes that were made, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   if (free_items_.is_empty()) {
     items_.emplace_back();
-    items_.back().position = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
+    items_.back().corner_or_side = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
   }
   const std::uint32_t slot = free_items_.first();
   const bool is_slot_id = id.value == slot;
   if (!is_slot_id) {
     make_room_in_index(1);
-    ids_.cover(items_.size());
+    ids_.grow_to(items_.size());
     ids_.make_room(slot);
     ids_[slot] = id;
   }
   journal_.add({slot, false});
-  free_items_.pop(items_[slot].position);
+  free_items_.pop(items_[slot].corner_or_side);
   items_[slot] = {kNone, kind, is_slot_id, false, kind == ItemKind::polygon ? fill : FillRule::even_odd};
-  enter(slot);
+  register_item(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
   nonzero_count_ += items_[slot].fill == FillRule::nonzero ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
@@ -45,7 +45,7 @@ void ItemTable::set_outline(std::uint32_t item, const Outline& outline) {
   const ItemKind kind = items_[item].kind;
   const auto& corners = outline.corners;
   if (kind == ItemKind::point) {
-    items_[item].position = number(corners[0]);
+    items_[item].corner_or_side = number(corners[0]);
     return;
   }
   std::uint32_t begin = 0;
@@ -64,7 +64,7 @@ void ItemTable::add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to,
     sides_.back().next = free_sides_.push(static_cast<std::uint32_t>(sides_.size() - 1));
   }
   const std::uint32_t slot = free_sides_.pop(sides_[free_sides_.first()].next & ~kEndsRing);
-  std::uint32_t& last = items_[item].position;
+  std::uint32_t& last = items_[item].corner_or_side;
   std::uint32_t next = slot;
   if (last != kNone) {
     std::uint32_t& link = sides_[last].next;
@@ -85,7 +85,7 @@ void ItemTable::outline(std::uint32_t item, Outline& outline) const {
 
 void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
   journal_.add({slot, true});
-  leave(slot);
+  unregister_item(slot);
   ItemHash::subtract_from(hash_, hash);
   polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
   nonzero_count_ -= items_[slot].fill == FillRule::nonzero ? 1 : 0;
@@ -93,7 +93,7 @@ void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
 
 void ItemTable::begin() {
   journal_.for_each([&](const Undo& change) {
-    if (change.is_removal) recycle(change.slot);
+    if (change.is_removal) free_slots(change.slot);
   });
   journal_.begin();
   largest_id_before_ = largest_id_seen_;
@@ -106,10 +106,10 @@ void ItemTable::begin() {
 void ItemTable::roll_back() {
   journal_.roll_back([&](const Undo& change) {
     if (change.is_removal) {
-      enter(change.slot);
+      register_item(change.slot);
     } else {
-      leave(change.slot);
-      recycle(change.slot);
+      unregister_item(change.slot);
+      free_slots(change.slot);
     }
   });
   largest_id_seen_ = largest_id_before_;
@@ -119,25 +119,25 @@ void ItemTable::roll_back() {
 }
 
 /// Frees the slot of an item and the slots of its sides, which are linked in a ring.
-void ItemTable::recycle(std::uint32_t slot) {
+void ItemTable::free_slots(std::uint32_t slot) {
   Record& record = items_[slot];
-  if (record.kind != ItemKind::point && record.position != kNone) {
-    const std::uint32_t first = sides_[record.position].next & ~kEndsRing;
-    sides_[record.position].next = free_sides_.push(first);  // the whole ring
+  if (record.kind != ItemKind::point && record.corner_or_side != kNone) {
+    const std::uint32_t first = sides_[record.corner_or_side].next & ~kEndsRing;
+    sides_[record.corner_or_side].next = free_sides_.push(first);  // the whole ring
   }
-  record.position = free_items_.push(slot);
+  record.corner_or_side = free_items_.push(slot);
 }
 
-void ItemTable::enter(std::uint32_t slot) {
-  items_[slot].is_alive = true;
+void ItemTable::register_item(std::uint32_t slot) {
+  items_[slot].is_live = true;
   ++size_;
   if (items_[slot].is_slot_id) return;
-  index_[gap_for(ids_[slot])] = slot;
+  index_[empty_bucket_for(ids_[slot])] = slot;
   ++index_size_;
 }
 
-void ItemTable::leave(std::uint32_t slot) {
-  items_[slot].is_alive = false;
+void ItemTable::unregister_item(std::uint32_t slot) {
+  items_[slot].is_live = false;
   --size_;
   if (items_[slot].is_slot_id) return;
   erase_from_index(ids_[slot]);
@@ -148,28 +148,28 @@ void ItemTable::ids(std::vector<ItemId>& result) const {
   result.clear();
   result.reserve(size_);
   for (std::uint32_t slot = 0; slot < items_.size(); ++slot) {
-    if (items_[slot].is_alive) result.push_back(id(slot));
+    if (items_[slot].is_live) result.push_back(id(slot));
   }
   std::sort(result.begin(), result.end());
 }
 
-// Linear probing. A removal moves later entries to earlier positions, so that no search stops at a gap too early.
+// Linear probing. A removal moves later entries to earlier buckets, so that no search stops too early.
 // Source: Knuth, *The Art of Computer Programming* 3, 6.4, algorithms L and R.
-std::size_t ItemTable::home(ItemId id) const {
+std::size_t ItemTable::home_bucket(ItemId id) const {
   return static_cast<std::size_t>((mix(id.value) >> 32) * index_.size() >> 32);
 }
 
-std::size_t ItemTable::position(ItemId id) const {
-  std::size_t at = home(id);
-  while (index_[at] != kEmpty && ids_[index_[at]] != id) at = next_position(at);
-  return at;
+std::size_t ItemTable::bucket_of(ItemId id) const {
+  std::size_t bucket = home_bucket(id);
+  while (index_[bucket] != kEmpty && ids_[index_[bucket]] != id) bucket = next_bucket(bucket);
+  return bucket;
 }
 
 // Reads no ids, because the ids of the entries are at unrelated addresses in memory.
-std::size_t ItemTable::gap_for(ItemId id) const {
-  std::size_t at = home(id);
-  while (index_[at] != kEmpty) at = next_position(at);
-  return at;
+std::size_t ItemTable::empty_bucket_for(ItemId id) const {
+  std::size_t bucket = home_bucket(id);
+  while (index_[bucket] != kEmpty) bucket = next_bucket(bucket);
+  return bucket;
 }
 
 void ItemTable::make_room_in_index(std::size_t count) {
@@ -178,18 +178,18 @@ void ItemTable::make_room_in_index(std::size_t count) {
   std::vector<std::uint32_t> larger(std::max(needed, 2 * index_.size()), kEmpty);
   index_.swap(larger);
   for (const std::uint32_t slot : larger) {
-    if (slot != kEmpty) index_[gap_for(ids_[slot])] = slot;
+    if (slot != kEmpty) index_[empty_bucket_for(ids_[slot])] = slot;
   }
 }
 
 void ItemTable::erase_from_index(ItemId id) {
-  std::size_t gap = position(id);
-  for (std::size_t at = next_position(gap); index_[at] != kEmpty; at = next_position(at)) {
-    if (probe_distance(home(ids_[index_[at]]), at) < probe_distance(gap, at)) continue;
-    index_[gap] = index_[at];
-    gap = at;
+  std::size_t empty = bucket_of(id);
+  for (std::size_t bucket = next_bucket(empty); index_[bucket] != kEmpty; bucket = next_bucket(bucket)) {
+    if (probe_distance(home_bucket(ids_[index_[bucket]]), bucket) < probe_distance(empty, bucket)) continue;
+    index_[empty] = index_[bucket];
+    empty = bucket;
   }
-  index_[gap] = kEmpty;
+  index_[empty] = kEmpty;
 }
 
 }  // namespace waywright::constraint

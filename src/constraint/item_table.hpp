@@ -50,10 +50,10 @@ class ItemTable {
 
   ItemTable();
 
-  [[nodiscard]] bool contains(ItemId id) const { return is_in_its_own_slot(id) || index_[position(id)] != kEmpty; }
+  [[nodiscard]] bool contains(ItemId id) const { return is_in_its_own_slot(id) || index_[bucket_of(id)] != kEmpty; }
   /// The slot of an item. Requires: contains(id).
   [[nodiscard]] std::uint32_t slot(ItemId id) const {
-    return is_in_its_own_slot(id) ? static_cast<std::uint32_t>(id.value) : index_[position(id)];
+    return is_in_its_own_slot(id) ? static_cast<std::uint32_t>(id.value) : index_[bucket_of(id)];
   }
   [[nodiscard]] ItemId id(std::uint32_t slot) const { return items_[slot].is_slot_id ? ItemId{slot} : ids_[slot]; }
   [[nodiscard]] ItemKind kind(std::uint32_t slot) const { return items_[slot].kind; }
@@ -95,7 +95,7 @@ class ItemTable {
     items_.reserve(items_.size() + count);
     make_room_in_index(index_entries);
   }
-  /// Prefetches the position in the index of an id that will soon be added.
+  /// Prefetches the bucket at which the search for an id will start. The id will soon be added.
   void prefetch(ItemId id) const;
   /// Adds an item and returns its slot. Requires: no item has this id.
   std::uint32_t add_item(ItemId id, ItemKind kind, FillRule fill);
@@ -136,16 +136,16 @@ class ItemTable {
   }
 
  private:
-  static constexpr std::uint32_t kEmpty = 0;  ///< marks a gap in the index, which never contains slot 0, the domain
+  static constexpr std::uint32_t kEmpty = 0;  ///< marks an empty bucket: the index never contains slot 0, the domain
   static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
   static constexpr std::uint32_t kEndsRing = 0x80000000;
 
   struct Record {
     /// For a point: its corner. For other items: the slot of their last side. For a free slot: the next free slot.
-    std::uint32_t position = kNone;
+    std::uint32_t corner_or_side = kNone;
     ItemKind kind = ItemKind::point;
     bool is_slot_id = true;
-    bool is_alive = false;  ///< false for the domain, too
+    bool is_live = false;  ///< false for the domain, too
     FillRule fill = FillRule::even_odd;
   };
   struct Link {
@@ -160,7 +160,7 @@ class ItemTable {
   template <class Visit>
   void for_each_link(std::uint32_t item, Visit&& visit) const {
     if (items_[item].kind == ItemKind::point) return;
-    const std::uint32_t last = items_[item].position;
+    const std::uint32_t last = items_[item].corner_or_side;
     std::uint32_t slot = last;
     do {
       slot = sides_[slot].next & ~kEndsRing;
@@ -168,25 +168,28 @@ class ItemTable {
     } while (slot != last);
   }
   void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
-  void recycle(std::uint32_t slot);
-  /// Makes the item of a slot alive and enters its id; leave() does the opposite.
-  void enter(std::uint32_t slot);
-  void leave(std::uint32_t slot);
+  void free_slots(std::uint32_t slot);
+  /// Marks the item of a slot as live, counts it and, if its slot is not its id, adds it to the index.
+  /// unregister_item() does the opposite.
+  void register_item(std::uint32_t slot);
+  void unregister_item(std::uint32_t slot);
 
   /// Whether an item has this id and its slot has the same number. The index does not contain such an item.
   [[nodiscard]] bool is_in_its_own_slot(ItemId id) const {
     if (id.value >= items_.size()) return false;
     const Record& record = items_[static_cast<std::size_t>(id.value)];
-    return record.is_alive && record.is_slot_id;
+    return record.is_live && record.is_slot_id;
   }
-  /// The position of an id in the index, or the position of the gap where a search for it ends.
-  [[nodiscard]] std::size_t position(ItemId id) const;
-  /// The position of the gap for an id that is not in the index.
-  [[nodiscard]] std::size_t gap_for(ItemId id) const;
-  /// The position at which the search for an id starts.
-  [[nodiscard]] std::size_t home(ItemId id) const;
-  [[nodiscard]] std::size_t next_position(std::size_t at) const { return at + 1 == index_.size() ? 0 : at + 1; }
-  /// The number of positions from `from` to `to`, onwards through the index.
+  /// The bucket of the index with the slot of this id, or the empty bucket at which the search for the id ends.
+  [[nodiscard]] std::size_t bucket_of(ItemId id) const;
+  /// The empty bucket for an id that is not in the index.
+  [[nodiscard]] std::size_t empty_bucket_for(ItemId id) const;
+  /// The bucket at which the search for an id starts.
+  [[nodiscard]] std::size_t home_bucket(ItemId id) const;
+  [[nodiscard]] std::size_t next_bucket(std::size_t bucket) const {
+    return bucket + 1 == index_.size() ? 0 : bucket + 1;
+  }
+  /// The number of buckets from `from` to `to`, onwards through the index.
   [[nodiscard]] std::size_t probe_distance(std::size_t from, std::size_t to) const {
     return to >= from ? to - from : to + index_.size() - from;
   }
@@ -196,7 +199,7 @@ class ItemTable {
   std::vector<Record> items_;
   memory::Pages<ItemId> ids_;  ///< by slot, for items whose slot is not their id
   std::vector<Link> sides_;
-  memory::FreeList free_items_;       ///< linked by Record::position
+  memory::FreeList free_items_;       ///< linked by Record::corner_or_side
   memory::FreeList free_sides_;       ///< linked by Link::next
   std::vector<std::uint32_t> index_;  ///< slots of items whose slot is not their id; at most two thirds are in use
   std::size_t index_size_ = 0;
@@ -216,7 +219,7 @@ class ItemTable {
 template <class Visit>
 void ItemTable::for_each_corner(std::uint32_t item, Visit&& visit) const {
   const ItemKind kind = items_[item].kind;
-  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item].position}, true);
+  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item].corner_or_side}, true);
   for_each_link(item, [&](std::uint32_t slot) {
     const auto& [side, next] = sides_[slot];
     const bool ends_ring = (next & kEndsRing) != 0;

@@ -54,7 +54,7 @@ void ConstrainedTriangulation<Geometry>::set_corner_uses(mesh::Vertex v, Uses us
 /// Makes room for the list of every vertex. The list of a new vertex is empty.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::grow_corner_uses() {
-  corner_uses_.cover(topology().vertex_slots(), UseLists::kNone);
+  corner_uses_.grow_to(topology().vertex_slots(), UseLists::kNone);
 }
 
 }  // namespace waywright::constraint

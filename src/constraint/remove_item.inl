@@ -23,16 +23,16 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   for (const mesh::Vertex v : outline_.corners) triangulation_.prefetch_star(v);
   items_.remove_item(slot, hash);
   touched_.clear();
-  items_.for_each_side(slot, [&](std::uint32_t side) { strip_side(side); });
-  for (const mesh::Vertex v : outline_.corners) strip_corner(v, slot);
+  items_.for_each_side(slot, [&](std::uint32_t side) { remove_side(side); });
+  for (const mesh::Vertex v : outline_.corners) remove_corner_use(v, slot);
   triangulation_.legalise_freed();
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const mesh::Vertex v : touched_) drop_if_unneeded(v);
+  for (const mesh::Vertex v : touched_) remove_if_unneeded(v);
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::strip_side(std::uint32_t slot) {
+void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
   const Side& side = items_.side(slot);
   for (mesh::Vertex u = side.from; u != side.to;) {
     const mesh::HalfEdge h = edge_of_side(u, slot);
@@ -48,13 +48,13 @@ void ConstrainedTriangulation<Geometry>::strip_side(std::uint32_t slot) {
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::strip_corner(mesh::Vertex v, std::uint32_t item) {
+void ConstrainedTriangulation<Geometry>::remove_corner_use(mesh::Vertex v, std::uint32_t item) {
   set_corner_uses(v, uses_.remove(corner_uses_[number(v)], item));
   touched_.push_back(v);
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::drop_if_unneeded(mesh::Vertex v) {
+void ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex v) {
   if (corner_uses_[number(v)] != UseLists::kNone) return;
   // All sides at a vertex without corners run straight on. Two fixed edges therefore lie on one line, and more of them
   // mean a crossing.

@@ -19,7 +19,7 @@ SegmentWalk::Stop SegmentWalk::leave_vertex(mesh::Vertex u) const {
 
 /// The start of a segment on an edge. If the end of the segment lies on the edge's line, this is at the vertex ahead.
 /// Otherwise the segment is about to leave the face at the edge that is away from its end.
-SegmentWalk::Stop SegmentWalk::stand_on_start_edge() const {
+SegmentWalk::Stop SegmentWalk::stop_on_start_edge() const {
   const mesh::HalfEdge h = start_.h;
   if (geometry().order(from(), to()) == 0) return {mesh::kNoVertex, h, false, true};
   const Sign end_side = geometry().orientation(delaunay_.view(mesh_.origin(h)), delaunay_.view(mesh_.target(h)), to());

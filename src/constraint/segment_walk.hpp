@@ -64,7 +64,7 @@ class SegmentWalk {
   [[nodiscard]] bool is_ahead(mesh::Vertex u, mesh::Vertex v) const { return delaunay_.comes_before(u, v) == ascends_; }
 
   [[nodiscard]] Stop leave_vertex(mesh::Vertex u) const;
-  [[nodiscard]] Stop stand_on_start_edge() const;
+  [[nodiscard]] Stop stop_on_start_edge() const;
   [[nodiscard]] Stop leave_face(mesh::HalfEdge any) const;
   template <class Visitor>
   [[nodiscard]] mesh::HalfEdge cross_faces(mesh::HalfEdge exit, Visitor&& visitor) const;
@@ -112,29 +112,29 @@ mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) 
 
 template <class Visitor>
 void SegmentWalk::run(Visitor&& visitor) {
-  Stop stand;
-  if (start_.spot == locate::Spot::vertex) {
-    stand = stop_at_vertex(mesh_.origin(start_.h));
-  } else if (start_.spot == locate::Spot::edge) {
-    stand = stand_on_start_edge();
-    if (stand.vertex != mesh::kNoVertex && !visitor.at_edge(start_.h, false)) return;
+  Stop stop;
+  if (start_.kind == locate::LocatedKind::vertex) {
+    stop = stop_at_vertex(mesh_.origin(start_.h));
+  } else if (start_.kind == locate::LocatedKind::edge) {
+    stop = stop_on_start_edge();
+    if (stop.vertex != mesh::kNoVertex && !visitor.at_edge(start_.h, false)) return;
   } else {
     if (geometry().order(from(), to()) == 0) return;
-    stand = leave_face(start_.h);
+    stop = leave_face(start_.h);
   }
   for (;;) {
-    if (stand.through != mesh::kNoHalfEdge && !visitor.through_face(stand.through)) return;
-    if (stand.has_ended) return;
-    if (stand.vertex != mesh::kNoVertex) {
-      if (!visitor.at_vertex(stand.vertex)) return;
-      if (geometry().order(to(), delaunay_.view(stand.vertex)) == 0) return;
-      stand = leave_vertex(stand.vertex);
+    if (stop.through != mesh::kNoHalfEdge && !visitor.through_face(stop.through)) return;
+    if (stop.has_ended) return;
+    if (stop.vertex != mesh::kNoVertex) {
+      if (!visitor.at_vertex(stop.vertex)) return;
+      if (geometry().order(to(), delaunay_.view(stop.vertex)) == 0) return;
+      stop = leave_vertex(stop.vertex);
     } else {
-      if (!visitor.at_edge(stand.exit, stand.ends_on_exit)) return;
-      if (stand.ends_on_exit) return;
-      const mesh::HalfEdge entry = cross_faces(stand.exit, visitor);
+      if (!visitor.at_edge(stop.exit, stop.ends_on_exit)) return;
+      if (stop.ends_on_exit) return;
+      const mesh::HalfEdge entry = cross_faces(stop.exit, visitor);
       if (entry == mesh::kNoHalfEdge) return;
-      stand = stop_at_vertex(mesh_.apex(entry), entry);
+      stop = stop_at_vertex(mesh_.apex(entry), entry);
     }
   }
 }

@@ -43,42 +43,42 @@ class SlotSet {
  public:
   /// Adds a number. Returns whether it was not in the set yet.
   bool insert(std::uint32_t number) {
-    if (3 * (places_.size() + 1) > 2 * table_.size()) grow();
-    const std::size_t at = place_of(number);
-    if (table_[at] == number) return false;
-    places_.push_back(static_cast<std::uint32_t>(at));
-    table_[at] = number;
+    if (3 * (buckets_.size() + 1) > 2 * table_.size()) grow();
+    const std::size_t bucket = bucket_of(number);
+    if (table_[bucket] == number) return false;
+    buckets_.push_back(static_cast<std::uint32_t>(bucket));
+    table_[bucket] = number;
     return true;
   }
   void clear() {
-    for (const std::uint32_t position : places_) table_[position] = kEmpty;
-    places_.clear();
+    for (const std::uint32_t bucket : buckets_) table_[bucket] = kEmpty;
+    buckets_.clear();
   }
 
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffff;
 
-  /// The position of the number, or of the gap for it. Source: Knuth, *The Art of Computer Programming* 3, 6.4,
+  /// The bucket of the number, or the empty bucket for it. Source: Knuth, *The Art of Computer Programming* 3, 6.4,
   /// algorithm L.
-  [[nodiscard]] std::size_t place_of(std::uint32_t number) const {
+  [[nodiscard]] std::size_t bucket_of(std::uint32_t number) const {
     const std::size_t mask = table_.size() - 1;
-    std::size_t at = static_cast<std::size_t>(mix(number)) & mask;
-    while (table_[at] != kEmpty && table_[at] != number) at = (at + 1) & mask;
-    return at;
+    std::size_t bucket = static_cast<std::size_t>(mix(number)) & mask;
+    while (table_[bucket] != kEmpty && table_[bucket] != number) bucket = (bucket + 1) & mask;
+    return bucket;
   }
   void grow() {
     std::vector<std::uint32_t> old(std::max<std::size_t>(2 * table_.size(), 64), kEmpty);
-    places_.reserve(old.size());
+    buckets_.reserve(old.size());
     old.swap(table_);
-    for (std::uint32_t& position : places_) {
-      const std::uint32_t number = old[position];
-      position = static_cast<std::uint32_t>(place_of(number));
-      table_[position] = number;
+    for (std::uint32_t& bucket : buckets_) {
+      const std::uint32_t number = old[bucket];
+      bucket = static_cast<std::uint32_t>(bucket_of(number));
+      table_[bucket] = number;
     }
   }
 
-  std::vector<std::uint32_t> table_;   ///< its size is 0 or a power of two; at most two thirds are in use
-  std::vector<std::uint32_t> places_;  ///< by element: its position in the table
+  std::vector<std::uint32_t> table_;    ///< its size is 0 or a power of two; at most two thirds are in use
+  std::vector<std::uint32_t> buckets_;  ///< by element: its bucket in the table
 };
 
 }  // namespace waywright::constraint

@@ -3,7 +3,7 @@
 namespace waywright::constraint {
 
 Uses UseLists::add(Uses list, std::uint32_t user) {
-  if (list == kNone) return of(user);
+  if (list == kNone) return single(user);
   if (free_nodes_.is_empty()) {
     nodes_.append({user, list});
     return static_cast<Uses>(nodes_.size() - 1) | kNode;
@@ -32,12 +32,12 @@ Uses UseLists::remove(Uses list, std::uint32_t user) {
   Uses before = kNone;
   for (Uses at = list;;) {
     const Node node = nodes_[at & ~kNode];
-    if (node.user != user && node.rest != of(user)) {
+    if (node.user != user && node.rest != single(user)) {
       before = at;
       at = node.rest;
       continue;
     }
-    const Uses rest = node.user == user ? node.rest : of(node.user);
+    const Uses rest = node.user == user ? node.rest : single(node.user);
     if (before != kNone) nodes_.write(before & ~kNode, {nodes_[before & ~kNode].user, rest});
     free_node(at);
     return before == kNone ? rest : list;
@@ -56,7 +56,7 @@ bool UseLists::contains(Uses list, std::uint32_t user) const {
   for (; is_node(list); list = nodes_[list & ~kNode].rest) {
     if (nodes_[list & ~kNode].user == user) return true;
   }
-  return list == of(user);
+  return list == single(user);
 }
 
 // write() comes first: it may run out of memory.

@@ -20,7 +20,8 @@ class UseLists {
   static constexpr Uses kNone = 0;
   static constexpr std::uint32_t kLargestUser = 0x7ffffffd;
 
-  [[nodiscard]] static constexpr Uses of(std::uint32_t user) { return user + 1; }
+  /// Returns the list of one user. Allocates nothing.
+  [[nodiscard]] static constexpr Uses single(std::uint32_t user) { return user + 1; }
 
   [[nodiscard]] Uses add(Uses list, std::uint32_t user);
   [[nodiscard]] Uses copy(Uses list);

@@ -16,7 +16,7 @@
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "threads/crew.hpp"
+#include "threads/thread_team.hpp"
 
 namespace waywright::delaunay {
 
@@ -48,7 +48,7 @@ class DivideAndConquer {
 
   /// Triangulates all points, and does `jobs` at the same time. Reports how many points are in finished pieces.
   /// Requires: there are at least two points.
-  void run(const threads::Crew& crew, std::span<const threads::Job> jobs);
+  void run(const threads::ThreadTeam& team, std::span<const threads::Job> jobs);
 
   static constexpr mesh::Vertex kGhost{0};
 
@@ -58,7 +58,7 @@ class DivideAndConquer {
   using Sign = exact::Sign;
   /// A triangulated range of points. Each edge of its convex hull has a ghost face. The half-edge of this face that is
   /// opposite to the ghost represents the hull edge: it runs clockwise around the piece.
-  struct Part {
+  struct Piece {
     Vertex any{};                       ///< a vertex of the piece
     HalfEdge hull = mesh::kNoHalfEdge;  ///< a hull edge, if the piece has more than one vertex
   };
@@ -86,8 +86,8 @@ class DivideAndConquer {
   [[nodiscard]] Sign orientation(Vertex a, Vertex b, Vertex c) const {
     return geometry_.orientation(view(a), view(b), view(c));
   }
-  [[nodiscard]] bool circle_holds(Vertex a, Vertex b, Vertex c, Vertex d) const {
-    return delaunay::circle_holds(geometry_, view(a), view(b), view(c), view(d));
+  [[nodiscard]] bool circle_contains(Vertex a, Vertex b, Vertex c, Vertex d) const {
+    return delaunay::circle_contains(geometry_, view(a), view(b), view(c), view(d));
   }
   [[nodiscard]] bool comes_before(Vertex p, Vertex q, Cut cut) const {
     const Point& a = point(p);
@@ -117,29 +117,29 @@ class DivideAndConquer {
   /// A range of points that one thread triangulates, and the result.
   struct Task {
     std::uint32_t begin, end;
-    Part part;
+    Piece piece;
   };
   void list_tasks(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
-  Part merge_tasks(std::uint32_t begin, std::uint32_t end, std::size_t& next_task);
+  Piece merge_tasks(std::uint32_t begin, std::uint32_t end, std::size_t& next_task);
 
   struct Split {
     std::uint32_t middle;
     Cut cut;
   };
   [[nodiscard]] Split split(std::uint32_t begin, std::uint32_t end) const;
-  Part triangulate(std::uint32_t begin, std::uint32_t end);
-  Part make_edge(std::uint32_t begin);
-  Part make_three(std::uint32_t begin);
-  Part make_triangle(std::uint32_t f, Vertex a, Vertex b, Vertex c);
-  Part make_chain(std::uint32_t f, Vertex a, Vertex b, Vertex c);
+  Piece triangulate(std::uint32_t begin, std::uint32_t end);
+  Piece make_edge(std::uint32_t begin);
+  Piece make_three(std::uint32_t begin);
+  Piece make_triangle(std::uint32_t f, Vertex a, Vertex b, Vertex c);
+  Piece make_chain(std::uint32_t f, Vertex a, Vertex b, Vertex c);
 
-  Part merge(const Part& left, const Part& right, std::uint32_t f, Cut cut);
+  Piece merge(const Piece& left, const Piece& right, std::uint32_t f, Cut cut);
   [[nodiscard]] HalfEdge find_last(HalfEdge hull, Cut cut) const;
   [[nodiscard]] HalfEdge find_first(HalfEdge hull, Cut cut) const;
-  [[nodiscard]] MergeState lower_tangent(const Part& left, const Part& right, Cut cut) const;
+  [[nodiscard]] MergeState lower_tangent(const Piece& left, const Piece& right, Cut cut) const;
   void open(MergeState& state, std::uint32_t f);
-  void uncover_left(MergeState& state, Vertex& candidate);
-  void uncover_right(MergeState& state, Vertex& candidate);
+  void remove_left_edges(MergeState& state, Vertex& candidate);
+  void remove_right_edges(MergeState& state, Vertex& candidate);
   void join_left(MergeState& state, Vertex candidate);
   void join_right(MergeState& state, Vertex candidate);
 
@@ -152,18 +152,18 @@ class DivideAndConquer {
 
 // The cuts do not depend on the number of threads: each task is a range that the recursion makes in any case.
 template <class Geometry>
-void DivideAndConquer<Geometry>::run(const threads::Crew& crew, std::span<const threads::Job> jobs) {
+void DivideAndConquer<Geometry>::run(const threads::ThreadTeam& team, std::span<const threads::Job> jobs) {
   const auto count = static_cast<std::uint32_t>(points_.size());
-  const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * crew.threads()));
+  const std::size_t most = std::min(kLargestTask, count / (kTasksPerThread * team.threads()));
   tasks_.clear();
   list_tasks(0, count, std::max(kSmallestTask, static_cast<std::uint32_t>(most)));
   std::atomic<std::size_t> done{0};
-  crew.take_turns(jobs.size() + tasks_.size(), [&](std::size_t, std::size_t i) {
+  team.for_each_index(jobs.size() + tasks_.size(), [&](std::size_t, std::size_t i) {
     if (i < jobs.size()) return jobs[i]();
     Task& task = tasks_[i - jobs.size()];
-    task.part = triangulate(task.begin, task.end);
+    task.piece = triangulate(task.begin, task.end);
     done += task.end - task.begin;
-    crew.report(done);
+    team.report(done);
   });
   std::size_t next_task = 0;
   (void)merge_tasks(0, count, next_task);
@@ -181,13 +181,13 @@ void DivideAndConquer<Geometry>::list_tasks(std::uint32_t begin, std::uint32_t e
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge_tasks(std::uint32_t begin,
-                                                                                  std::uint32_t end,
-                                                                                  std::size_t& next_task) {
-  if (tasks_[next_task].end == end) return tasks_[next_task++].part;
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::merge_tasks(std::uint32_t begin,
+                                                                                   std::uint32_t end,
+                                                                                   std::size_t& next_task) {
+  if (tasks_[next_task].end == end) return tasks_[next_task++].piece;
   const auto [middle, cut] = split(begin, end);
-  const Part left = merge_tasks(begin, middle, next_task);
-  const Part right = merge_tasks(middle, end, next_task);
+  const Piece left = merge_tasks(begin, middle, next_task);
+  const Piece right = merge_tasks(middle, end, next_task);
   return merge(left, right, 2 * middle - 2, cut);
 }
 
@@ -206,20 +206,20 @@ typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::triangulate(std::uint32_t begin,
-                                                                                  std::uint32_t end) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::triangulate(std::uint32_t begin,
+                                                                                   std::uint32_t end) {
   const std::uint32_t count = end - begin;
   if (count == 1) return {Vertex{begin + 1}, mesh::kNoHalfEdge};
   if (count == 2) return make_edge(begin);
   if (count == 3) return make_three(begin);
   const auto [middle, cut] = split(begin, end);
-  const Part left = triangulate(begin, middle);
-  const Part right = triangulate(middle, end);
+  const Piece left = triangulate(begin, middle);
+  const Piece right = triangulate(middle, end);
   return merge(left, right, 2 * middle - 2, cut);
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_edge(std::uint32_t begin) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_edge(std::uint32_t begin) {
   const Vertex a{begin + 1};
   const Vertex b{begin + 2};
   const HalfEdge ab = make_face(2 * begin, a, b, kGhost);
@@ -231,7 +231,7 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_edge(
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_three(std::uint32_t begin) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_three(std::uint32_t begin) {
   Vertex a{begin + 1};
   Vertex b{begin + 2};
   Vertex c{begin + 3};
@@ -245,8 +245,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_three
 }
 
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_triangle(std::uint32_t f, Vertex a, Vertex b,
-                                                                                    Vertex c) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_triangle(std::uint32_t f, Vertex a,
+                                                                                     Vertex b, Vertex c) {
   const HalfEdge ab = make_face(f, a, b, c);
   const HalfEdge ba = make_face(f + 1, b, a, kGhost);
   const HalfEdge cb = make_face(f + 2, c, b, kGhost);
@@ -262,8 +262,8 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_trian
 
 /// Makes the triangulation of three points on a line, which are given in order.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
-                                                                                 Vertex c) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::make_chain(std::uint32_t f, Vertex a, Vertex b,
+                                                                                  Vertex c) {
   const HalfEdge ab = make_face(f, a, b, kGhost);
   const HalfEdge bc = make_face(f + 1, b, c, kGhost);
   const HalfEdge cb = make_face(f + 2, c, b, kGhost);
@@ -321,8 +321,8 @@ mesh::HalfEdge DivideAndConquer<Geometry>::find_first(HalfEdge hull, Cut cut) co
 // both pieces lie left of the line from l to r, or on it. If several vertices of a piece lie on this line, l (or r) is
 // the one nearest to the cut.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Part& left,
-                                                                                          const Part& right,
+typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lower_tangent(const Piece& left,
+                                                                                          const Piece& right,
                                                                                           Cut cut) const {
   MergeState state{left.any, right.any, {}, left.hull, right.hull, {}, {}};
   const bool has_left = left.hull != mesh::kNoHalfEdge;
@@ -384,12 +384,12 @@ void DivideAndConquer<Geometry>::open(MergeState& state, std::uint32_t f) {
 //      p ----- l    ->    p   | l    becomes the candidate. The edge from l to the ghost stays as it is.
 //        ghost             ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candidate) {
+void DivideAndConquer<Geometry>::remove_left_edges(MergeState& state, Vertex& candidate) {
   for (;;) {
     const HalfEdge lp = twin(state.left);
     const HalfEdge xl = previous(lp);
     const Vertex x = origin(xl);
-    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    if (x == kGhost || !circle_contains(state.l, state.r, candidate, x)) return;
     const HalfEdge ghost_to_p = previous(state.left);
     set_origin(state.left, x);
     set_origin(lp, kGhost);
@@ -400,14 +400,14 @@ void DivideAndConquer<Geometry>::uncover_left(MergeState& state, Vertex& candida
   }
 }
 
-/// Does the same as uncover_left() in the right piece, where the hull edge is r - q.
+/// Does the same as remove_left_edges() in the right piece, where the hull edge is r - q.
 template <class Geometry>
-void DivideAndConquer<Geometry>::uncover_right(MergeState& state, Vertex& candidate) {
+void DivideAndConquer<Geometry>::remove_right_edges(MergeState& state, Vertex& candidate) {
   for (;;) {
     const HalfEdge qr = twin(state.right);
     const HalfEdge rx = next(qr);
     const Vertex x = target(rx);
-    if (x == kGhost || !circle_holds(state.l, state.r, candidate, x)) return;
+    if (x == kGhost || !circle_contains(state.l, state.r, candidate, x)) return;
     const HalfEdge q_to_ghost = next(state.right);
     set_origin(q_to_ghost, x);
     set_origin(rx, kGhost);
@@ -446,8 +446,8 @@ void DivideAndConquer<Geometry>::join_right(MergeState& state, Vertex candidate)
 // Each step finds the face above the base: a circle through the ends of the base grows upwards between the pieces until
 // it meets the next vertex of either piece.
 template <class Geometry>
-typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(const Part& left, const Part& right,
-                                                                            std::uint32_t f, Cut cut) {
+typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::merge(const Piece& left, const Piece& right,
+                                                                             std::uint32_t f, Cut cut) {
   MergeState state = lower_tangent(left, right, cut);
   open(state, f);
   for (;;) {
@@ -456,9 +456,9 @@ typename DivideAndConquer<Geometry>::Part DivideAndConquer<Geometry>::merge(cons
     const bool has_p = orientation(state.l, state.r, p) == Sign::positive;
     const bool has_q = orientation(state.l, state.r, q) == Sign::positive;
     if (!has_p && !has_q) break;
-    if (has_p) uncover_left(state, p);
-    if (has_q) uncover_right(state, q);
-    if (!has_p || (has_q && circle_holds(state.l, state.r, p, q))) {
+    if (has_p) remove_left_edges(state, p);
+    if (has_q) remove_right_edges(state, q);
+    if (!has_p || (has_q && circle_contains(state.l, state.r, p, q))) {
       join_right(state, q);
     } else {
       join_left(state, p);

@@ -64,7 +64,7 @@ template <class Geometry>
 void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
   dangling_.clear();
   for (std::uint32_t i = 0; i < chain.size(); ++i) {
-    if (!mesh_.is_alive(mesh::face(chain[i].outer))) dangling_.push_back(i);
+    if (!mesh_.is_live(mesh::face(chain[i].outer))) dangling_.push_back(i);
   }
   if (dangling_.empty()) return;
   std::sort(dangling_.begin(), dangling_.end(),

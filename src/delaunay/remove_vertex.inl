@@ -74,7 +74,7 @@ mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(const Star& star) {
   hole_sides_.pop_back();
   const mesh::HalfEdge base = refill_hole();
   mesh_.close(base, last);
-  forget(v, base);
+  free_vertex(v, base);
   return mesh::kNoHalfEdge;
 }
 
@@ -94,7 +94,7 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(const Star& star) 
   collect_hole(star, to_p, to_q);
   const mesh::HalfEdge right = refill_hole();
   mesh_.link(left, right, label);
-  forget(v, left);
+  free_vertex(v, left);
   return left;
 }
 
@@ -154,15 +154,15 @@ typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_ove
   const View& b = hole_positions_[to];
   std::uint32_t apex = from + 1;
   for (std::uint32_t i = apex + 1; i < to; ++i) {
-    if (circle_holds(geometry_, a, hole_positions_[apex], b, hole_positions_[i])) apex = i;
+    if (circle_contains(geometry_, a, hole_positions_[apex], b, hole_positions_[i])) apex = i;
   }
   return {from, apex, to};
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::forget(mesh::Vertex v, mesh::HalfEdge near) {
+void Triangulation<Geometry>::free_vertex(mesh::Vertex v, mesh::HalfEdge near) {
   mesh_.free_vertex(v);
-  sectors_.forget(geometry_.rounded(number(v)), v, mesh_.origin(near));
+  sectors_.replace(geometry_.rounded(number(v)), v, mesh_.origin(near));
   geometry_.clear(number(v));
   remember(near);
 }

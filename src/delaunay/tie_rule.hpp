@@ -11,8 +11,8 @@ namespace waywright::delaunay {
 /// is one of the others, a swap of this point and d in the determinant leads to the same case. The orientation of d and
 /// the two remaining points gives the sign: the circle contains d if it is negative.
 template <class Geometry, class View = typename Geometry::View>
-[[nodiscard]] bool tied_circle_holds(const Geometry& geometry, const View& a, const View& b, const View& c,
-                                     const View& d) {
+[[nodiscard]] bool tied_circle_contains(const Geometry& geometry, const View& a, const View& b, const View& c,
+                                        const View& d) {
   const View* first = &d;
   for (const View* const v : {&a, &b, &c}) {
     if (geometry.order(*v, *first) < 0) first = v;
@@ -27,10 +27,11 @@ template <class Geometry, class View = typename Geometry::View>
 /// Whether the circle through `a`, `b` and `c` (counter-clockwise) contains `d`; breaks ties. Requires: `d` differs
 /// from the other three.
 template <class Geometry, class View = typename Geometry::View>
-[[nodiscard]] bool circle_holds(const Geometry& geometry, const View& a, const View& b, const View& c, const View& d) {
+[[nodiscard]] bool circle_contains(const Geometry& geometry, const View& a, const View& b, const View& c,
+                                   const View& d) {
   const exact::Sign sign = geometry.in_circle(a, b, c, d);
   if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
-  return tied_circle_holds(geometry, a, b, c, d);
+  return tied_circle_contains(geometry, a, b, c, d);
 }
 
 }  // namespace waywright::delaunay

@@ -34,12 +34,12 @@ class Triangulation {
   /// left) are fixed with these labels.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels)
       : Triangulation(box, side_labels, locate::sort_along_curve(box, corners_of(box))) {}
-  /// Makes the triangulation of the domain `box` with a vertex at each point of `sorted`, all at once. The crew runs
+  /// Makes the triangulation of the domain `box` with a vertex at each point of `sorted`, all at once. The team runs
   /// `jobs` at the same time. The first four points before the sort were the corners of the domain, in the order of
   /// corners_of(). The constructor takes the points and keys out of `sorted` and leaves the ranks. Source: see
   /// DivideAndConquer.
   Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels, locate::SortedPoints&& sorted,
-                const threads::Crew& crew = {}, std::span<const threads::Job> jobs = {});
+                const threads::ThreadTeam& team = {}, std::span<const threads::Job> jobs = {});
 
   /// The corners of the domain `box` as points, counter-clockwise from the first in (x, y) order.
   [[nodiscard]] static std::array<Point, 4> corners_of(const Box& box) {
@@ -56,8 +56,8 @@ class Triangulation {
   [[nodiscard]] bool is_ghost_face(mesh::HalfEdge h) const {
     return mesh_.origin(h) == ghost_ || mesh_.target(h) == ghost_ || mesh_.apex(h) == ghost_;
   }
-  /// Whether the face is alive and lies in the domain.
-  [[nodiscard]] bool is_in_box(mesh::Face f) const { return mesh_.is_alive(f) && !is_ghost_face(mesh::first(f)); }
+  /// Whether the face is live and lies in the domain.
+  [[nodiscard]] bool is_in_box(mesh::Face f) const { return mesh_.is_live(f) && !is_ghost_face(mesh::first(f)); }
   /// The corners of the domain as vertices, counter-clockwise from the first in (x, y) order.
   [[nodiscard]] const std::array<mesh::Vertex, 4>& box_corners() const { return box_corners_; }
 
@@ -201,7 +201,7 @@ class Triangulation {
   void collect_hole(const Star& star, std::size_t from, std::size_t to);
   mesh::HalfEdge refill_hole();
   [[nodiscard]] Triangle triangle_over(std::uint32_t from, std::uint32_t to) const;
-  void forget(mesh::Vertex v, mesh::HalfEdge near);
+  void free_vertex(mesh::Vertex v, mesh::HalfEdge near);
 
   void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
   void append_to(Chain& chain, mesh::HalfEdge inner);

@@ -20,13 +20,13 @@ using mesh::previous;
 // DivideAndConquer does not use the sectors. So a job can fill them at the same time.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
-                                       locate::SortedPoints&& sorted, const threads::Crew& crew,
+                                       locate::SortedPoints&& sorted, const threads::ThreadTeam& team,
                                        std::span<const threads::Job> jobs)
     : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
   std::vector<mesh::TriangleMesh::Corner> corners(6 * sorted.points.size() - 6);
   std::vector<threads::Job> all_jobs(jobs.begin(), jobs.end());
   all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
-  DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(crew, all_jobs);
+  DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, corners).run(team, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
   sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory
   sorted.points.insert(sorted.points.begin(), Point{});  // the point of the ghost
@@ -116,7 +116,7 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   mesh::Vertex nearest = mesh_.origin(recent_);
   double least = squared_distance(nearest);
   const auto consider = [&](mesh::Vertex v) {
-    if (!mesh_.is_alive(v)) return;
+    if (!mesh_.is_live(v)) return;
     const double distance = squared_distance(v);
     if (distance >= least) return;
     nearest = v;
@@ -136,7 +136,7 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
 template <class Geometry>
 void Triangulation<Geometry>::divide_sector(const Point& point) {
   const mesh::Vertex v = sectors_.near(sectors_.at(point));
-  if (v == mesh::kNoVertex || !mesh_.is_alive(v)) return;
+  if (v == mesh::kNoVertex || !mesh_.is_live(v)) return;
   if (sectors_.are_in_one(point, geometry_.rounded(number(v)))) sectors_.divide(point, mesh_.vertex_count());
 }
 
@@ -157,7 +157,7 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
 template <class Geometry>
 typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const Point& point,
                                                                            const locate::Located& location) {
-  if (location.spot == locate::Spot::vertex) {
+  if (location.kind == locate::LocatedKind::vertex) {
     remember(location.h);
     return {mesh_.origin(location.h), false, mesh::kNoHalfEdge};
   }
@@ -165,10 +165,10 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
   // makes the vertex.
   for (const mesh::HalfEdge h : {location.h, next(location.h), previous(location.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
-  const bool splits_fixed_edge = location.spot == locate::Spot::edge && mesh_.is_fixed(location.h);
+  const bool splits_fixed_edge = location.kind == locate::LocatedKind::edge && mesh_.is_fixed(location.h);
   const mesh::Vertex end = mesh_.origin(location.h);
   in_doubt_.clear();
-  if (location.spot == locate::Spot::face) {
+  if (location.kind == locate::LocatedKind::face) {
     for (const mesh::HalfEdge h : mesh_.split_face(mesh::face(location.h), v)) in_doubt_.push_back(h);
   } else {
     for (const mesh::HalfEdge h : mesh_.split_edge(location.h, v)) {

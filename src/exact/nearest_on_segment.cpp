@@ -68,28 +68,29 @@ void NearestOnSegment::set_to_foot(const Homogeneous& p, const Homogeneous& line
   const Integer squared_length = dx * dx + dy * dy;
   const Integer t = (p.x - line.x) * dx + (p.y - line.y) * dy;
   const Integer across = (p.x - line.x) * dy - (p.y - line.y) * dx;
-  place_ = {line.x * squared_length + dx * t, line.y * squared_length + dy * t, squared_length};
+  position_ = {line.x * squared_length + dx * t, line.y * squared_length + dy * t, squared_length};
   numerator_ = across * across;
   denominator_ = squared_length;
 }
 
 void NearestOnSegment::set_to_end(const ExactPoint& end, const Homogeneous& from) {
-  place_ = to_homogeneous(end, exponent_);
-  const Integer dx = from.x * place_.w - place_.x;
-  const Integer dy = from.y * place_.w - place_.y;
+  position_ = to_homogeneous(end, exponent_);
+  const Integer dx = from.x * position_.w - position_.x;
+  const Integer dy = from.y * position_.w - position_.y;
   numerator_ = dx * dx + dy * dy;
-  denominator_ = place_.w * place_.w;
+  denominator_ = position_.w * position_.w;
 }
 
-Point NearestOnSegment::rounded() const { return round_to_nearest(place_, exponent_); }
+Point NearestOnSegment::rounded() const { return round_to_nearest(position_, exponent_); }
 
 std::strong_ordering NearestOnSegment::compare(const NearestOnSegment& p, const NearestOnSegment& q) {
   const auto by_distance =
       compare_scaled(p.numerator_ * q.denominator_, 2 * p.exponent_, q.numerator_ * p.denominator_, 2 * q.exponent_);
   if (by_distance != 0) return by_distance;
-  const auto by_x = compare_scaled(p.place_.x * q.place_.w, p.exponent_, q.place_.x * p.place_.w, q.exponent_);
+  const auto by_x =
+      compare_scaled(p.position_.x * q.position_.w, p.exponent_, q.position_.x * p.position_.w, q.exponent_);
   if (by_x != 0) return by_x;
-  return compare_scaled(p.place_.y * q.place_.w, p.exponent_, q.place_.y * p.place_.w, q.exponent_);
+  return compare_scaled(p.position_.y * q.position_.w, p.exponent_, q.position_.y * p.position_.w, q.exponent_);
 }
 
 bool NearestOnSegment::is_within(double distance) const {

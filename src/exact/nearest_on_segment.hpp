@@ -32,7 +32,7 @@ class NearestOnSegment {
   void set_to_end(const ExactPoint& end, const Homogeneous& from);
 
   int exponent_;  ///< the unit of all lengths below is 2^exponent_
-  Homogeneous place_;
+  Homogeneous position_;
   // The squared distance is numerator_ / denominator_, in units of 4^exponent_.
   Integer numerator_;
   Integer denominator_;

@@ -85,9 +85,9 @@ bool MapReader::size_line(std::string_view key, std::uint64_t& size) {
 
 bool MapReader::read_row(std::string_view row) {
   constexpr std::string_view kAlphabet = ".GS@OTW";
-  const std::size_t strange = row.find_first_not_of(kAlphabet);
-  if (strange != std::string_view::npos) {
-    return fail("cells out of '.GS@OTW'", text::in_quotes(row.substr(strange, 1)));
+  const std::size_t unknown = row.find_first_not_of(kAlphabet);
+  if (unknown != std::string_view::npos) {
+    return fail("cells out of '.GS@OTW'", text::in_quotes(row.substr(unknown, 1)));
   }
   if (row.size() == width_) return true;
   return fail(text::with_number("a row of ", width_, " cells"), text::with_number("", row.size(), ""));

@@ -142,18 +142,18 @@ PathData::PathData(const SvgFrame& frame) : frame_(frame), near_(frame.map()) {
 }
 
 void PathData::add_chain(PointSpan points) {
-  bool is_joined = false;
+  bool is_continued = false;
   for (std::size_t i = 1; i < points.size(); ++i) {
     Point a = frame_.to_picture(points[i - 1]);
     Point b = frame_.to_picture(points[i]);
     const Point whole = b;
     if (!clip_segment(near_, a, b)) {
-      is_joined = false;
+      is_continued = false;
       continue;
     }
-    if (!is_joined) move_to(a);
+    if (!is_continued) move_to(a);
     line_to(b);
-    is_joined = b == whole;
+    is_continued = b == whole;
   }
 }
 

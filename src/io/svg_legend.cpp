@@ -22,15 +22,15 @@ double entry_width(const LegendEntry& entry) {
 
 /// Returns the position of each entry, in rows that fit the width.
 std::vector<Point> arrange(const std::vector<LegendEntry>& entries, double left, double width) {
-  std::vector<Point> places;
+  std::vector<Point> positions;
   Point next{left, 0.0};
   for (const LegendEntry& entry : entries) {
     const double needed = entry_width(entry) - kSpacing;
     if (next.x > left && next.x + needed > width - kPageMargin) next = {left, next.y + kRowHeight};
-    places.push_back(next);
+    positions.push_back(next);
     next.x += entry_width(entry);
   }
-  return places;
+  return positions;
 }
 
 }  // namespace
@@ -39,12 +39,12 @@ std::string legend(const std::vector<LegendEntry>& entries, const Palette& palet
                    double top, double& height) {
   height = 0.0;
   std::string out = R"(<g id="legend" font-size="14")" + palette({Ink::quiet_text}, {Ink::none}) + ">\n";
-  const std::vector<Point> places = arrange(entries, left, width);
+  const std::vector<Point> positions = arrange(entries, left, width);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     out += "<g transform=\"translate(";
-    append_pixels(out, places[i].x);
+    append_pixels(out, positions[i].x);
     out += ' ';
-    append_pixels(out, top + places[i].y);
+    append_pixels(out, top + positions[i].y);
     out += ")\">";
     out += entries[i].sample;
     out += "<text";
@@ -53,7 +53,7 @@ std::string legend(const std::vector<LegendEntry>& entries, const Palette& palet
     out += '>';
     append_escaped(out, entries[i].label);
     out += "</text></g>\n";
-    height = places[i].y + kRowHeight + kPageMargin / 2.0;
+    height = positions[i].y + kRowHeight + kPageMargin / 2.0;
   }
   return out + "</g>\n";
 }

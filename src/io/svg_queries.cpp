@@ -40,9 +40,9 @@ constexpr std::array<MarkKind, 4> kMarkKinds{MarkKind::in_face, MarkKind::on_edg
                                              MarkKind::covered};
 
 MarkKind kind_of(const Location& location) {
-  if (!location.inside.empty()) return MarkKind::covered;
-  if (location.at == LocationKind::face) return MarkKind::in_face;
-  return location.at == LocationKind::edge ? MarkKind::on_edge : MarkKind::on_vertex;
+  if (!location.polygons.empty()) return MarkKind::covered;
+  if (location.kind == LocationKind::face) return MarkKind::in_face;
+  return location.kind == LocationKind::edge ? MarkKind::on_edge : MarkKind::on_vertex;
 }
 
 Ink ink_of(MarkKind kind) {
@@ -271,10 +271,10 @@ class QueryDrawer {
     for (const SvgLocation& located : overlay_.locations) {
       if (!is_shown(located.at)) continue;
       const MarkKind kind = kind_of(located.answer);
-      std::string about = point_text(located.at) + ": " + std::string(to_string(located.answer.at));
-      if (kind == MarkKind::covered) about += ", inside " + ids_text(located.answer.inside);
-      add_mark(
-          position_mark(located.answer.at, frame_.to_picture(located.at), location_part_, {ink_of(kind)}, hint(about)));
+      std::string about = point_text(located.at) + ": " + std::string(to_string(located.answer.kind));
+      if (kind == MarkKind::covered) about += ", inside " + ids_text(located.answer.polygons);
+      add_mark(position_mark(located.answer.kind, frame_.to_picture(located.at), location_part_, {ink_of(kind)},
+                             hint(about)));
       ++counts[static_cast<std::size_t>(kind)];
     }
     add_location_entries(counts);

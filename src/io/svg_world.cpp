@@ -20,7 +20,7 @@ constexpr std::size_t kMostHints = 50000;
 constexpr std::size_t kMostEdges = 300000;
 
 /// The items that the picture shows, grouped by how they are drawn.
-struct Things {
+struct DrawnItems {
   std::vector<Item> solids;
   std::vector<Item> walls;
   std::vector<Item> dots;
@@ -36,33 +36,33 @@ struct Strokes {
   double dot = 0.0;
 };
 
-bool is_one_place(PointSpan ring) {
+bool is_one_point(PointSpan ring) {
   return std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return point == ring.front(); });
 }
 
-void sort_item(Item item, Things& things) {
+void sort_item(Item item, DrawnItems& items) {
   if (item.shape.kind == ItemKind::polygon) {
-    things.solids.push_back(std::move(item));
-  } else if (is_one_place(item.shape.rings.front())) {
-    things.dots.push_back(std::move(item));
+    items.solids.push_back(std::move(item));
+  } else if (is_one_point(item.shape.rings.front())) {
+    items.dots.push_back(std::move(item));
   } else {
-    things.walls.push_back(std::move(item));
+    items.walls.push_back(std::move(item));
   }
 }
 
-Things things_of(const World& world, const SvgOptions& options) {
-  Things things;
+DrawnItems drawn_items(const World& world, const SvgOptions& options) {
+  DrawnItems items;
   if (!options.crop) {
-    for (Item& item : world.items()) sort_item(std::move(item), things);
-    return things;
+    for (Item& item : world.items()) sort_item(std::move(item), items);
+    return items;
   }
   const Result<std::vector<ItemId>> ids = world.items_in(*options.crop);
-  if (!ids.ok()) return things;
+  if (!ids.ok()) return items;
   for (const ItemId id : *ids) {
     Result<Shape> shape = world.shape(id);
-    if (shape.ok()) sort_item({id, *std::move(shape)}, things);
+    if (shape.ok()) sort_item({id, *std::move(shape)}, items);
   }
-  return things;
+  return items;
 }
 
 Strokes strokes_for(const World& world, double scale) {
@@ -97,9 +97,9 @@ class WorldDrawer {
         frame_(frame),
         options_(options),
         palette_(palette),
-        things_(things_of(world, options)),
+        items_(drawn_items(world, options)),
         strokes_(strokes_for(world, frame.scale())),
-        has_hints_(options.ids && things_.count() <= kMostHints) {}
+        has_hints_(options.ids && items_.count() <= kMostHints) {}
 
   [[nodiscard]] WorldDrawing draw() const {
     WorldDrawing drawing;
@@ -185,7 +185,7 @@ class WorldDrawer {
 
   [[nodiscard]] std::string draw_solids() const {
     std::string out = open_group("solids", Ink::solid, Ink::solid_edge, strokes_.solid) + " fill-rule=\"evenodd\">\n";
-    for (const Item& item : things_.solids) {
+    for (const Item& item : items_.solids) {
       PathData data(frame_);
       for (const PointSpan ring : item.shape.rings) data.add_ring(ring);
       const bool is_nonzero = item.shape.fill == FillRule::nonzero;
@@ -199,7 +199,7 @@ class WorldDrawer {
   [[nodiscard]] std::string draw_walls() const {
     std::string out = open_group("walls", Ink::none, Ink::wall, strokes_.wall) + ">\n";
     PathData all(frame_);
-    for (const Item& item : things_.walls) {
+    for (const Item& item : items_.walls) {
       const PointSpan chain = item.shape.rings.front();
       if (!has_hints_) {
         all.add_chain(chain);
@@ -218,7 +218,7 @@ class WorldDrawer {
   [[nodiscard]] std::string draw_dots() const {
     if (!has_hints_) return draw_dots_together();
     std::string out = "<g id=\"points\"" + palette_({Ink::point}, {Ink::none}) + ">\n";
-    for (const Item& item : things_.dots) {
+    for (const Item& item : items_.dots) {
       std::string dot = circle(frame_.to_picture(item.shape.rings.front().front()), strokes_.dot);
       dot.erase(dot.size() - 2);  // removes the end of the element, `/>`
       out += dot + '>';
@@ -232,7 +232,7 @@ class WorldDrawer {
   [[nodiscard]] std::string draw_dots_together() const {
     PathData all(frame_);
     std::string out = open_group("points", Ink::none, Ink::point, 2.0 * strokes_.dot) + ">\n";
-    for (const Item& item : things_.dots) {
+    for (const Item& item : items_.dots) {
       all.add_dot(item.shape.rings.front().front());
       append_long(out, all);
     }
@@ -261,9 +261,9 @@ class WorldDrawer {
     const auto add = [&](std::size_t count, std::string sample, std::string_view one, std::string_view many) {
       if (count > 0) entries.push_back({std::move(sample), counted(count, one, many)});
     };
-    add(things_.solids.size(), solid_sample(), "solid", "solids");
-    add(things_.walls.size(), line_sample(palette_, {Ink::wall}, 3.2), "wall", "walls");
-    add(things_.dots.size(), dot_sample(), "point", "points");
+    add(items_.solids.size(), solid_sample(), "solid", "solids");
+    add(items_.walls.size(), line_sample(palette_, {Ink::wall}, 3.2), "wall", "walls");
+    add(items_.dots.size(), dot_sample(), "point", "points");
     if (options_.mesh) entries.push_back({line_sample(palette_, {Ink::mesh}, 1.2), mesh_label(is_too_large)});
     return entries;
   }
@@ -272,7 +272,7 @@ class WorldDrawer {
   const SvgFrame& frame_;
   const SvgOptions& options_;
   const Palette& palette_;
-  Things things_;
+  DrawnItems items_;
   Strokes strokes_;
   bool has_hints_;
 };

@@ -23,17 +23,17 @@ constexpr std::size_t kPrefetchDistance = 16;
 
 /// Sorts stably by the digit that starts at `bit`. Each thread counts and moves the entries of its own range. Of
 /// entries with the same digit, the entries of threads with lower numbers come first.
-void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const threads::Crew& crew) {
+void sort_by_digit(const std::vector<Entry>& from, std::vector<Entry>& to, int bit, const threads::ThreadTeam& team) {
   const auto digit = [bit](const Entry& entry) { return static_cast<std::size_t>(entry.key >> bit & (kDigits - 1)); };
-  std::vector<std::array<std::uint32_t, kDigits>> offsets(crew.threads());
-  crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+  std::vector<std::array<std::uint32_t, kDigits>> offsets(team.threads());
+  team.for_each_range(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) ++offsets[t][digit(from[i])];
   });
   std::uint32_t next = 0;
   for (std::size_t d = 0; d < kDigits; ++d) {
     for (auto& offsets_of_thread : offsets) next += std::exchange(offsets_of_thread[d], next);
   }
-  crew.share(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+  team.for_each_range(from.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) to[offsets[t][digit(from[i])]++] = from[i];
   });
 }
@@ -47,7 +47,7 @@ std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, std:
 
 /// Sorts by the upper bits of the keys, which distinguish more cells than there can be points, and then sorts each run
 /// of entries with equal upper bits by the whole key and by (x, y).
-void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const threads::Crew& crew) {
+void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const threads::ThreadTeam& team) {
   const auto before = [&](const Entry& a, const Entry& b) {
     if (a.key != b.key) return a.key < b.key;
     const Point& p = points[a.input_index];
@@ -61,18 +61,18 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
   {
     std::vector<Entry> other(entries.size());
     for (int bit = kLowestBit; bit < 64; bit += kDigitBits) {
-      sort_by_digit(entries, other, bit, crew);
+      sort_by_digit(entries, other, bit, team);
       entries.swap(other);
     }
   }
   // Found before any thread moves an entry, because a thread must not read entries that another thread moves.
-  std::vector<std::size_t> shares;
-  for (std::size_t t = 0; t <= crew.threads(); ++t) {
-    shares.push_back(start_of_run(entries, crew.start_of_share(entries.size(), t), entries.size(), kLowestBit));
+  std::vector<std::size_t> starts;
+  for (std::size_t t = 0; t <= team.threads(); ++t) {
+    starts.push_back(start_of_run(entries, team.start_of_range(entries.size(), t), entries.size(), kLowestBit));
   }
-  crew.run([&](std::size_t t) {
-    const std::size_t last = shares[t + 1];
-    for (std::size_t begin = shares[t]; begin < last;) {
+  team.run([&](std::size_t t) {
+    const std::size_t last = starts[t + 1];
+    for (std::size_t begin = starts[t]; begin < last;) {
       const std::size_t end = start_of_run(entries, begin + 1, last, kLowestBit);
       const auto first = entries.begin() + static_cast<std::ptrdiff_t>(begin);
       if (end > begin + 1) std::sort(first, first + static_cast<std::ptrdiff_t>(end - begin), before);
@@ -83,29 +83,29 @@ void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, co
 
 }  // namespace
 
-SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const threads::Crew& crew) {
+SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, const threads::ThreadTeam& team) {
   const Curve curve(box);
   std::vector<Entry> entries(points.size());
-  crew.share(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  team.for_each_range(points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) entries[i] = {curve.key(points[i]), static_cast<std::uint32_t>(i)};
   });
-  sort_entries(entries, points, crew);
+  sort_entries(entries, points, team);
 
   const auto is_new = [&](std::size_t i) {
     return i == 0 || entries[i].key != entries[i - 1].key ||
            points[entries[i].input_index] != points[entries[i - 1].input_index];
   };
-  std::vector<std::size_t> distinct(crew.threads() + 1);
-  crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> distinct(team.threads() + 1);
+  team.for_each_range(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) distinct[t + 1] += is_new(i) ? 1 : 0;
   });
-  for (std::size_t t = 0; t < crew.threads(); ++t) distinct[t + 1] += distinct[t];
+  for (std::size_t t = 0; t < team.threads(); ++t) distinct[t + 1] += distinct[t];
   SortedPoints sorted;
   sorted.points.reserve(distinct.back() + 1);
   sorted.points.resize(distinct.back());
   sorted.keys.resize(distinct.back());
   sorted.ranks.resize(points.size());
-  crew.share(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
+  team.for_each_range(entries.size(), [&](std::size_t t, std::size_t begin, std::size_t end) {
     std::size_t next = distinct[t];
     for (std::size_t i = begin; i < end; ++i) {
       if (i + kPrefetchDistance < end) {

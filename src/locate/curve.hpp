@@ -8,7 +8,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "threads/crew.hpp"
+#include "threads/thread_team.hpp"
 
 namespace waywright::locate {
 
@@ -65,6 +65,6 @@ struct SortedPoints {
 /// Sorts points along the curve of a box and removes duplicates. Requires: the points lie in the box, and no coordinate
 /// is -0. Cost: linear if the keys are evenly distributed, at most O(n log n).
 [[nodiscard]] SortedPoints sort_along_curve(const Box& box, std::span<const Point> points,
-                                            const threads::Crew& crew = {});
+                                            const threads::ThreadTeam& team = {});
 
 }  // namespace waywright::locate

@@ -16,7 +16,7 @@ void Sectors::remember(const Point& point, mesh::Vertex v, std::size_t vertex_co
   sectors_[find(curve_.key(point)).index] = number(v);
 }
 
-void Sectors::forget(const Point& point, mesh::Vertex v, mesh::Vertex other) {
+void Sectors::replace(const Point& point, mesh::Vertex v, mesh::Vertex other) {
   Cell& cell = sectors_[find(curve_.key(point)).index];
   if (cell == number(v)) cell = number(other);
 }

@@ -69,7 +69,7 @@ class Sectors {
     base::prefetch(&sectors_[static_cast<std::size_t>(curve_.key(point) >> whole_shift_)]);
   }
   /// `v`, at `point`, is being removed: if its sector remembers `v`, the sector now remembers `other`.
-  void forget(const Point& point, mesh::Vertex v, mesh::Vertex other);
+  void replace(const Point& point, mesh::Vertex v, mesh::Vertex other);
   /// Divides the sector of `point` into four quarters. `vertex_count` is the number of vertices in the world. Cost:
   /// O(1), amortised.
   void divide(const Point& point, std::size_t vertex_count);

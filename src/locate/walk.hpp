@@ -11,11 +11,12 @@
 
 namespace waywright::locate {
 
-enum class Spot : std::uint8_t { vertex, edge, face };
+/// The kinds of a location.
+enum class LocatedKind : std::uint8_t { vertex, edge, face };
 
 /// The location of a point: at the origin of `h`, on the edge of `h` between its ends, or inside the face of `h`.
 struct Located {
-  Spot spot = Spot::face;
+  LocatedKind kind = LocatedKind::face;
   mesh::HalfEdge h = mesh::kNoHalfEdge;
   std::size_t steps = 0;  ///< the number of faces that the walk left
 };
@@ -23,19 +24,19 @@ struct Located {
 /// The location of a point in the closed face of `h`, from its orientations relative to `h`, to the next and to the
 /// previous half-edge. For a point inside the face, `h` of the result is the first half-edge of the face. Requires: no
 /// orientation is negative.
-inline Located spot_in_face(mesh::HalfEdge h, exact::Sign side, exact::Sign next_side, exact::Sign previous_side) {
+inline Located locate_in_face(mesh::HalfEdge h, exact::Sign side, exact::Sign next_side, exact::Sign previous_side) {
   using exact::Sign;
   const mesh::HalfEdge next = mesh::next(h);
   const mesh::HalfEdge previous = mesh::previous(h);
   const bool on_next = next_side == Sign::zero;
   const bool on_previous = previous_side == Sign::zero;
   if (side == Sign::zero) {
-    if (on_previous) return {Spot::vertex, h, 0};
-    return on_next ? Located{Spot::vertex, next, 0} : Located{Spot::edge, h, 0};
+    if (on_previous) return {LocatedKind::vertex, h, 0};
+    return on_next ? Located{LocatedKind::vertex, next, 0} : Located{LocatedKind::edge, h, 0};
   }
-  if (on_next) return on_previous ? Located{Spot::vertex, previous, 0} : Located{Spot::edge, next, 0};
-  if (on_previous) return {Spot::edge, previous, 0};
-  return {Spot::face, mesh::first(mesh::face(h)), 0};
+  if (on_next) return on_previous ? Located{LocatedKind::vertex, previous, 0} : Located{LocatedKind::edge, next, 0};
+  if (on_previous) return {LocatedKind::edge, previous, 0};
+  return {LocatedKind::face, mesh::first(mesh::face(h)), 0};
 }
 
 /// Locates a point by a test of every face. Requires: `target` lies in the domain; `ghost` is the ghost vertex.
@@ -45,7 +46,7 @@ template <class Geometry>
   using exact::Sign;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
-    if (!mesh.is_alive(f)) continue;
+    if (!mesh.is_live(f)) continue;
     std::array<Sign, 3> signs{};
     mesh::HalfEdge h = mesh::first(f);
     bool inside = true;
@@ -56,7 +57,7 @@ template <class Geometry>
       inside = sign != Sign::negative;
       h = mesh::next(h);
     }
-    if (inside) return spot_in_face(mesh::first(f), signs[0], signs[1], signs[2]);
+    if (inside) return locate_in_face(mesh::first(f), signs[0], signs[1], signs[2]);
   }
   return {};
 }
@@ -107,7 +108,7 @@ template <class Geometry>
     const bool is_beyond_next = next_side == Sign::negative;
     const bool is_beyond_previous = previous_side == Sign::negative;
     if (!is_beyond_next && !is_beyond_previous) {
-      Located located = spot_in_face(entry, entry_side, next_side, previous_side);
+      Located located = locate_in_face(entry, entry_side, next_side, previous_side);
       located.steps = steps;
       return located;
     }

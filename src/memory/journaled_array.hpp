@@ -13,7 +13,7 @@
 namespace waywright::memory {
 
 /// An array with an undo log: roll_back() takes back each write() and append() of an operation. One operation must not
-/// use both append() and cover() on the same array.
+/// use both append() and grow_to() on the same array.
 ///
 ///     array.begin();                // the operation starts
 ///     array.write(3, value);
@@ -37,7 +37,7 @@ class JournaledArray {
   // The next two functions make changes that roll_back() does not take back.
 
   /// Makes the array at least `size` long. New elements are copies of `value`.
-  void cover(std::size_t size, const Value& value) {
+  void grow_to(std::size_t size, const Value& value) {
     if (values_.size() >= size) return;
     values_.resize(size, value);
     size_before_ = size;

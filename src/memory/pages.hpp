@@ -19,7 +19,7 @@ template <class Value>
 class Pages {
  public:
   /// Makes the table of pages large enough for the indices below `count`. Allocates no page.
-  void cover(std::size_t count) {
+  void grow_to(std::size_t count) {
     if (pages_.size() * kPageSize < count) pages_.resize((count + kPageSize - 1) / kPageSize);
   }
   [[nodiscard]] bool has_room(std::size_t index) const { return pages_[index / kPageSize] != nullptr; }

@@ -30,7 +30,7 @@ class ZeroedArray {
   }
 
   /// Makes room for the indices below `count`. Keeps the present values.
-  void cover(std::size_t count) {
+  void grow_to(std::size_t count) {
     if (count > size_) [[unlikely]]
       grow(std::max(count, size_ + size_ / 2));
   }
@@ -39,7 +39,7 @@ class ZeroedArray {
     if (size_ != 0) std::memset(static_cast<void*>(values_.get()), 0, size_ * sizeof(Value));
   }
 
-  // Requires: cover() has made room for `index`.
+  // Requires: grow_to() has made room for `index`.
   [[nodiscard]] const Value& operator[](std::size_t index) const { return values_.get()[index]; }
   [[nodiscard]] Value& operator[](std::size_t index) { return values_.get()[index]; }
 

@@ -11,7 +11,7 @@ std::string named(const char* what, std::uint32_t index) { return std::string(wh
 
 std::optional<std::string> find_fault_at(const TriangleMesh& mesh, HalfEdge h) {
   const HalfEdge t = mesh.twin(h);
-  if (number(t) >= mesh.face_slots() * 3 || !mesh.is_alive(face(t))) {
+  if (number(t) >= mesh.face_slots() * 3 || !mesh.is_live(face(t))) {
     return named("half-edge", number(h)) + " has no living twin";
   }
   if (t == h || mesh.twin(t) != h) return named("half-edge", number(h)) + " is not its twin's twin";
@@ -20,7 +20,7 @@ std::optional<std::string> find_fault_at(const TriangleMesh& mesh, HalfEdge h) {
   }
   if (mesh.label(h) != mesh.label(t)) return named("half-edge", number(h)) + " and its twin carry different labels";
   const Vertex v = mesh.origin(h);
-  if (number(v) >= mesh.vertex_slots() || !mesh.is_alive(v)) {
+  if (number(v) >= mesh.vertex_slots() || !mesh.is_live(v)) {
     return named("half-edge", number(h)) + " starts at a dead vertex";
   }
   if (v == mesh.target(h)) return named("half-edge", number(h)) + " is a loop";
@@ -36,7 +36,7 @@ std::optional<std::string> TriangleMesh::find_fault() const {
   std::size_t faces = 0;
   for (std::uint32_t i = 0; i < face_slots(); ++i) {
     const Face f{i};
-    if (!is_alive(f)) continue;
+    if (!is_live(f)) continue;
     ++faces;
     HalfEdge h = first(f);
     for (int side = 0; side < 3; ++side, h = next(h)) {
@@ -48,7 +48,7 @@ std::optional<std::string> TriangleMesh::find_fault() const {
   std::size_t vertices = 0;
   for (std::uint32_t i = 0; i < vertex_slots(); ++i) {
     const Vertex v{i};
-    if (!is_alive(v)) continue;
+    if (!is_live(v)) continue;
     ++vertices;
     const HalfEdge start = outgoing(v);
     if (number(start) >= corners_.size() || origin(start) != v) return named("vertex", i) + " has no half-edge";

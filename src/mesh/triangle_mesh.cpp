@@ -18,7 +18,7 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 
 TriangleMesh::TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count)
     : corners_(std::move(corners)), outgoing_(vertex_count) {
-  labels_.cover(corners_.size());
+  labels_.grow_to(corners_.size());
   for (std::uint32_t h = 0; h < corners_.size(); ++h) outgoing_[number(corners_[h].origin)] = h;
 }
 
@@ -53,7 +53,7 @@ Face TriangleMesh::add_face() {
   const Face f{is_new ? face_slots() : free_faces_.first()};
   if (is_new) {
     corners_.reserve(grown_capacity(corners_.capacity(), corners_.size() + 3));
-    labels_.cover(corners_.size() + 3);
+    labels_.grow_to(corners_.size() + 3);
   }
   log(ChangeKind::add_face, number(f));
   if (!is_new) return pop_free_face();

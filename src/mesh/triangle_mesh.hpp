@@ -78,8 +78,8 @@ class TriangleMesh {
   /// this number.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
-  [[nodiscard]] bool is_alive(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
-  [[nodiscard]] bool is_alive(Face f) const { return origin(first(f)) != kNoVertex; }
+  [[nodiscard]] bool is_live(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
+  [[nodiscard]] bool is_live(Face f) const { return origin(first(f)) != kNoVertex; }
 
   /// Calls visit(h) for every half-edge that starts at `v`, counter-clockwise.
   template <class Visit>

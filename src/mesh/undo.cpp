@@ -91,7 +91,7 @@ void TriangleMesh::undo_flip(HalfEdge h) {
   for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
 }
 
-// Also sets the twins of the neighbours that are alive. A neighbour that is restored later sets its twins itself. A
+// Also sets the twins of the neighbours that are live. A neighbour that is restored later sets its twins itself. A
 // neighbour that is still free must not be written to: its slot holds a link of the free list.
 void TriangleMesh::restore(Face f, const SavedFace& saved) {
   HalfEdge h = first(f);
@@ -99,7 +99,7 @@ void TriangleMesh::restore(Face f, const SavedFace& saved) {
     corners_[number(h)] = corner;
     set_outgoing(corner.origin, h);
     const HalfEdge t = twin(h);
-    if (is_alive(face(t))) corners_[number(t)].twin = number(h) | (corner.twin & kFixed);
+    if (is_live(face(t))) corners_[number(t)].twin = number(h) | (corner.twin & kFixed);
     h = next(h);
   }
 }

@@ -53,52 +53,52 @@ void Abstraction::update(const Triangulation& triangulation) {
   Guard guard(*this);
   collect_touched(mesh);
   was_rebuilt_ = false;
-  if (gone_.size() > kFewFaces && 2 * gone_.size() > mesh.face_slots()) {
+  if (changed_.size() > kFewFaces && 2 * changed_.size() > mesh.face_slots()) {
     rebuild(triangulation);
     return guard.done();
   }
   collect_made(triangulation);
-  drop_replaced();
+  remove_common_polygons();
   if (is_in_the_open(mesh)) {
-    components_.update_in_open_space(mesh, gone_, made_);
-    core_.update_in_open_space(mesh, gone_, made_);
+    components_.update_in_open_space(mesh, changed_, made_);
+    core_.update_in_open_space(mesh, changed_, made_);
   } else {
-    components_.update(triangulation, {gone_, made_, removed_, inserted_});
-    core_.update(mesh, gone_, made_);
+    components_.update(triangulation, {changed_, made_, removed_, inserted_});
+    core_.update(mesh, changed_, made_);
   }
   guard.done();
 }
 
 /// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
-  gone_ = made_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
+  changed_ = made_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
   Components components(triangulation);
   core_ = TwoCore(triangulation);
   components_ = std::move(components);
   was_rebuilt_ = true;
 }
 
-/// Collects in `gone_` the faces that the operation touched, each once.
+/// Collects in `changed_` the faces that the operation touched, each once.
 void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
-  gone_.clear();
+  changed_.clear();
   mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
     if (is_touched_[number(f)]) return;
-    gone_.push_back(f);
+    changed_.push_back(f);
     is_touched_[number(f)] = true;
   });
-  for (const Face f : gone_) is_touched_[number(f)] = false;
+  for (const Face f : changed_) is_touched_[number(f)] = false;
 }
 
-/// Collects in `made_` the faces of `gone_` that now lie in the domain.
+/// Collects in `made_` the faces of `changed_` that now lie in the domain.
 void Abstraction::collect_made(const Triangulation& triangulation) {
   made_.clear();
-  std::copy_if(gone_.begin(), gone_.end(), std::back_inserter(made_),
+  std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(made_),
                [&](Face f) { return triangulation.triangulation().is_in_box(f); });
 }
 
 /// Removes the polygons that this operation both inserted and removed from both lists.
-void Abstraction::drop_replaced() {
+void Abstraction::remove_common_polygons() {
   std::sort(inserted_.begin(), inserted_.end());
   std::sort(removed_.begin(), removed_.end());
   common_.clear();
@@ -109,13 +109,13 @@ void Abstraction::drop_replaced() {
   std::erase_if(removed_, is_common);
 }
 
-/// Returns whether the change happened in open space: every face of `gone_` had three passages in the core, all these
-/// faces belonged to one component, and all edges of the faces in `made_` are passages. The new faces then belong to
-/// the same component, and each has three passages in the core.
+/// Returns whether the change happened in open space: every face of `changed_` had three passages in the core, all
+/// these faces belonged to one component, and all edges of the faces in `made_` are passages. The new faces then belong
+/// to the same component, and each has three passages in the core.
 bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Id component = Components::kNone;
-  for (const Face f : gone_) {
+  for (const Face f : changed_) {
     if (core_.is_absent(f)) continue;
     if (component == Components::kNone) component = components_.component_of(f);
     if (core_.degree(f) != 3 || components_.component_of(f) != component) return false;
@@ -141,7 +141,7 @@ void Abstraction::count_memory(MemoryUse& use) const {
   components_.count_memory(use);
   core_.count_memory(use);
   use.abstraction += is_touched_.capacity() / 8;
-  memory::count_spare(use, inserted_, removed_, gone_, made_, common_);
+  memory::count_spare(use, inserted_, removed_, changed_, made_, common_);
 }
 
 void Abstraction::shrink_to_fit() {
@@ -150,7 +150,7 @@ void Abstraction::shrink_to_fit() {
   components_.shrink_to_fit();
   core_.shrink_to_fit();
   memory::shrink(is_touched_);
-  memory::release(inserted_, removed_, gone_, made_, common_);
+  memory::release(inserted_, removed_, changed_, made_, common_);
 }
 
 }  // namespace waywright::nav

@@ -63,7 +63,7 @@ class Abstraction {
   void rebuild(const Triangulation& triangulation);
   void collect_touched(const mesh::TriangleMesh& mesh);
   void collect_made(const Triangulation& triangulation);
-  void drop_replaced();
+  void remove_common_polygons();
   [[nodiscard]] bool is_in_the_open(const mesh::TriangleMesh& mesh) const;
 
   Components components_;
@@ -76,7 +76,7 @@ class Abstraction {
 
   // Scratch.
   std::vector<bool> is_touched_;  ///< by face
-  std::vector<mesh::Face> gone_;
+  std::vector<mesh::Face> changed_;
   std::vector<mesh::Face> made_;
   std::vector<std::uint32_t> common_;
 };

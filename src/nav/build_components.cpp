@@ -80,20 +80,20 @@ void Components::number_components(std::vector<Id>& ids) {
 void Components::cover_components(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const bool has_nonzero = triangulation.items().has_nonzero_polygons();
-  const std::vector<Door> doors = find_doors(mesh);
+  const std::vector<SeparatingWall> walls = find_separating_walls(mesh);
   std::vector<bool> is_known(records_.size());
   std::vector<std::pair<Id, Turns>> known(1, {kNone, {}});
-  const auto comes_before = [](const Door& door, Id component) { return door.component < component; };
+  const auto comes_before = [](const SeparatingWall& wall, Id component) { return wall.component < component; };
   for (std::size_t i = 0; i < known.size(); ++i) {
     const auto [component, here] = std::move(known[i]);
-    auto door = std::lower_bound(doors.begin(), doors.end(), component, comes_before);
-    for (; door != doors.end() && door->component == component; ++door) {
-      const Id beyond = component_of(mesh::face(mesh.twin(door->h)));
+    auto wall = std::lower_bound(walls.begin(), walls.end(), component, comes_before);
+    for (; wall != walls.end() && wall->component == component; ++wall) {
+      const Id beyond = component_of(mesh::face(mesh.twin(wall->h)));
       if (is_known[beyond]) continue;
       is_known[beyond] = true;
-      known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, door->h) : Turns());
+      known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, wall->h) : Turns());
       Uses& cover = records_.unrecorded(beyond).cover;
-      if (!has_nonzero) cover = cover_beyond(triangulation, door->h, {});
+      if (!has_nonzero) cover = cover_beyond(triangulation, wall->h, {});
       for (const auto& [polygon, turns] : known.back().second) {
         if (triangulation.items().covers(polygon, turns)) cover = covers_.add(cover, polygon);
       }
@@ -101,16 +101,17 @@ void Components::cover_components(const Triangulation& triangulation) {
   }
 }
 
-std::vector<Components::Door> Components::find_doors(const mesh::TriangleMesh& mesh) const {
-  std::vector<Door> doors;
+std::vector<Components::SeparatingWall> Components::find_separating_walls(const mesh::TriangleMesh& mesh) const {
+  std::vector<SeparatingWall> walls;
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
-    if (!mesh.is_alive(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
+    if (!mesh.is_live(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
     const Id beyond = component_of(mesh::face(mesh.twin(h)));
-    if (beyond != kNone && beyond != component_of(mesh::face(h))) doors.push_back({component_of(mesh::face(h)), h});
+    if (beyond != kNone && beyond != component_of(mesh::face(h))) walls.push_back({component_of(mesh::face(h)), h});
   }
-  std::sort(doors.begin(), doors.end(), [](const Door& a, const Door& b) { return a.component < b.component; });
-  return doors;
+  std::sort(walls.begin(), walls.end(),
+            [](const SeparatingWall& a, const SeparatingWall& b) { return a.component < b.component; });
+  return walls;
 }
 
 }  // namespace waywright::nav

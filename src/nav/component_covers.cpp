@@ -40,10 +40,10 @@ void visit_inner_faces(const constraint::ExactTriangulation& triangulation, cons
                        HalfEdge& h, std::int32_t& turns, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const Side side = triangulation.items().side(slot);
-  HalfEdge came = mesh::kNoHalfEdge;
+  HalfEdge edge_back = mesh::kNoHalfEdge;
   while (mesh.origin(h) != side.to) {
-    HalfEdge on = mesh::kNoHalfEdge;
-    std::int32_t turns_on = 0;
+    HalfEdge edge_ahead = mesh::kNoHalfEdge;
+    std::int32_t turns_ahead = 0;
     const HalfEdge start = h;
     std::int32_t change = winding.across(h);
     do {
@@ -51,24 +51,24 @@ void visit_inner_faces(const constraint::ExactTriangulation& triangulation, cons
         if (winding.covers(turns)) visit(mesh::face(h));
         if (winding.covers(turns - change)) visit(mesh::face(mesh.twin(h)));
       }
-      if (h != came && triangulation.uses().contains(mesh.label(h), slot)) {
-        on = h;
-        turns_on = turns;
+      if (h != edge_back && triangulation.uses().contains(mesh.label(h), slot)) {
+        edge_ahead = h;
+        turns_ahead = turns;
       }
       h = mesh.next_around(h);
       change = winding.across(h);
       turns += change;
     } while (h != start);
-    came = mesh.twin(on);
-    h = mesh::next(on);
-    turns = turns_on;
+    edge_back = mesh.twin(edge_ahead);
+    h = mesh::next(edge_ahead);
+    turns = turns_ahead;
   }
 }
 
 }  // namespace
 
 /// Removes the removed polygons from all covers.
-void Components::drop_removed(const Triangulation& triangulation, const Changes& changes) {
+void Components::remove_from_covers(const Triangulation& triangulation, const Changes& changes) {
   for (const std::uint32_t polygon : changes.removed) {
     find_covered(triangulation.topology(), changes.made, polygon);
     for (const Id id : flooded_) set_cover(id, covers_.remove(records_[id].cover, polygon));
@@ -106,7 +106,7 @@ void Components::set_cover(Id component, Uses cover) { records_.write(component,
 /// Returns a half-edge that starts at `v`, in a face in the domain. To the right of this half-edge lie only positions
 /// that come before `v` in (x, y) order, or that lie outside the domain.
 HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::Vertex v) {
-  constraint::faces_at(triangulation, {locate::Spot::vertex, triangulation.topology().outgoing(v)}, around_);
+  constraint::faces_at(triangulation, {locate::LocatedKind::vertex, triangulation.topology().outgoing(v)}, around_);
   return around_.front();
 }
 

@@ -25,39 +25,39 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
     marks_.clear();
     next_mark_ = 1;
   }
-  remove_changed_faces(changes.gone);
+  remove_changed_faces(changes.changed);
   find_groups(mesh, changes.made);
-  drop_removed(triangulation, changes);
+  remove_from_covers(triangulation, changes);
   find_remainders(mesh);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon);
 }
 
-void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
+void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
                                       std::span<const Face> made) {
   make_room(mesh);
   Id component = kNone;
-  std::uint32_t gone_count = 0;
-  for (const Face f : gone) {
+  std::uint32_t removed_count = 0;
+  for (const Face f : changed) {
     if (ids_[number(f)] == kNone) continue;
     component = ids_[number(f)];
-    ++gone_count;
+    ++removed_count;
     set_id(f, kNone);
   }
   for (const Face f : made) set_id(f, component);
   Record record = records_[component];
-  record.size += static_cast<std::uint32_t>(made.size()) - gone_count;
+  record.size += static_cast<std::uint32_t>(made.size()) - removed_count;
   records_.write(component, record);
 }
 
 void Components::make_room(const mesh::TriangleMesh& mesh) {
-  marks_.cover(mesh.face_slots());
-  ids_.cover(mesh.face_slots(), kNone);
+  marks_.grow_to(mesh.face_slots());
+  ids_.grow_to(mesh.face_slots(), kNone);
 }
 
 /// Takes the changed faces out of their components. Frees a component that has no face left.
-void Components::remove_changed_faces(std::span<const Face> gone) {
+void Components::remove_changed_faces(std::span<const Face> changed) {
   Id id = kNone;
   Record record;
   const auto write = [&] {
@@ -65,7 +65,7 @@ void Components::remove_changed_faces(std::span<const Face> gone) {
     records_.write(id, record);
     if (record.size == 0) free_record(id);
   };
-  for (const Face f : gone) {
+  for (const Face f : changed) {
     const Id own = ids_[number(f)];
     if (own == kNone) continue;
     set_id(f, kNone);

@@ -49,12 +49,12 @@ class Components {
     covers_.for_each(records_[component_of(f)].cover, visit);
   }
 
-  /// What has changed since the last update. `gone` lists the faces, by slot, that were made, rebuilt or freed. `made`
-  /// lists the faces of `gone` that now lie in the domain. Each list contains a face once. `removed` and `inserted`
-  /// list the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in neither
-  /// list.
+  /// What has changed since the last update. `changed` lists the faces, by slot, that were made, rebuilt or freed.
+  /// `made` lists the faces of `changed` that now lie in the domain. Each list contains a face once. `removed` and
+  /// `inserted` list the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in
+  /// neither list.
   struct Changes {
-    std::span<const mesh::Face> gone;
+    std::span<const mesh::Face> changed;
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
@@ -63,8 +63,8 @@ class Components {
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
   /// Does the same as update(), for a change with three properties: the faces in `made` fill the area of the faces in
-  /// `gone`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
-  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone,
+  /// `changed`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
+  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
                             std::span<const mesh::Face> made);
 
   /// Compares this object with `other`, which also contains the components of `faces`. Returns the first difference, or
@@ -126,18 +126,18 @@ class Components {
 
   // Finding the components of a whole triangulation.
   /// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face.
-  struct Door {
+  struct SeparatingWall {
     Id component;
     mesh::HalfEdge h;
   };
   [[nodiscard]] static std::vector<Id> join_faces(const Triangulation& triangulation);
   void number_components(std::vector<Id>& ids);
   void cover_components(const Triangulation& triangulation);
-  [[nodiscard]] std::vector<Door> find_doors(const mesh::TriangleMesh& mesh) const;
+  [[nodiscard]] std::vector<SeparatingWall> find_separating_walls(const mesh::TriangleMesh& mesh) const;
 
   // Updating ids.
   void make_room(const mesh::TriangleMesh& mesh);
-  void remove_changed_faces(std::span<const mesh::Face> gone);
+  void remove_changed_faces(std::span<const mesh::Face> changed);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
   void find_remainders(const mesh::TriangleMesh& mesh);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
@@ -164,7 +164,7 @@ class Components {
   }
 
   // Updating covers.
-  void drop_removed(const Triangulation& triangulation, const Changes& changes);
+  void remove_from_covers(const Triangulation& triangulation, const Changes& changes);
   void find_covered(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made, std::uint32_t polygon);
   void cover_new_groups(const Triangulation& triangulation, const Changes& changes);
   [[nodiscard]] bool cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group);

@@ -43,7 +43,8 @@ std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& me
   for (const Face f : faces) {
     const std::string where = "face " + std::to_string(number(f));
     if (is_core(f) != other.is_core(f)) return where + (is_core(f) ? " is not of the core" : " is of the core");
-    if ((states_[number(f)] & kPassages) != (other.states_[number(f)] & kPassages)) return where + " has other ways";
+    if ((states_[number(f)] & kPassages) != (other.states_[number(f)] & kPassages))
+      return where + " has other passages";
     if (is_core(f)) continue;
     const Face root = tops[number(f)];
     const Face other_root = other_tops[number(f)];

@@ -9,7 +9,7 @@ using mesh::HalfEdge;
 
 TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  states_.cover(mesh.face_slots(), kAbsent);
+  states_.grow_to(mesh.face_slots(), kAbsent);
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     if (!triangulation.triangulation().is_in_box(Face{f})) continue;
     State& state = states_.unrecorded(f);
@@ -41,10 +41,10 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // exceptions: a second tree face or a face of the core is adjacent to the new faces, or a root or a face of the core
 // was removed. Then a cycle may lead up from the tree face and come back to the new faces elsewhere, so update() climbs
 // first.
-void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone, std::span<const Face> made) {
-  states_.cover(mesh.face_slots(), kAbsent);
+void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> changed, std::span<const Face> made) {
+  states_.grow_to(mesh.face_slots(), kAbsent);
   Surroundings around;
-  for (const Face f : gone) {
+  for (const Face f : changed) {
     around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
     write(f, kAbsent);
   }
@@ -58,10 +58,10 @@ void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
   for (const Face f : made) states_.unrecorded(number(f)) = static_cast<State>(states_[number(f)] & ~kNew);
 }
 
-void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> gone,
+void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
                                    std::span<const Face> made) {
-  states_.cover(mesh.face_slots(), kAbsent);
-  for (const Face f : gone) write(f, kAbsent);
+  states_.grow_to(mesh.face_slots(), kAbsent);
+  for (const Face f : changed) write(f, kAbsent);
   for (const Face f : made) write(f, kCore | kPassages);
 }
 

@@ -61,18 +61,18 @@ class TwoCore {
     return (state & kCore) == 0 && (state >> kSideShift & 3U) == number(h) % 3;
   }
 
-  /// Updates the core to the mesh. `gone` lists the faces, by slot, that have changed since the last update. `made`
-  /// lists those faces of `gone` that are in the graph now. Each list contains a face once. If memory runs out,
+  /// Updates the core to the mesh. `changed` lists the faces, by slot, that have changed since the last update. `made`
+  /// lists those faces of `changed` that are in the graph now. Each list contains a face once. If memory runs out,
   /// roll_back() restores the old core.
-  void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone, std::span<const mesh::Face> made);
+  void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed, std::span<const mesh::Face> made);
 
   /// Returns whether the face was not in the graph after the last update.
   [[nodiscard]] bool is_absent(mesh::Face f) const {
     return number(f) >= states_.size() || states_[number(f)] == kAbsent;
   }
-  /// Does the same as update(). Requires: all faces of `gone` that were in the graph had three passages in the core,
+  /// Does the same as update(). Requires: all faces of `changed` that were in the graph had three passages in the core,
   /// and all faces of `made` have three passages.
-  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> gone,
+  void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
                             std::span<const mesh::Face> made);
 
   /// Returns the first difference from `other`, another core of the same graph, or nothing if there is none. The two

@@ -51,13 +51,13 @@ inline constexpr double kNoLength = 0x1p-900;
   return Point{a.x + share * edge.x, a.y + share * edge.y};
 }
 
-[[nodiscard]] inline double length_by_way_of(const Point& p, const Point& between, const Point& q) {
+[[nodiscard]] inline double distance_via_point(const Point& p, const Point& between, const Point& q) {
   return distance(p, between) + distance(between, q);
 }
 
 /// Returns the length of the shortest path from `p` to `q` that touches the segment from `a` to `b`. If all four points
 /// lie on one line, the result is the distance from `p` to `q`.
-[[nodiscard]] inline double distance_by_way_of(const Point& p, const Point& a, const Point& b, const Point& q) {
+[[nodiscard]] inline double distance_via_segment(const Point& p, const Point& a, const Point& b, const Point& q) {
   const Point edge{b.x - a.x, b.y - a.y};
   const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;
   const Point image = is_right ? on_left(a, edge, q) : on_left(b, {-edge.x, -edge.y}, q);
@@ -65,7 +65,7 @@ inline constexpr double kNoLength = 0x1p-900;
   const double a_turn = cross(direction, {a.x - p.x, a.y - p.y});
   const double b_turn = cross(direction, {b.x - p.x, b.y - p.y});
   if ((a_turn >= 0.0 && b_turn <= 0.0) || (a_turn <= 0.0 && b_turn >= 0.0)) return distance(p, image);
-  return std::min(length_by_way_of(p, a, q), length_by_way_of(p, b, q));
+  return std::min(distance_via_point(p, a, q), distance_via_point(p, b, q));
 }
 
 }  // namespace waywright::path

@@ -18,7 +18,7 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
   explicit StraightLine(Ends& ends)
       : ends_(ends),
         mesh_(ends.triangulation_->topology()),
-        is_at_start_(ends.start_location_.spot != locate::Spot::face) {
+        is_at_start_(ends.start_location_.kind != locate::LocatedKind::face) {
     ends_.crossed_.clear();
   }
 

@@ -15,7 +15,7 @@ constexpr std::size_t kSlice = 256;
 /// same at about this number.
 constexpr std::size_t kManyGoals = 256;
 
-std::size_t add_or_stay_largest(std::size_t a, std::size_t b) {
+std::size_t saturating_add(std::size_t a, std::size_t b) {
   return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max() : a + b;
 }
 
@@ -76,11 +76,11 @@ void Finder::look_at_ends() {
   }
 }
 
-void Finder::cover_mesh() {
-  looked_at_->cover(triangulation_->topology().face_slots());
+void Finder::grow_to_mesh() {
+  looked_at_->grow_to(triangulation_->topology().face_slots());
   if (is_done_) return;
-  if (query_.algorithm == PathAlgorithm::optimal || is_proving_) return optimal_.cover_mesh();
-  if (query_.algorithm == PathAlgorithm::ta) ta_.cover_mesh();
+  if (query_.algorithm == PathAlgorithm::optimal || is_proving_) return optimal_.grow_to_mesh();
+  if (query_.algorithm == PathAlgorithm::ta) ta_.grow_to_mesh();
 }
 
 void Finder::write_straight(bool wants_channel, Path& path) const {
@@ -105,7 +105,7 @@ void Finder::begin_optimal(double known_length) {
 }
 
 bool Finder::step(std::size_t expansions, Path& path) {
-  const std::size_t limit = add_or_stay_largest(path.expansions, expansions);
+  const std::size_t limit = saturating_add(path.expansions, expansions);
   while (!is_done_ && path.expansions < limit) {
     is_done_ = search(limit, path);
     if (is_done_) finish(path);
@@ -121,7 +121,7 @@ bool Finder::search(std::size_t limit, Path& path) {
     return true;
   }
   if (is_over_budget(path)) return true;
-  std::size_t slice = std::min(limit, add_or_stay_largest(path.expansions, kSlice));
+  std::size_t slice = std::min(limit, saturating_add(path.expansions, kSlice));
   if (path.status == PathStatus::found) slice = std::min(slice, query_.budget.expansions);
   return is_proving_ ? search_optimal(slice, path) : search_ta(slice, path);
 }
@@ -175,14 +175,14 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
     if (searched_.empty()) optimal_.begin(triangulation, abstraction_, ends_, false);
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
     searched_.push_back(i);
-    if (paths.size() < kManyGoals) settle(query.wants_points, expansions, paths);
+    if (paths.size() < kManyGoals) find_pending_paths(query.wants_points, expansions, paths);
   }
-  settle(query.wants_points, expansions, paths);
+  find_pending_paths(query.wants_points, expansions, paths);
   for (Path& path : paths) path.expansions = expansions;
 }
 
 /// Finds the paths to all goals that were added since the last call.
-void Finder::settle(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
+void Finder::find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
   if (searched_.empty()) return;
   optimal_.start();
   while (!optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {

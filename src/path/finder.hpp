@@ -33,7 +33,7 @@ class Finder {
 
   /// Makes room for faces and vertices that were added to the mesh. Call it before step() if the mesh has changed since
   /// the last step.
-  void cover_mesh();
+  void grow_to_mesh();
   /// Returns whether the search is not done and a polygon now covers one of its ends.
   [[nodiscard]] bool has_covered_end() { return !is_done_ && ends_.are_covered(); }
 
@@ -47,7 +47,7 @@ class Finder {
   [[nodiscard]] bool search(std::size_t limit, Path& path);
   [[nodiscard]] bool search_ta(std::size_t limit, Path& path);
   [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
-  void settle(bool wants_points, std::size_t& expansions, std::vector<Path>& paths);
+  void find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths);
   void begin_optimal(double known_length);
   void look_at_ends();
   void write_straight(bool wants_channel, Path& path) const;
@@ -68,7 +68,7 @@ class Finder {
   TaStar ta_;
   TraStar tra_;
   Optimal optimal_;
-  std::vector<std::size_t> searched_;  ///< in a query with many goals: the goals that wait for settle()
+  std::vector<std::size_t> searched_;  ///< in a query of many goals: the goals that wait for find_pending_paths()
 };
 
 }  // namespace waywright::path

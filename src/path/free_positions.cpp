@@ -63,7 +63,7 @@ std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, 
 /// from the point than the position.
 void FreePositions::flood(const locate::Located& location, double limit, const Connection& connection) {
   stamp_.next(1, marks_);
-  marks_.cover(triangulation_->topology().face_slots());
+  marks_.grow_to(triangulation_->topology().face_slots());
   candidates_.clear();
   nearest_ = limit + slack_;
   constraint::faces_at(*triangulation_, location, waiting_);

@@ -14,7 +14,7 @@ class LookedAt {
   /// Forgets all faces. `face_slots` is the mesh's number of slots for faces.
   void clear(std::uint32_t face_slots) {
     stamp_.next(1, marks_);
-    marks_.cover(face_slots);
+    marks_.grow_to(face_slots);
     is_all_ = false;
   }
   /// Records that the search has looked at every face.
@@ -24,7 +24,7 @@ class LookedAt {
     marks_[number(f)] = stamp_.value();
   }
   /// Makes room for faces that were added to the mesh after the last clear().
-  void cover(std::uint32_t face_slots) { marks_.cover(face_slots); }
+  void grow_to(std::uint32_t face_slots) { marks_.grow_to(face_slots); }
   [[nodiscard]] bool has(mesh::Face f) const {
     return is_all_ || (marks_.has_room(number(f)) && marks_[number(f)] == stamp_.value());
   }

@@ -72,7 +72,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   goal_bits_ = 0;
   goals_in_components_.clear();
   if (components_ != nullptr) list_components();
-  forget_last_query();
+  clear_last_query();
 }
 
 /// Lists the components of the start's faces, in ascending order, each once.
@@ -123,14 +123,14 @@ void Optimal::for_each_goal(mesh::Face f, Visit&& visit) const {
   for (auto at = first; at != goal_faces_.end() && at->face == f; ++at) visit(at->goal);
 }
 
-void Optimal::forget_last_query() {
+void Optimal::clear_last_query() {
   stamp_.next(1, reached_, goals_below_);
-  cover_mesh();
+  grow_to_mesh();
 }
 
-void Optimal::cover_mesh() {
-  reached_.cover(mesh_->vertex_slots());
-  goals_below_.cover(mesh_->face_slots());
+void Optimal::grow_to_mesh() {
+  reached_.grow_to(mesh_->vertex_slots());
+  goals_below_.grow_to(mesh_->face_slots());
 }
 
 /// Returns the index of a component's entry in the list of components, or the index where it would be.
@@ -175,15 +175,15 @@ bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
 // All edges of the start's faces are visible from the start, except the edges on which it lies.
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
-  const locate::Spot spot = ends_->start_location().spot;
+  const locate::LocatedKind kind = ends_->start_location().kind;
   at_once_bound_ = -1.0;  // do not follow any window at once
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
-    if (spot == locate::Spot::vertex) reached(mesh_->origin(h)).length = 0.0;
+    if (kind == locate::LocatedKind::vertex) reached(mesh_->origin(h)).length = 0.0;
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-      if (exit == h && spot != locate::Spot::face) continue;
-      if (exit == mesh::previous(h) && spot == locate::Spot::vertex) continue;
-      if (is_barred(exit)) continue;
+      if (exit == h && kind != locate::LocatedKind::face) continue;
+      if (exit == mesh::previous(h) && kind == locate::LocatedKind::vertex) continue;
+      if (is_excluded(exit)) continue;
       const mesh::HalfEdge entry = mesh_->twin(exit);
       offer({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
     }
@@ -227,7 +227,7 @@ void Optimal::follow_window(Node window) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
     look(f);
-    if (may_have_goals(f)) meet_goals(window, cone);
+    if (may_have_goals(f)) reach_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
@@ -243,16 +243,16 @@ void Optimal::follow_window(Node window) {
       if (right == Sign::zero) cone.set_right(window.right = apex);
     } else {
       exit = mesh::next(window.entry);
-      if (is_barred(f, exit)) {
+      if (is_excluded(f, exit)) {
         exit = mesh::previous(window.entry);
         cone.set_right(window.right = apex);
-      } else if (is_barred(f, mesh::previous(window.entry))) {
+      } else if (is_excluded(f, mesh::previous(window.entry))) {
         cone.set_left(window.left = apex);
       } else {
         return divide(window, cone, apex);
       }
     }
-    if (is_barred(f, exit)) return;
+    if (is_excluded(f, exit)) return;
     window.entry = mesh_->twin(exit);
     window.trace = traced(window.entry, window.trace);
     if (faces % kFacesBetweenLooks != 0) continue;
@@ -276,7 +276,7 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
   offer(right, to_apex, cone.right_direction());
 }
 
-void Optimal::meet_goals(const Node& window, const Cone& cone) {
+void Optimal::reach_goals(const Node& window, const Cone& cone) {
   for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
     const Geometry::View position = Geometry::view(goals_[goal].point);
     if (cone.side_of_left(position) == Sign::positive || cone.side_of_right(position) == Sign::negative) return;
@@ -303,8 +303,8 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const mesh::HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool leads_on = !is_barred(near_edge) || (sees_apex && !is_barred(far_edge));
-  if (!leads_on) {
+  const bool can_continue = !is_excluded(near_edge) || (sees_apex && !is_excluded(far_edge));
+  if (!can_continue) {
     bool is_at_goal = false;
     for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
     if (!is_at_goal) return;
@@ -364,20 +364,20 @@ void Optimal::make_left_turn(const Node& turn) {
     if (is_seen) end_at(goal, root, turn.trace);
   });
   const mesh::HalfEdge far_edge = mesh::next(turn.entry);
-  if (sees_apex && !is_barred(far_edge)) {
+  if (sees_apex && !is_excluded(far_edge)) {
     window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::previous(h));) {
+  for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::previous(h));) {
     h = mesh_->next_around(h);
     trace = traced(h, trace);
     ++expansions_;
     look(mesh::face(h));
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::next(h);
-    if (is_barred(exit)) continue;
+    if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
     offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
   }
@@ -397,20 +397,20 @@ void Optimal::make_right_turn(const Node& turn) {
     if (is_seen) end_at(goal, root, turn.trace);
   });
   const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
-  if (sees_apex && !is_barred(far_edge)) {
+  if (sees_apex && !is_excluded(far_edge)) {
     window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     offer(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_barred(mesh::next(h));) {
+  for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::next(h));) {
     h = mesh_->twin(mesh::next(h));
     trace = traced(h, trace);
     ++expansions_;
     look(mesh::face(h));
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::previous(h);
-    if (is_barred(exit)) continue;
+    if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
     offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
   }
@@ -439,12 +439,12 @@ void Optimal::offer(const Node& window, const Point& left, const Point& right) {
 /// "Sooner" means that the difference is larger than the rounding error of a sum of lengths. So of two equally long
 /// paths, neither excludes the other.
 bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
-  constexpr double kSurely = 1.0 + 0x1p-40;
+  constexpr double kRoundingMargin = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);
   const Point& other_end = position_of(mesh_->target(from_end));
   const Root& root = roots_[window.root];
-  const bool is_sooner =
-      (known.length + distance(position_of(end), other_end)) * kSurely < root.length + distance(root.point, other_end);
+  const bool is_sooner = (known.length + distance(position_of(end), other_end)) * kRoundingMargin <
+                         root.length + distance(root.point, other_end);
   return is_sooner && are_in_one_wedge(from_end, known.spoke);
 }
 
@@ -483,7 +483,7 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   const bool passes_left = cross(left, to_q) > 0.0;
   if (!passes_left && !(cross(right, to_q) < 0.0)) return length + distance(p, q);
   const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
-  if (has_one_goal) return length + (end ? length_by_way_of(p, *end, q) : distance_by_way_of(p, a, b, q));
+  if (has_one_goal) return length + (end ? distance_via_point(p, *end, q) : distance_via_segment(p, a, b, q));
   return end ? length + distance(p, *end) : length;
 }
 

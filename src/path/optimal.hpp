@@ -52,7 +52,7 @@ class Optimal {
   void start(double known_length = std::numeric_limits<double>::infinity());
 
   /// Makes room for faces and vertices that were added to the mesh after begin().
-  void cover_mesh();
+  void grow_to_mesh();
 
   /// Continues the search until `expansions` reaches `limit`, or until the search is finished: it has then found the
   /// shortest path to each goal that is connected with the start. Returns whether the search is finished.
@@ -133,7 +133,7 @@ class Optimal {
 
   class Cone;
 
-  void forget_last_query();
+  void clear_last_query();
   void list_components();
   [[nodiscard]] std::size_t index_of(nav::Components::Id component) const;
   void count_goal_face(mesh::Face f);
@@ -145,7 +145,7 @@ class Optimal {
   void follow(Node node);
   void follow_window(Node window);
   void divide(const Node& window, const Cone& cone, mesh::Vertex apex);
-  void meet_goals(const Node& window, const Cone& cone);
+  void reach_goals(const Node& window, const Cone& cone);
   void note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
   void make_left_turn(const Node& turn);
   void make_right_turn(const Node& turn);
@@ -170,11 +170,11 @@ class Optimal {
 
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or beyond it lies a
   /// dead end without a goal.
-  [[nodiscard]] bool is_barred(mesh::Face f, mesh::HalfEdge exit) const {
+  [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_dead_end(exit));
   }
-  [[nodiscard]] bool is_barred(mesh::HalfEdge exit) const { return is_barred(mesh::face(exit), exit); }
+  [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const { return is_excluded(mesh::face(exit), exit); }
   [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
     const GoalsBelow& below = goals_below_[number(f)];

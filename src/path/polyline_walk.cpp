@@ -12,7 +12,7 @@
 namespace waywright::path {
 
 using exact::Sign;
-using locate::Spot;
+using locate::LocatedKind;
 using mesh::HalfEdge;
 
 bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cover& cover,
@@ -23,8 +23,8 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
   const locate::Located start = triangulation.triangulation().locate(points.front());
   arrived_.clear();
   for (const HalfEdge h : cover.open_faces(triangulation, start)) {
-    const HalfEdge canonical = start.spot == Spot::vertex ? first_of_wedge(h) : h;
-    add_arrived({start.spot, canonical, exact::Geometry::view(points.front())});
+    const HalfEdge canonical = start.kind == LocatedKind::vertex ? first_of_wedge(h) : h;
+    add_arrived({start.kind, canonical, exact::Geometry::view(points.front())});
   }
   std::swap(states_, arrived_);
   if (states_.empty()) {
@@ -32,10 +32,10 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
     return stays && !cover.is_strictly_inside(triangulation, start);
   }
   for (std::size_t i = 1; i < points.size() && !states_.empty(); ++i) {
-    meanings_.assign(1, exact::Geometry::view(points[i]));
+    possible_ends_.assign(1, exact::Geometry::view(points[i]));
     if (i + 1 < points.size()) collect_crossings_at(points[i]);
     arrived_.clear();
-    for (const View& meaning : meanings_) walk_piece(meaning);
+    for (const View& end : possible_ends_) walk_piece(end);
     std::swap(states_, arrived_);
   }
   return !states_.empty();
@@ -58,8 +58,8 @@ Box box_of_rounded(const Point& point) {
 
 }  // namespace
 
-/// Adds to `meanings_` the constructed vertices whose rounded coordinates are the coordinates of `point`. Each of them
-/// lies within box_of_rounded(point), so it is a vertex of a face that meets this box.
+/// Adds to `possible_ends_` the constructed vertices whose rounded coordinates are the coordinates of `point`. Each of
+/// them lies within box_of_rounded(point), so it is a vertex of a face that meets this box.
 void PolylineWalk::collect_crossings_at(const Point& point) {
   if (!geometry().has_constructed()) return;
   const constraint::BoxTest box(box_of_rounded(point));
@@ -76,10 +76,10 @@ void PolylineWalk::collect_crossings_at(const Point& point) {
     HalfEdge h = mesh::first(flooded_[i]);
     for (int corner = 0; corner < 3; ++corner, h = mesh::next(h)) {
       const auto v = number(mesh_->origin(h));
-      const bool is_meant = !geometry().is_explicit(v) && geometry().rounded(v) == point;
-      const auto is_known = [&](const View& meaning) { return meaning.vertex == v; };
-      if (is_meant && std::none_of(meanings_.begin(), meanings_.end(), is_known))
-        meanings_.push_back(geometry().view(v));
+      const bool is_possible_end = !geometry().is_explicit(v) && geometry().rounded(v) == point;
+      const auto is_known = [&](const View& end) { return end.vertex == v; };
+      if (is_possible_end && std::none_of(possible_ends_.begin(), possible_ends_.end(), is_known))
+        possible_ends_.push_back(geometry().view(v));
       if (box.meets(geometry().exact(v), geometry().exact(number(mesh_->target(h))))) reach(mesh_->twin(h));
     }
   }
@@ -116,12 +116,12 @@ bool PolylineWalk::is_ahead(const View& p, const View& q) const {
 bool PolylineWalk::ends_before(mesh::Vertex v) const { return is_ahead(line_.to, view(v)); }
 
 void PolylineWalk::leave(const State& state) {
-  switch (state.spot) {
-    case Spot::vertex:
+  switch (state.kind) {
+    case LocatedKind::vertex:
       return leave_vertex(state.h);
-    case Spot::edge:
+    case LocatedKind::edge:
       return leave_edge(state.h);
-    case Spot::face:
+    case LocatedKind::face:
       return leave_face(state.h);
   }
 }
@@ -184,8 +184,8 @@ void PolylineWalk::leave_face(HalfEdge h) {
     const Sign before = corner[(i + 2) % 3];
     // A corner on the line lies ahead if the next corner is to the left of the line and the previous one to its right.
     if (corner[i] == Sign::zero && after == Sign::positive && before == Sign::negative) {
-      if (ends_before(mesh_->origin(sides[i]))) return arrive(Spot::face, h);
-      return come_to_vertex(sides[i]);
+      if (ends_before(mesh_->origin(sides[i]))) return arrive(LocatedKind::face, h);
+      return reach_vertex(sides[i]);
     }
     if (corner[i] == Sign::negative && after == Sign::positive) return cross_faces(sides[i]);
   }
@@ -194,15 +194,15 @@ void PolylineWalk::leave_face(HalfEdge h) {
 /// Follows `edge`, in its face, to a vertex or to the end of the segment. `at_end` is the half-edge of the same face
 /// that starts at that vertex.
 void PolylineWalk::run_along(HalfEdge edge, HalfEdge at_end) {
-  if (ends_before(mesh_->origin(at_end))) return arrive(Spot::edge, edge);
-  come_to_vertex(at_end);
+  if (ends_before(mesh_->origin(at_end))) return arrive(LocatedKind::edge, edge);
+  reach_vertex(at_end);
 }
 
 /// Leaves a face through the interior of its edge `exit`, unless the segment ends before or on that edge.
 void PolylineWalk::cross_faces(HalfEdge exit) {
   const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
-  if (end_side == Sign::positive) return arrive(Spot::face, exit);
-  if (end_side == Sign::zero) return arrive(Spot::edge, exit);
+  if (end_side == Sign::positive) return arrive(LocatedKind::face, exit);
+  if (end_side == Sign::zero) return arrive(LocatedKind::edge, exit);
   if (nav::PointAgent::can_cross(*mesh_, exit)) enter(mesh_->twin(exit));
 }
 
@@ -211,37 +211,37 @@ void PolylineWalk::enter(HalfEdge entry) {
   for (;;) {
     const Sign apex_side = side(mesh_->apex(entry));
     if (apex_side == Sign::zero) {
-      if (ends_before(mesh_->apex(entry))) return arrive(Spot::face, entry);
-      return come_to_vertex(mesh::previous(entry));
+      if (ends_before(mesh_->apex(entry))) return arrive(LocatedKind::face, entry);
+      return reach_vertex(mesh::previous(entry));
     }
     const HalfEdge exit = apex_side == Sign::positive ? mesh::next(entry) : mesh::previous(entry);
     const Sign end_side = geometry().orientation(view(mesh_->origin(exit)), view(mesh_->target(exit)), line_.to);
-    if (end_side == Sign::positive) return arrive(Spot::face, exit);
-    if (end_side == Sign::zero) return arrive(Spot::edge, exit);
+    if (end_side == Sign::positive) return arrive(LocatedKind::face, exit);
+    if (end_side == Sign::zero) return arrive(LocatedKind::edge, exit);
     if (!nav::PointAgent::can_cross(*mesh_, exit)) return;
     entry = mesh_->twin(exit);
   }
 }
 
-void PolylineWalk::arrive(Spot spot, HalfEdge h) { add_arrived({spot, h, line_.to}); }
+void PolylineWalk::arrive(LocatedKind kind, HalfEdge h) { add_arrived({kind, h, line_.to}); }
 
 void PolylineWalk::add_arrived(const State& state) {
   const auto is_same = [&](const State& other) {
-    return other.h == state.h && other.spot == state.spot && other.location.vertex == state.location.vertex;
+    return other.h == state.h && other.kind == state.kind && other.location.vertex == state.location.vertex;
   };
   if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
 }
 
-/// Comes to the origin of `outgoing` through the face of `outgoing`. The segment ends there or continues from there.
-void PolylineWalk::come_to_vertex(HalfEdge outgoing) {
+/// Reaches the origin of `outgoing` through the face of `outgoing`. The segment ends there or continues from there.
+void PolylineWalk::reach_vertex(HalfEdge outgoing) {
   const HalfEdge wedge = first_of_wedge(outgoing);
   // The agent reaches the vertices in their order on the line, and each at most once from each side of the line.
   const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));
   if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
   const View location = view(mesh_->origin(outgoing));
-  if (geometry().order(location, line_.to) == 0) return arrive(Spot::vertex, wedge);
-  waiting_.push_back({Spot::vertex, wedge, location});
+  if (geometry().order(location, line_.to) == 0) return arrive(LocatedKind::vertex, wedge);
+  waiting_.push_back({LocatedKind::vertex, wedge, location});
 }
 
 /// Names the wedge between walls that contains the face of `outgoing` by its first half-edge, counter-clockwise. A

@@ -39,7 +39,7 @@ class PolylineWalk {
   /// position lies inside the face, the half-edge along the edge if it lies on an edge, the outgoing half-edge if it is
   /// a vertex.
   struct State {
-    locate::Spot spot;
+    locate::LocatedKind kind;
     mesh::HalfEdge h;
     View location;
   };
@@ -60,16 +60,16 @@ class PolylineWalk {
   void run_along(mesh::HalfEdge edge, mesh::HalfEdge at_end);
   void cross_faces(mesh::HalfEdge exit);
   void enter(mesh::HalfEdge entry);
-  void arrive(locate::Spot spot, mesh::HalfEdge h);
+  void arrive(locate::LocatedKind kind, mesh::HalfEdge h);
   void add_arrived(const State& state);
-  void come_to_vertex(mesh::HalfEdge outgoing);
+  void reach_vertex(mesh::HalfEdge outgoing);
   [[nodiscard]] mesh::HalfEdge first_of_wedge(mesh::HalfEdge outgoing) const;
 
   const Triangulation* triangulation_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   exact::Geometry::Line line_;          ///< of the segment that the agent walks along
   bool ascends_ = false;                ///< whether the segment's end comes after its start in (x, y) order
-  std::vector<View> meanings_;          ///< the exact positions for which the segment's end stands
+  std::vector<View> possible_ends_;     ///< exact positions: the segment's end may be any of them
   std::vector<State> states_;           ///< at the start of the segment
   std::vector<State> arrived_;          ///< at the end of the segment
   std::vector<State> waiting_;          ///< at vertices on the segment

@@ -43,9 +43,9 @@ class Sight {
     const bool is_left = cross(from_root(left_), from_root(goal)) > 0.0;
     const bool is_right = cross(from_root(right_), from_root(goal)) < 0.0;
     if (!is_left && !is_right) return length_ + distance(root_, goal);
-    if (!is_right) return length_ + length_by_way_of(root_, left_, goal);
-    if (!is_left) return length_ + length_by_way_of(root_, right_, goal);
-    return length_ + std::min(length_by_way_of(root_, left_, goal), length_by_way_of(root_, right_, goal));
+    if (!is_right) return length_ + distance_via_point(root_, left_, goal);
+    if (!is_left) return length_ + distance_via_point(root_, right_, goal);
+    return length_ + std::min(distance_via_point(root_, left_, goal), distance_via_point(root_, right_, goal));
   }
 
  private:

@@ -16,13 +16,13 @@ void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedA
   open_.clear();
   is_found_ = false;
   given_up_bound_ = std::numeric_limits<double>::infinity();
-  forget_entries();
+  clear_entries();
   for (const mesh::HalfEdge h : ends.start_faces()) leave_start_face(h);
 }
 
-void TaStar::forget_entries() {
+void TaStar::clear_entries() {
   stamp_.next(1, entered_);
-  cover_mesh();
+  grow_to_mesh();
 }
 
 bool TaStar::step(std::size_t limit, Path& path) {
@@ -96,8 +96,8 @@ bool TaStar::arrive(std::uint32_t position) {
 }
 
 double TaStar::bound(const Funnel& funnel) const {
-  return tree_.length(funnel.apex) + distance_by_way_of(tree_.point(funnel.apex), tree_.point(funnel.left),
-                                                        tree_.point(funnel.right), ends_->goal());
+  return tree_.length(funnel.apex) + distance_via_segment(tree_.point(funnel.apex), tree_.point(funnel.left),
+                                                          tree_.point(funnel.right), ends_->goal());
 }
 
 void TaStar::write_path(Path& path) const {

@@ -34,7 +34,7 @@ class TaStar {
   /// Requires: no face lies at both ends; the ends and the triangulation do not change during the search.
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
-  void cover_mesh() { entered_.cover(std::size_t{3} * mesh_->face_slots()); }
+  void grow_to_mesh() { entered_.grow_to(std::size_t{3} * mesh_->face_slots()); }
   /// Continues the search until one of three things happens: `path.expansions` reaches `limit`; the search finds a
   /// better path than the one in `path`; no channel is left that could contain a better path. Returns whether no
   /// channel is left.
@@ -53,7 +53,7 @@ class TaStar {
     double bound;  ///< no path from start to goal along this channel is shorter
   };
 
-  void forget_entries();
+  void clear_entries();
   /// Opens a node for each face adjacent to a start face, or to the face of a node.
   void leave_start_face(mesh::HalfEdge h);
   void leave(std::uint32_t position);

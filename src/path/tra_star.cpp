@@ -23,7 +23,7 @@ void TraStar::begin(const Triangulation& triangulation, const nav::Abstraction& 
 void TraStar::find(Path& path) {
   nodes_.clear();
   open_.clear();
-  forget_marks();
+  clear_marks();
   mark_passages_to_goal();
   for (const HalfEdge h : ends_->start_faces()) mark(mesh::face(h), kChosen);
   for (const HalfEdge h : ends_->start_faces()) {
@@ -45,9 +45,9 @@ void TraStar::find(Path& path) {
   }
 }
 
-void TraStar::forget_marks() {
+void TraStar::clear_marks() {
   stamp_.next(kMarks, marks_);
-  marks_.cover(mesh_->face_slots());
+  marks_.grow_to(mesh_->face_slots());
 }
 
 void TraStar::mark(Face f, std::uint32_t mark) {
@@ -88,27 +88,27 @@ void TraStar::mark_passages_between_goals() {
   std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });
   for (std::size_t i = 1; i < tops_.size(); ++i) {
     if (component(tops_[i - 1]) != component(tops_[i])) continue;
-    mark(tops_[i - 1], kGoalElsewhere);
-    mark(tops_[i], kGoalElsewhere);
+    mark(tops_[i - 1], kGoalOutside);
+    mark(tops_[i], kGoalOutside);
   }
   while (!tops_.empty()) {
     const Face f = tops_.back();
     tops_.pop_back();
     const unsigned down = passages_down(f);
-    const bool is_elsewhere = (marks_of(f) & (kGoal | kGoalElsewhere)) != 0 || std::popcount(down) > 1;
+    const bool has_goal_outside = (marks_of(f) & (kGoal | kGoalOutside)) != 0 || std::popcount(down) > 1;
     for (std::uint32_t side = 0; side < 3; ++side) {
       if ((down >> side & 1U) == 0) continue;
       const Face below = mesh::face(mesh_->twin(HalfEdge{3 * number(f) + side}));
-      if (is_elsewhere) mark(below, kGoalElsewhere);
+      if (has_goal_outside) mark(below, kGoalOutside);
       tops_.push_back(below);
     }
   }
 }
 
-/// Returns the passages down towards the goal and, if the face has the mark kGoalElsewhere, also those up. In a tree
+/// Returns the passages down towards the goal and, if the face has the mark kGoalOutside, also those up. In a tree
 /// without a core, the result of passages_on() does not depend on which face is the root.
 unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
-  return (marks & kGoalElsewhere) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
+  return (marks & kGoalOutside) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
 }
 
 unsigned TraStar::passages_down(Face f) const {
@@ -178,9 +178,9 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
 /// Opens a node. The bound includes a small fraction of the distance from the goal. So if the estimates of two channels
 /// are about equal, the search prefers the channel that is closer to the goal, because more of its length is known.
 void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Sight& sight) {
-  constexpr double kHaste = 1.0 / 128;
+  constexpr double kTieBreakWeight = 1.0 / 128;
   const Point& goal = ends_->goal();
-  const double bound = sight.length_to(goal) + kHaste * distance(position_of(mesh_->origin(entry)), goal);
+  const double bound = sight.length_to(goal) + kTieBreakWeight * distance(position_of(mesh_->origin(entry)), goal);
   open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
   nodes_.push_back({exit, entry, before, sight});
 }

@@ -52,12 +52,12 @@ class TraStar {
 
   // Marks of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
-  static constexpr std::uint32_t kAboveGoal = 2;      ///< a goal face, or a face between a goal face and the core
-  static constexpr std::uint32_t kGoalElsewhere = 4;  ///< kAboveGoal, and its component has goal faces not below it
-  static constexpr std::uint32_t kChosen = 8;         ///< the search has made its choice here
+  static constexpr std::uint32_t kAboveGoal = 2;    ///< a goal face, or a face between a goal face and the core
+  static constexpr std::uint32_t kGoalOutside = 4;  ///< kAboveGoal, and its component has goal faces not below it
+  static constexpr std::uint32_t kChosen = 8;       ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 
-  void forget_marks();
+  void clear_marks();
   [[nodiscard]] std::uint32_t marks_of(mesh::Face f) const {
     return marks_[number(f)] >= stamp_.value() ? marks_[number(f)] - stamp_.value() : 0;
   }

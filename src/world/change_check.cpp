@@ -50,13 +50,13 @@ std::optional<Error> ChangeCheck::add_insertion(const Shape& shape, ItemId& id) 
 }
 
 std::optional<Error> ChangeCheck::add_removal(ItemId id) {
-  if (!is_alive(id)) return unknown_id_error(id);
+  if (!is_live(id)) return unknown_id_error(id);
   if (keeps_record_) changed_[id] = false;
   return std::nullopt;
 }
 
 std::optional<Error> ChangeCheck::add_replacement(ItemId id, const Shape& shape) {
-  if (!is_alive(id)) return unknown_id_error(id);
+  if (!is_live(id)) return unknown_id_error(id);
   return check_shape(id, shape);
 }
 
@@ -82,7 +82,7 @@ std::optional<Error> ChangeCheck::check_point(std::size_t i, const Point& point,
 
 std::optional<Error> ChangeCheck::check_new_id(ItemId id) const {
   if (id.is_null() || id.value > ItemId::kLargest) return Error{ErrorCode::bad_id, {}, id, 0};
-  if (id <= largest_ && is_alive(id)) return Error{ErrorCode::id_in_use, {}, id, 0};
+  if (id <= largest_ && is_live(id)) return Error{ErrorCode::id_in_use, {}, id, 0};
   return std::nullopt;
 }
 
@@ -103,7 +103,7 @@ std::optional<Error> ChangeCheck::add_vertices(std::size_t count) {
   return std::nullopt;
 }
 
-bool ChangeCheck::is_alive(ItemId id) const {
+bool ChangeCheck::is_live(ItemId id) const {
   if (keeps_record_) {
     const auto found = changed_.find(id);
     if (found != changed_.end()) return found->second;

@@ -42,7 +42,7 @@ class ChangeCheck {
   [[nodiscard]] std::optional<Error> check_point(std::size_t i, const Point& point, ItemId id) const;
   [[nodiscard]] std::optional<Error> check_shape(ItemId id, const Shape& shape);
   [[nodiscard]] std::optional<Error> add_vertices(std::size_t count);
-  [[nodiscard]] bool is_alive(ItemId id) const;
+  [[nodiscard]] bool is_live(ItemId id) const;
   void remember_insertion(ItemId id);
 
   const constraint::ExactTriangulation& triangulation_;
@@ -50,7 +50,7 @@ class ChangeCheck {
   ItemId largest_;                            ///< the largest id so far, including accepted changes
   std::size_t vertex_count_;                  ///< an upper bound, after the accepted changes, without new crossings
   std::vector<ItemId> fresh_;                 ///< the inserted ids that were larger than all ids before; ascending
-  std::unordered_map<ItemId, bool> changed_;  ///< for each other id in a change: whether its item is alive now
+  std::unordered_map<ItemId, bool> changed_;  ///< for each other id in a change: whether its item is live now
 };
 
 }  // namespace waywright

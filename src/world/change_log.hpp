@@ -38,7 +38,7 @@ class ChangeLog {
 
   /// Allocates the memory that commit() needs.
   void reserve() {
-    if (entries_.size() + boxes_.size() > 2 * kKept) drop_oldest();
+    if (entries_.size() + boxes_.size() > 2 * kKept) remove_oldest();
     if (entries_.capacity() < entries_.size() + boxes_.size()) entries_.reserve(2 * (entries_.size() + boxes_.size()));
   }
   /// Ends an operation that has succeeded. `version` is the new version of the world. Allocates nothing. Requires:
@@ -76,14 +76,14 @@ class ChangeLog {
 
   [[nodiscard]] static bool meets(std::span<const Point> points, const Box& box) {
     const constraint::BoxTest test(box);
-    if (points.size() == 1) return test.holds(points.front());
+    if (points.size() == 1) return test.contains(points.front());
     for (std::size_t i = 1; i < points.size(); ++i) {
       if (test.meets(exact::explicit_point(points[i - 1]), exact::explicit_point(points[i]))) return true;
     }
     return false;
   }
 
-  void drop_oldest() {
+  void remove_oldest() {
     const auto kept = entries_.end() - static_cast<std::ptrdiff_t>(std::min(kKept, entries_.size()));
     if (kept != entries_.begin()) complete_since_ = (kept - 1)->version;
     entries_.erase(entries_.begin(), kept);

@@ -18,10 +18,10 @@ namespace {
 
 constexpr char kNoThread[] = "BulkOptions: `threads` is 0; the calling thread is one";
 
-/// Returns a crew that calls `progress` only while less than `total` is done. The caller itself reports `total` at the
+/// Returns a team that calls `progress` only while less than `total` is done. The caller itself reports `total` at the
 /// end.
-threads::Crew crew_of(const BulkOptions& options, std::size_t total) {
-  threads::Crew::Report report;
+threads::ThreadTeam team_of(const BulkOptions& options, std::size_t total) {
+  threads::ThreadTeam::Report report;
   if (options.progress) {
     report = [&options, total](std::size_t done) {
       if (done < total) options.progress(done, total);
@@ -123,8 +123,8 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     std::size_t end = i;
     while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
     if (end > i + 1) {
-      const std::span<const ItemId> their_ids(ids.data() + i, end - i);
-      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), their_ids});
+      const std::span<const ItemId> batch_ids(ids.data() + i, end - i);
+      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), batch_ids});
       i = end - 1;
       continue;
     }
@@ -147,7 +147,7 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
     total += items[i].shape.rings.points().size();
   }
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, crew_of(options, total));
+  impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, team_of(options, total));
   if (options.progress) options.progress(total, total);
   return ids;
 }
@@ -158,7 +158,7 @@ Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOp
   ChangeCheck check(impl_->triangulation, ChangeCheck::Record::no);
   if (auto error = check.add_points(points, first)) return *std::move(error);
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  impl_->insert_all(constraint::PointBatch{points, first}, crew_of(options, points.size()));
+  impl_->insert_all(constraint::PointBatch{points, first}, team_of(options, points.size()));
   if (options.progress) options.progress(points.size(), points.size());
   return first;
 }

@@ -28,9 +28,9 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   }
   void begin() { finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at); }
   /// Continues the search in the current version of the world. Restarts it if a change concerns it.
-  void catch_up() {
+  void adapt_to_changes() {
     if (version == touch_log->version()) return;
-    finder.cover_mesh();
+    finder.grow_to_mesh();
     const bool is_concerned = touch_log->has_touched(looked_at, version) || finder.has_covered_end();
     version = touch_log->version();
     if (!is_concerned) return;
@@ -86,12 +86,12 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
 Result<bool> PathSearch::step(std::size_t expansions) {
   const base::FloatEnvironment environment;
   if (!is_running()) return true;
-  if (impl_->touch_log->version() == TouchLog::kGone) {
+  if (impl_->touch_log->version() == TouchLog::kWorldGone) {
     cancel();
     return Error{ErrorCode::world_gone, "the world has gone since the search began", {}, 0};
   }
   const Impl::Step step(*impl_);
-  impl_->catch_up();
+  impl_->adapt_to_changes();
   impl_->is_done = impl_->finder.step(expansions, impl_->path);
   return impl_->is_done;
 }

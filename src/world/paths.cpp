@@ -6,7 +6,7 @@
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
-#include "threads/crew.hpp"
+#include "threads/thread_team.hpp"
 #include "world/path_query_error.hpp"
 #include "world/point_error.hpp"
 #include "world/query_scratch.hpp"
@@ -55,8 +55,8 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   }
   WAYWRIGHT_ASSERT(!contexts.empty(), "World::find_paths: there is no context, or the number of threads is 0");
   paths.resize(queries.size());
-  const threads::Crew crew(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {}, jobs);
-  crew.take_turns(queries.size(), [&](std::size_t thread, std::size_t i) {
+  const threads::ThreadTeam team(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {}, jobs);
+  team.for_each_index(queries.size(), [&](std::size_t thread, std::size_t i) {
     path::Finder& finder = contexts[thread].scratch_->finder;
     finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
     finder.step(kToTheEnd, paths[i]);
@@ -67,7 +67,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
 Result<std::vector<Path>> World::find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                             JobSystem* jobs) const {
   std::vector<QueryContext> contexts(
-      std::min({threads, std::max(queries.size(), std::size_t{1}), threads::Crew::kMostThreads}));
+      std::min({threads, std::max(queries.size(), std::size_t{1}), threads::ThreadTeam::kMostThreads}));
   std::vector<Path> paths;
   if (auto done = find_paths(queries, contexts, paths, jobs); !done) return done.error();
   return paths;

@@ -16,8 +16,8 @@ std::string to_string(const Point& point) {
   return text += ')';
 }
 
-Box Box::of(PointSpan points) {
-  WAYWRIGHT_ASSERT(!points.empty(), "Box::of: there is no point");
+Box Box::bounding(PointSpan points) {
+  WAYWRIGHT_ASSERT(!points.empty(), "Box::bounding: there is no point");
   Box box{points.front(), points.front()};
   for (const Point& point : points) box.expand(point);
   return box;

@@ -32,23 +32,23 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
   const auto& delaunay = triangulation.triangulation();
   const locate::Located located = delaunay.locate(point);
   constexpr std::array<LocationKind, 3> kKinds = {LocationKind::vertex, LocationKind::edge, LocationKind::face};
-  const auto spot = static_cast<std::size_t>(located.spot);
-  location.at = kKinds[spot];
-  location.corner_count = spot + 1;
-  std::array<mesh::Vertex, 3> corners = {mesh.origin(located.h), mesh.target(located.h), mesh.apex(located.h)};
-  const auto end = corners.begin() + static_cast<std::ptrdiff_t>(location.corner_count);
+  const auto kind = static_cast<std::size_t>(located.kind);
+  location.kind = kKinds[kind];
+  location.vertex_count = kind + 1;
+  std::array<mesh::Vertex, 3> vertices = {mesh.origin(located.h), mesh.target(located.h), mesh.apex(located.h)};
+  const auto end = vertices.begin() + static_cast<std::ptrdiff_t>(location.vertex_count);
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return delaunay.comes_before(p, q); };
-  std::rotate(corners.begin(), std::min_element(corners.begin(), end, before), end);
-  for (std::size_t i = 0; i < location.corner_count; ++i) {
-    location.corners[i] = delaunay.geometry().rounded(number(corners[i]));
+  std::rotate(vertices.begin(), std::min_element(vertices.begin(), end, before), end);
+  for (std::size_t i = 0; i < location.vertex_count; ++i) {
+    location.vertices[i] = delaunay.geometry().rounded(number(vertices[i]));
   }
-  location.inside.clear();
+  location.polygons.clear();
   nav::KeptCover& cover = context.scratch_->cover;
   cover.use(impl.kept_abstraction());
   for (const std::uint32_t item : cover.of_location(triangulation, located)) {
-    location.inside.push_back(triangulation.items().id(item));
+    location.polygons.push_back(triangulation.items().id(item));
   }
-  std::sort(location.inside.begin(), location.inside.end());
+  std::sort(location.polygons.begin(), location.polygons.end());
   return {};
 }
 

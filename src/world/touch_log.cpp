@@ -22,7 +22,7 @@ bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangula
   };
   mesh.for_each_touched_face([&](mesh::Face f, mesh::TriangleMesh::Touch) {
     add(f);
-    if (entries_.size() > kLongest || !mesh.is_alive(f)) return;
+    if (entries_.size() > kLongest || !mesh.is_live(f)) return;
     for (const mesh::HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
       if (mesh.origin(h) == triangulation.triangulation().ghost()) continue;
       mesh.for_each_outgoing(mesh.origin(h), [&](mesh::HalfEdge around) { add(mesh::face(around)); });
@@ -32,15 +32,15 @@ bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangula
 }
 
 void TouchLog::note_abstraction(const nav::Abstraction& abstraction) {
-  if (complete_since_ > version_) return;  // note_mesh() has recorded that the operation touches every face
-  const bool is_told = abstraction.for_each_changed_face([&](mesh::Face f) {
+  if (complete_since_ > version_) return;  // everything counts as touched already
+  const bool has_list = abstraction.for_each_changed_face([&](mesh::Face f) {
     if (entries_.size() < entries_.capacity()) {
       entries_.push_back({version_ + 1, f});
     } else {
       note_everything();
     }
   });
-  if (!is_told) note_everything();
+  if (!has_list) note_everything();
 }
 
 void TouchLog::shrink_to_fit() {

@@ -22,10 +22,10 @@ namespace waywright {
 /// World: while a thread calls one that is not const, no other thread may use the log.
 class TouchLog {
  public:
-  static constexpr std::uint64_t kGone = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t kWorldGone = std::numeric_limits<std::uint64_t>::max();
 
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  void note_world_gone() { version_ = kGone; }
+  void note_world_gone() { version_ = kWorldGone; }
 
   void add_search() { searches_.fetch_add(1, std::memory_order_relaxed); }
   void remove_search() { searches_.fetch_sub(1, std::memory_order_relaxed); }

@@ -23,7 +23,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
 
   /// Inserts a batch as one operation.
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::Crew& crew = {});
+  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
   // The next three functions record items in `change_log`: all items of a batch, one item that an operation inserts, or
   // one item that it removes.
   template <class Batch>
@@ -57,8 +57,8 @@ class WAYWRIGHT_INTERNAL World::Operation {
     impl_.note_item(shape.kind, shape.rings);
   }
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::Crew& crew = {}) {
-    impl_.triangulation.insert_all(batch, crew);
+  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {}) {
+    impl_.triangulation.insert_all(batch, team);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (batch.kind(i) == ItemKind::polygon) note_inserted(batch.id(i));
     }
@@ -95,13 +95,13 @@ class WAYWRIGHT_INTERNAL World::Operation {
 /// If the world has no items, the function builds a new triangulation and then replaces the old one. So the insertion
 /// is all or nothing without an undo log.
 template <class Batch>
-void World::Impl::insert_all(const Batch& batch, const threads::Crew& crew) {
+void World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   if (triangulation.items().size() != 0) {
     Operation operation(*this);
-    operation.insert_all(batch, crew);
+    operation.insert_all(batch, team);
     return operation.commit();
   }
-  constraint::ExactTriangulation made(triangulation.domain(), batch, crew);
+  constraint::ExactTriangulation made(triangulation.domain(), batch, team);
   made.mark_used(triangulation.items().largest_id_seen());
   change_log.begin();
   note_changes(batch);

@@ -16,7 +16,7 @@ namespace {
 using Triangulation = delaunay::Triangulation<exact::Geometry>;
 using Ground = bench::Ground<exact::Geometry>;
 using locate::Located;
-using locate::Spot;
+using locate::LocatedKind;
 using mesh::HalfEdge;
 
 constexpr Box kBox = {{0, 0}, {32, 32}};
@@ -32,8 +32,8 @@ Point random_point(Random& random) {
 /// Returns the number of the vertex, edge or face of `location`. Two results with the same name are the same location.
 std::uint32_t name(const Triangulation& triangulation, const Located& location) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  if (location.spot == Spot::vertex) return number(mesh.origin(location.h));
-  if (location.spot == Spot::edge) return number(std::min(location.h, mesh.twin(location.h)));
+  if (location.kind == LocatedKind::vertex) return number(mesh.origin(location.h));
+  if (location.kind == LocatedKind::edge) return number(std::min(location.h, mesh.twin(location.h)));
   return number(mesh::face(location.h));
 }
 
@@ -49,18 +49,18 @@ void expect_what_search_of_all_faces_finds(Strategy strategy) {
       const auto inserted = triangulation.insert(random_point(random));
       if (inserted.is_new && inserted.split == mesh::kNoHalfEdge) vertices.push_back(inserted.vertex);
     } else {
-      const std::size_t gone = random.below(vertices.size());
-      triangulation.remove_vertex(triangulation.star(vertices[gone]));
-      vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(gone));
+      const std::size_t removed_index = random.below(vertices.size());
+      triangulation.remove_vertex(triangulation.star(vertices[removed_index]));
+      vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(removed_index));
     }
     const Point point = random_point(random);
     const Ground ground = ground_of(triangulation);
-    ASSERT_TRUE(ground.holds(strategy.start(ground, point)));
+    ASSERT_TRUE(ground.contains(strategy.start(ground, point)));
     const Located location = bench::locate_by(strategy, ground, point);
     const Located right = locate::search_all(ground.mesh, ground.geometry, exact::Geometry::view(point), ground.ghost);
-    ASSERT_EQ(location.spot, right.spot);
+    ASSERT_EQ(location.kind, right.kind);
     ASSERT_EQ(name(triangulation, location), name(triangulation, right));
-    ++counts[static_cast<std::size_t>(location.spot)];
+    ++counts[static_cast<std::size_t>(location.kind)];
   }
   for (const std::size_t count : counts) EXPECT_GT(count, 10U);
 }

@@ -45,10 +45,10 @@ class FindFault : public testing::Test {
   void insert(const Shape& shape) { triangulation_.insert(shape, {++last_id_}); }
   void insert_point(double x, double y) { insert({ItemKind::point, {{{x, y}}}}); }
 
-  void displace(const Point& place, const Point& by) {
+  void displace(const Point& point, const Point& by) {
     ASSERT_EQ(triangulation_.find_fault(), std::nullopt);
-    const auto located = triangulation_.triangulation().locate(place);
-    ASSERT_EQ(located.spot, locate::Spot::vertex);
+    const auto located = triangulation_.triangulation().locate(point);
+    ASSERT_EQ(located.kind, locate::LocatedKind::vertex);
     LyingGeometry::displaced_vertex = number(triangulation_.topology().origin(located.h));
     LyingGeometry::displacement = by;
   }

@@ -124,7 +124,7 @@ TEST(ItemHash, FollowsThePageThroughRandomChanges) {
   }
 }
 
-TEST(ItemHash, TellsItemsApart) {
+TEST(ItemHash, DiffersForDifferentItems) {
   const Shape segment{ItemKind::segment, {{{0, 0}, {1, 1}}}};
   const Shape backwards{ItemKind::segment, {{{1, 1}, {0, 0}}}};
   const Shape polyline{ItemKind::polyline, segment.rings};

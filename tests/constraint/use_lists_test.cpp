@@ -31,7 +31,7 @@ TEST(UseLists, ListsGrowOneByOneAndMayRepeat) {
   EXPECT_EQ(sorted(lists, list), (std::vector<std::uint32_t>{0, 5, 5, UseLists::kLargestUser}));
 }
 
-TEST(UseLists, ACopyGoesItsOwnWay) {
+TEST(UseLists, ACopyIsIndependent) {
   UseLists lists;
   const Uses list = lists.add(lists.add(lists.add(UseLists::kNone, 1), 2), 3);
   Uses copy = lists.copy(list);
@@ -39,7 +39,7 @@ TEST(UseLists, ACopyGoesItsOwnWay) {
   EXPECT_NE(copy, list);
   copy = lists.add(copy, 4);
   EXPECT_EQ(sorted(lists, list), (std::vector<std::uint32_t>{1, 2, 3}));
-  EXPECT_EQ(lists.copy(UseLists::of(9)), UseLists::of(9)) << "a lone user takes no memory";
+  EXPECT_EQ(lists.copy(UseLists::single(9)), UseLists::single(9)) << "a lone user takes no memory";
   EXPECT_EQ(lists.copy(UseLists::kNone), UseLists::kNone);
 }
 

@@ -33,8 +33,8 @@ Triangulation made_one_by_one(const Box& box, const std::vector<Point>& points) 
   return triangulation;
 }
 
-using Place = std::pair<double, double>;
-using Edge = std::pair<Place, Place>;
+using Coordinates = std::pair<double, double>;
+using Edge = std::pair<Coordinates, Coordinates>;
 
 /// Returns the half-edges by the positions of their ends, with their labels. Two meshes with equal sets are equal.
 std::set<std::pair<Edge, mesh::Label>> edges_of(const Triangulation& triangulation) {
@@ -43,11 +43,11 @@ std::set<std::pair<Edge, mesh::Label>> edges_of(const Triangulation& triangulati
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
     if (triangulation.is_ghost_face(h)) continue;
-    const auto place = [&](mesh::Vertex v) {
+    const auto coordinates = [&](mesh::Vertex v) {
       const Point& point = triangulation.geometry().rounded(number(v));
-      return Place{point.x, point.y};
+      return Coordinates{point.x, point.y};
     };
-    edges.insert({{place(mesh.origin(h)), place(mesh.target(h))}, mesh.label(h)});
+    edges.insert({{coordinates(mesh.origin(h)), coordinates(mesh.target(h))}, mesh.label(h)});
   }
   return edges;
 }
@@ -59,7 +59,7 @@ void expect_same(const Box& box, const std::vector<Point>& points) {
 }
 
 /// Returns a point in the box [0, 1] x [0, 1]; `kind` selects the distribution.
-Point random_place(std::size_t kind, Random& random) {
+Point random_point(std::size_t kind, Random& random) {
   const auto fraction = [&](std::size_t steps) {
     return static_cast<double>(random.below(steps + 1)) / static_cast<double>(steps);
   };
@@ -95,7 +95,7 @@ TEST(DivideAndConquer, MakesTheMeshThatInsertionMakes) {
     for (std::size_t round = 0; round < 60; ++round) {
       std::vector<Point> points;
       const std::size_t count = round < 20 ? round : random.below(120);
-      for (std::size_t i = 0; i < count; ++i) points.push_back(random_place(kind, random));
+      for (std::size_t i = 0; i < count; ++i) points.push_back(random_point(kind, random));
       SCOPED_TRACE(testing::Message() << "kind " << kind << ", round " << round);
       expect_same({{0, 0}, {1, 1}}, points);
       if (HasFatalFailure()) return;

@@ -27,7 +27,7 @@ testing::AssertionResult is_delaunay(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const HalfEdge h = mesh::first(mesh::Face{i});
-    if (!mesh.is_alive(mesh::Face{i}) || triangulation.is_ghost_face(h)) continue;
+    if (!mesh.is_live(mesh::Face{i}) || triangulation.is_ghost_face(h)) continue;
     const std::array<Vertex, 3> corners = {mesh.origin(h), mesh.target(h), mesh.apex(h)};
     std::array<RationalPoint, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = rational(triangulation.geometry().exact(number(corners[k])));
@@ -35,7 +35,7 @@ testing::AssertionResult is_delaunay(const Triangulation& triangulation) {
       return testing::AssertionFailure() << "face " << i << " is not counter-clockwise";
     }
     for (std::uint32_t j = 0; j < mesh.vertex_slots(); ++j) {
-      if (!mesh.is_alive(Vertex{j}) || Vertex{j} == triangulation.ghost()) continue;
+      if (!mesh.is_live(Vertex{j}) || Vertex{j} == triangulation.ghost()) continue;
       if (std::find(corners.begin(), corners.end(), Vertex{j}) != corners.end()) continue;
       const RationalPoint q = rational(triangulation.geometry().exact(j));
       const exact::Sign side = rational_in_circle(p[0], p[1], p[2], q);

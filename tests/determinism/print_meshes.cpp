@@ -53,14 +53,14 @@ void print_paths(const World& world, const Box& domain, std::uint64_t seed) {
     const auto parts = static_cast<double>(random.below(65));
     return low + (high - low) / 64.0 * parts;
   };
-  const auto place = [&] {
+  const auto random_point = [&] {
     const double x = between(domain.min.x, domain.max.x);
     const double y = between(domain.min.y, domain.max.y);
     return Point{x, y};
   };
   for (std::size_t i = 0; i < kPaths; ++i) {
-    const Point start = place();
-    const Point goal = place();
+    const Point start = random_point();
+    const Point goal = random_point();
     for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
       print_path(world, {.start = start, .goal = goal, .algorithm = algorithm});
     }

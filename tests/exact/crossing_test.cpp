@@ -149,7 +149,7 @@ TEST(Rounding, TiesGoToEven) {
   EXPECT_EQ(exact::round_to_nearest(above).nearest, (Point{0, 0x1p53 + 4}));
 }
 
-TEST(Rounding, PlacesNearerToZeroThanTheRangeStayConstructed) {
+TEST(Rounding, PositionsNearerToZeroThanTheRangeStayConstructed) {
   const exact::Crossing crossing{{-0x1p60, -0x1p-60}, {0x1p60, 0x1p-60}, {0x1p-60, -1}, {0x1p-60, 1}};
   const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
   EXPECT_EQ(rounded.nearest, (Point{0x1p-60, 0x1p-180}));
@@ -203,16 +203,16 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
 
 // Tests all triples of the points of a small lattice and the crossings of lines between them. Many triples are
 // collinear.
-TEST(Geometry, TellsOrientationsAndSidesOfLines) {
+TEST(Geometry, DecidesOrientationsAndSidesOfLines) {
   exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
-  std::vector<RationalPoint> places;
+  std::vector<RationalPoint> positions;
   std::array<std::size_t, 3> signs = {0, 0, 0};
   NearMisses source(NearMiss::crossings, 7);
   std::uint32_t count = 0;
-  while (places.size() < 40) {
+  while (positions.size() < 40) {
     const exact::ExactPoint point = source.any();
     if (std::abs(point.x) > 4.0 || std::abs(point.y) > 4.0) continue;
-    places.push_back(rational(point));
+    positions.push_back(rational(point));
     if (point.is_explicit()) {
       geometry.set_position(count++, {point.x, point.y});
       continue;
@@ -220,17 +220,17 @@ TEST(Geometry, TellsOrientationsAndSidesOfLines) {
     const auto [a, b, c, d] = *point.crossing;
     for (const Point& end : {a, b, c, d}) {
       geometry.set_position(count++, end);
-      places.insert(places.end() - 1, rational(end));
+      positions.insert(positions.end() - 1, rational(end));
     }
     geometry.set_crossing(count, count - 4, count - 3, count - 2, count - 1);
     ++count;
   }
-  ASSERT_EQ(count, places.size());
+  ASSERT_EQ(count, positions.size());
   for (std::uint32_t a = 0; a < count; ++a) {
     for (std::uint32_t b = 0; b < count; ++b) {
       const exact::Geometry::Line line(geometry.view(a), geometry.view(b));
       for (std::uint32_t c = 0; c < count; ++c) {
-        const exact::Sign expected = rational_orientation(places[a], places[b], places[c]);
+        const exact::Sign expected = rational_orientation(positions[a], positions[b], positions[c]);
         ++signs[expected == exact::Sign::negative ? 0 : expected == exact::Sign::zero ? 1 : 2];
         ASSERT_EQ(geometry.orientation(geometry.view(a), geometry.view(b), geometry.view(c)), expected);
         ASSERT_EQ(geometry.side(line, geometry.view(c)), expected);
@@ -241,7 +241,7 @@ TEST(Geometry, TellsOrientationsAndSidesOfLines) {
 }
 
 // Triangles with sides parallel to the axes, so small that the error bound of the box cannot decide their orientation.
-TEST(Geometry, TellsTinyTrianglesFromTies) {
+TEST(Geometry, DistinguishesTinyTrianglesFromTies) {
   const exact::Geometry geometry(Box{{-4, -4}, {4, 4}});
   const std::array<Point, 6> points = {{{0, 0}, {0x1p-60, 0}, {0, 0x1p-60}, {0x1p-60, 0x1p-60}, {0, 3}, {3, 0x1p-60}}};
   for (const Point& a : points) {

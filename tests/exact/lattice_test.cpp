@@ -178,7 +178,7 @@ TEST(Offsets, AreExactWhereTheDifferenceOfDoublesIsNot) {
   EXPECT_EQ(nearer[0].x, (std::int64_t{1} << 59) - 3602879701896397);
 }
 
-TEST(Offsets, OfOnePlaceAreZero) {
+TEST(Offsets, OfOnePointAreZero) {
   exact::Offsets<2> offsets({0.1, 7});
   offsets.add({0.1, 7});
   offsets.add({0.1, 7});

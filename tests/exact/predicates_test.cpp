@@ -108,7 +108,7 @@ TEST(Filter, DecidesPlainCasesAlone) {
   EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
 }
 
-TEST(Filter, TellsPlainCasesByItsCoarseBounds) {
+TEST(Filter, DecidesPlainCasesByItsCoarseBounds) {
   const ExactPoint a{0, 0}, b{4, 0}, c{0, 4};
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
   EXPECT_EQ(exact::filter::coarse::orientation(b, a, c), Sign::negative);
@@ -124,7 +124,7 @@ TEST(Filter, TellsPlainCasesByItsCoarseBounds) {
 }
 
 // Points a metre apart, thousands of kilometres from the origin, as in survey data.
-TEST(Filter, TellsPointsFarFromTheOriginByItsCoarseBounds) {
+TEST(Filter, DecidesPointsFarFromTheOriginByItsCoarseBounds) {
   const ExactPoint a{4500000.25, 5300000.5}, b{4500001.25, 5300000.5}, c{4500000.25, 5300001.75};
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
   EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
@@ -132,7 +132,7 @@ TEST(Filter, TellsPointsFarFromTheOriginByItsCoarseBounds) {
   EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
 }
 
-TEST(Rectangle, IsToldByItsCornersInAnyOrder) {
+TEST(Rectangle, IsRecognisedByItsCornersInAnyOrder) {
   std::array<ExactPoint, 4> corners = {{{0.1, 0.3}, {0.7, 0.3}, {0.7, 0.9}, {0.1, 0.9}}};
   std::array<std::size_t, 4> order = {0, 1, 2, 3};
   do {
@@ -146,7 +146,7 @@ TEST(Rectangle, IsToldByItsCornersInAnyOrder) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(WholeNumbers, TellOnlyWhatFits) {
+TEST(WholeNumbers, AcceptOnlyWhatFits) {
   // The corners of a square lie on one circle. For a side of s, the squares of the offsets add up to 4 s^2.
   const auto corner = [](double side, double x, double y) { return ExactPoint{side * x, side * y}; };
   const auto ask = [&](double side) {
@@ -178,7 +178,7 @@ TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {
   EXPECT_NE(exact::compare(p, ExactPoint{p.x, p.y}), std::strong_ordering::equal);
 }
 
-TEST(Constructed, OnePlaceHasOneValueWhateverPairMadeIt) {
+TEST(Constructed, OnePositionHasOneValueWhateverPairMadeIt) {
   // (42/13, 14/13) again, as the crossing of two other segments.
   const exact::Crossing first{{0, 0}, {9, 3}, {0, 2}, {7, 0}};
   const exact::Crossing second{{3, 1}, {-6, -2}, {14, -2}, {-7, 4}};

@@ -7,7 +7,7 @@
 namespace waywright::test {
 namespace {
 
-TEST(Whole, NumbersAreTold) {
+TEST(Whole, NumbersAreRecognised) {
   for (const double value : {0.0, 1.0, 3.0, 0x1p31, 0x1p51, 0x1p51 + 1.0, 0x1p52 - 1.0}) {
     EXPECT_TRUE(exact::is_whole(value)) << value;
     EXPECT_TRUE(exact::is_whole(-value)) << value;

@@ -75,7 +75,7 @@ TEST(WideInteger, AddsSubtractsAndShifts) {
   }
 }
 
-TEST(WideInteger, TellsItsWidthAndAboutItsSize) {
+TEST(WideInteger, ReportsItsWidthAndAboutItsSize) {
   Random random(3);
   EXPECT_EQ(WideInteger<2>(0).bit_width(), 0);
   EXPECT_EQ(WideInteger<2>(0).approximate(), 0.0);

@@ -49,7 +49,7 @@ void perform(World& world, const ScriptLine& operation) {
       std::printf(" %d", world.remove(operation.item.id).ok());
       break;
     case ScriptLineKind::locate:
-      if (const auto location = world.locate(operation.from)) print(location->corners[0]);
+      if (const auto location = world.locate(operation.from)) print(location->vertices[0]);
       break;
     case ScriptLineKind::ray:
       if (const auto hit = world.ray(operation.from, operation.to)) print(hit->at);

@@ -188,7 +188,7 @@ TEST(MalformedScript, Operations) {
   }
 }
 
-TEST(MalformedScript, ANulByteIsPartOfAWord) {
+TEST(MalformedScript, ANulByteBelongsToAWord) {
   using namespace std::string_view_literals;
   expect_malformed(parse_script("waywright 1\ndomain 0 0 9\0 9\n"sv, kName),
                    {"a NUL byte", 2, "expected a number in 'domain X0 Y0 X1 Y1', found '9\\x00'"});

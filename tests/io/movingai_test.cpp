@@ -52,7 +52,7 @@ TEST(ParseMovingaiMap, SetsTheDomainAndTheAxis) {
   EXPECT_TRUE(scene.items.empty());
 }
 
-TEST(ParseMovingaiMap, TellsFreeCellsFromBlockedOnes) {
+TEST(ParseMovingaiMap, DistinguishesFreeCellsFromBlockedOnes) {
   const Scene scene = parsed({".GS.@.O.T.W"});
   ASSERT_EQ(scene.items.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -41,7 +41,7 @@ class ReadScene : public testing::Test {
   fs::path folder_;
 };
 
-TEST(SceneFormatOf, GoesByTheEnding) {
+TEST(SceneFormatOf, DependsOnTheFileNameExtension) {
   EXPECT_EQ(*scene_format("a.wws"), SceneFormat::script);
   EXPECT_EQ(*scene_format("/b/c.d/a.map"), SceneFormat::movingai);
   EXPECT_EQ(*scene_format("a.b.poly"), SceneFormat::triangle_poly);

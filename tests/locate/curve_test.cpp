@@ -16,7 +16,7 @@ using locate::SortedPoints;
 
 // Each bit of a key selects a half: first the left or right half in x, then the lower or upper half of that in y, and
 // so on.
-TEST(Curve, KeysTellHalvesOfHalves) {
+TEST(Curve, KeysEncodeHalvesOfHalves) {
   const Curve curve({{-8, 0}, {8, 16}});
   EXPECT_EQ(curve.key({-8, 0}), 0U);
   EXPECT_EQ(curve.key({0, 0}), 1ULL << 63);
@@ -36,7 +36,7 @@ TEST(Curve, CellsAreSquareInAnyBox) {
 }
 
 void expect_sorted(const Box& box, const std::vector<Point>& points, std::size_t threads) {
-  const SortedPoints sorted = sort_along_curve(box, points, threads::Crew(threads, {}));
+  const SortedPoints sorted = sort_along_curve(box, points, threads::ThreadTeam(threads, {}));
   const Curve curve(box);
   ASSERT_EQ(sorted.keys.size(), sorted.points.size());
   ASSERT_EQ(sorted.ranks.size(), points.size());
@@ -59,7 +59,7 @@ void expect_sorted(const Box& box, const std::vector<Point>& points, std::size_t
 }
 
 // Few and many points: spread out, so close together that few bits separate them, in one cell, and repeated.
-TEST(Curve, SortsByKeyThenByPlaceEachPointOnce) {
+TEST(Curve, SortsByKeyThenByCoordinatesEachPointOnce) {
   Random random(3);
   for (const std::size_t count : {0U, 1U, 2U, 50U, 5000U}) {
     for (const double extent : {1.0, 0x1p-20, 0x1p-40}) {

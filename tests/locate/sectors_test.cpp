@@ -35,9 +35,9 @@ TEST(Sectors, RememberTheLastVertexUntilItGoes) {
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{3});
   EXPECT_EQ(near(sectors, {0.6, 0.6}), Vertex{2});
   EXPECT_EQ(near(sectors, {0.6, 0.1}), kNoVertex);
-  sectors.forget({0.1, 0.1}, Vertex{1}, Vertex{9});
+  sectors.replace({0.1, 0.1}, Vertex{1}, Vertex{9});
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{3}) << "vertex 1 wasn't remembered";
-  sectors.forget({0.2, 0.2}, Vertex{3}, Vertex{9});
+  sectors.replace({0.2, 0.2}, Vertex{3}, Vertex{9});
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{9});
 }
 
@@ -79,10 +79,10 @@ TEST(Sectors, NeverGrowFarBeyondTheVertices) {
   Random random(9);
   bool was_whole_again = false;
   for (int i = 0; i < 200; ++i) {
-    const Point place{static_cast<double>(random.below(1024)) / 1024, static_cast<double>(random.below(1024)) / 1024};
-    sectors.divide(place, 10);
-    sectors.remember(place, Vertex{7}, 10);
-    ASSERT_EQ(near(sectors, place), Vertex{7});
+    const Point point{static_cast<double>(random.below(1024)) / 1024, static_cast<double>(random.below(1024)) / 1024};
+    sectors.divide(point, 10);
+    sectors.remember(point, Vertex{7}, 10);
+    ASSERT_EQ(near(sectors, point), Vertex{7});
     was_whole_again = was_whole_again || (i > 20 && sectors.are_in_one({0.01, 0.01}, {0.49, 0.49}));
   }
   EXPECT_TRUE(was_whole_again);

@@ -11,7 +11,7 @@ namespace {
 
 using Triangulation = delaunay::Triangulation<exact::Geometry>;
 using locate::Located;
-using locate::Spot;
+using locate::LocatedKind;
 using mesh::HalfEdge;
 
 Triangulation lattice_world(std::uint64_t seed) {
@@ -31,13 +31,13 @@ void expect_true(const Triangulation& triangulation, const Located& location, co
     return triangulation.geometry().orientation(triangulation.view(mesh.origin(h)), triangulation.view(mesh.target(h)),
                                                 view);
   };
-  ASSERT_FALSE(triangulation.is_ghost_face(location.h) && location.spot == Spot::face);
+  ASSERT_FALSE(triangulation.is_ghost_face(location.h) && location.kind == LocatedKind::face);
   const Point origin = triangulation.geometry().rounded(number(mesh.origin(location.h)));
-  switch (location.spot) {
-    case Spot::vertex:
+  switch (location.kind) {
+    case LocatedKind::vertex:
       EXPECT_EQ(origin, point);
       break;
-    case Spot::edge: {
+    case LocatedKind::edge: {
       EXPECT_EQ(side(location.h), exact::Sign::zero);
       const Point target = triangulation.geometry().rounded(number(mesh.target(location.h)));
       const double along = (point.x - origin.x) * (target.x - origin.x) + (point.y - origin.y) * (target.y - origin.y);
@@ -47,7 +47,7 @@ void expect_true(const Triangulation& triangulation, const Located& location, co
       EXPECT_LT(along, length);
       break;
     }
-    case Spot::face:
+    case LocatedKind::face:
       for (const HalfEdge h : {location.h, mesh::next(location.h), mesh::previous(location.h)}) {
         EXPECT_EQ(side(h), exact::Sign::positive);
       }
@@ -67,7 +67,7 @@ TEST(Walk, AnswersVertexEdgeOrFaceFromAnyStart) {
           if (triangulation.is_ghost_face(start)) continue;
           const Located location = triangulation.locate(point, start);
           expect_true(triangulation, location, point);
-          ++counts[static_cast<std::size_t>(location.spot)];
+          ++counts[static_cast<std::size_t>(location.kind)];
         }
       }
     }
@@ -83,7 +83,7 @@ TEST(Walk, AgreesWithSearchingAllFaces) {
     const Located walked = triangulation.locate(point);
     const Located found = locate::search_all(triangulation.topology(), triangulation.geometry(),
                                              exact::Geometry::view(point), triangulation.ghost());
-    ASSERT_EQ(walked.spot, found.spot);
+    ASSERT_EQ(walked.kind, found.kind);
     expect_true(triangulation, found, point);
   }
 }

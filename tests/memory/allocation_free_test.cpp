@@ -52,10 +52,10 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   std::size_t answers = 0;
   const auto ask_all = [&] {
     for (int i = 0; i < 60; ++i) {
-      const Point place{15.5 * i + 20, 900 - 14.25 * i};
-      world.items_at(place, context, at).value();
-      world.items_crossed(place, {1000 - place.y, place.x}, context, crossed).value();
-      world.items_in({place - Point{20, 10}, place + Point{90, 60}}, context, in).value();
+      const Point point{15.5 * i + 20, 900 - 14.25 * i};
+      world.items_at(point, context, at).value();
+      world.items_crossed(point, {1000 - point.y, point.x}, context, crossed).value();
+      world.items_in({point - Point{20, 10}, point + Point{90, 60}}, context, in).value();
       world.items_in({{2000, 2000}, {3000, 3000}}, context, in).value();
       answers += at.size() + crossed.size();
     }
@@ -79,13 +79,13 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
   Shape shape;
   MeshSnapshot snapshot;
   for (int i = 0; i < 60; ++i) {
-    const Point place{15.5 * i + 20, 900 - 14.25 * i};
-    const Point other{1000 - place.y, place.x};
-    const Box box{place - Point{20, 10}, place + Point{90, 60}};
-    world.items_at(place, context, ids).value();
-    ASSERT_EQ(ids, world.items_at(place).value());
-    world.items_crossed(place, other, context, crossed).value();
-    ASSERT_EQ(crossed, world.items_crossed(place, other).value());
+    const Point point{15.5 * i + 20, 900 - 14.25 * i};
+    const Point other{1000 - point.y, point.x};
+    const Box box{point - Point{20, 10}, point + Point{90, 60}};
+    world.items_at(point, context, ids).value();
+    ASSERT_EQ(ids, world.items_at(point).value());
+    world.items_crossed(point, other, context, crossed).value();
+    ASSERT_EQ(crossed, world.items_crossed(point, other).value());
     world.items_in(box, context, ids).value();
     ASSERT_EQ(ids, world.items_in(box).value());
   }

@@ -57,10 +57,10 @@ TEST(JournaledArray, IsAsBeforeAfterRollBack) {
   }
 }
 
-TEST(JournaledArray, KeepsWhatIsNoPartOfAnOperation) {
+TEST(JournaledArray, RollBackKeepsUnrecordedChanges) {
   memory::JournaledArray<int> array;
   array.begin();
-  array.cover(3, 5);
+  array.grow_to(3, 5);
   array.write(1, 6);
   array.unrecorded(2) = 7;
   std::vector<std::uint32_t> written;

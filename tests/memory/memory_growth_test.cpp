@@ -64,7 +64,7 @@ TEST(MemoryGrowth, MillionInsertionsAndRemovalsOfMovingObstaclesLeaveNothingBehi
 
 // When the last wall across several items is removed, the crossing is removed too. The two pieces of the edge become
 // one edge with one list of items.
-TEST(MemoryGrowth, AWallThatComesAndGoesAcrossSeveralLeavesNoListBehind) {
+TEST(MemoryGrowth, InsertingAndRemovingAWallAcrossSeveralLeavesNoListBehind) {
   World world = World::create({{0, 0}, {100, 100}}).value();
   for (std::uint64_t id = 1; id <= 3; ++id) world.insert_segment({10, 50}, {90, 50}, {id}).value();
   std::size_t walls_early = 0;

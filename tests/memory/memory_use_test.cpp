@@ -38,11 +38,11 @@ std::vector<Item> random_walls(std::size_t count) {
 
 /// Compares the memory that a world reports with the memory that it allocated. The latter contains what the allocator
 /// rounds up.
-void expect_all_told(const World& world, std::ptrdiff_t bytes_before) {
+void expect_all_counted(const World& world, std::ptrdiff_t bytes_before) {
   const auto given = static_cast<double>(live_bytes() - bytes_before);
-  const auto told = static_cast<double>(world.memory().total());
-  EXPECT_LE(told, given);
-  EXPECT_GE(told, 0.97 * given);
+  const auto counted = static_cast<double>(world.memory().total());
+  EXPECT_LE(counted, given);
+  EXPECT_GE(counted, 0.97 * given);
 }
 
 TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
@@ -52,11 +52,11 @@ TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
     const std::ptrdiff_t before = live_bytes();
     World world = World::create(kBox, {keep_abstraction}).value();
     world.insert_points(points).value();
-    expect_all_told(world, before);
+    expect_all_counted(world, before);
     world.insert_all(walls).value();
-    expect_all_told(world, before);
+    expect_all_counted(world, before);
     for (std::size_t i = 0; i < walls.size(); i += 2) world.remove(walls[i].id).value();
-    expect_all_told(world, before);
+    expect_all_counted(world, before);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(MemoryUse, ShrinkingLeavesLittleSpare) {
   ASSERT_GT(world.memory().spare, 150'000U);
   world.shrink_to_fit();
   EXPECT_LE(world.memory().spare, 4096U * 40 + 20'000);
-  expect_all_told(world, before);
+  expect_all_counted(world, before);
   EXPECT_EQ(world.mesh_hash(), hash);
   EXPECT_TRUE(world.validate().ok);
   for (std::size_t i = 0; i < walls.size(); i += 2) world.insert(walls[i].shape, walls[i].id).value();

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Pages, ComeWithTheFirstValueAndHoldNothingElse) {
   memory::Pages<std::uint32_t> pages;
-  pages.cover(5000);
+  pages.grow_to(5000);
   EXPECT_FALSE(pages.has_room(4999));
   pages.make_room(4999);
   pages[4999] = 7;
@@ -25,14 +25,14 @@ TEST(Pages, ComeWithTheFirstValueAndHoldNothingElse) {
 
 TEST(Pages, AreClearedToWhatTheyCover) {
   memory::Pages<std::uint32_t> pages;
-  pages.cover(3000);
+  pages.grow_to(3000);
   pages.make_room(2500);
   pages[2500] = 7;
   pages.clear();
   EXPECT_FALSE(pages.has_room(2500));
   pages.make_room(2500);
   EXPECT_EQ(pages[2500], 0U);
-  pages.cover(2000);
+  pages.grow_to(2000);
   EXPECT_TRUE(pages.has_room(2500)) << "covers no less than before";
 }
 

@@ -19,7 +19,7 @@ class ThreadFailure : public testing::Test {
   ThreadFailure() { refuse_threads(true); }
   ~ThreadFailure() override { refuse_threads(false); }
 
-  static Point place(Random& random) {
+  static Point random_point(Random& random) {
     return {static_cast<double>(random.between(0, 1 << 20)), static_cast<double>(random.between(0, 1 << 20))};
   }
   static constexpr Box kBox = {{0, 0}, {1 << 20, 1 << 20}};
@@ -32,9 +32,9 @@ TEST_F(ThreadFailure, IsOneOfTheSystems) {
 TEST_F(ThreadFailure, LeavesPathsAsTheyAre) {
   World world = World::create(kBox).value();
   Random random(3);
-  for (int i = 0; i < 100; ++i) world.insert_segment(place(random), place(random)).value();
+  for (int i = 0; i < 100; ++i) world.insert_segment(random_point(random), random_point(random)).value();
   std::vector<PathQuery> queries;
-  while (queries.size() < 50) queries.push_back({place(random), place(random)});
+  while (queries.size() < 50) queries.push_back({random_point(random), random_point(random)});
   const std::vector<Path> paths = world.find_paths(queries, 4).value();
   ASSERT_EQ(paths.size(), queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -45,7 +45,7 @@ TEST_F(ThreadFailure, LeavesPathsAsTheyAre) {
 TEST_F(ThreadFailure, LeavesABulkLoadAsItIs) {
   Random random(4);
   std::vector<Item> items;
-  while (items.size() < 40'000) items.push_back({{items.size() + 1}, {ItemKind::point, {{place(random)}}}});
+  while (items.size() < 40'000) items.push_back({{items.size() + 1}, {ItemKind::point, {{random_point(random)}}}});
   World world = World::create(kBox).value();
   world.insert_all(items, {.threads = 4, .progress = {}}).value();
   World by_one = World::create(kBox).value();

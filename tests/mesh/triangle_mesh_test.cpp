@@ -98,14 +98,14 @@ TEST(TriangleMesh, FreedSlotsAreReusedLastFirst) {
   const Face g = mesh.add_face();
   mesh.free_face(f);
   mesh.free_face(g);
-  EXPECT_FALSE(mesh.is_alive(f));
+  EXPECT_FALSE(mesh.is_live(f));
   EXPECT_EQ(mesh.add_face(), g);
   EXPECT_EQ(mesh.add_face(), f);
   const Vertex v = mesh.add_vertex();
   const Vertex w = mesh.add_vertex();
   mesh.free_vertex(v);
   mesh.free_vertex(w);
-  EXPECT_FALSE(mesh.is_alive(w));
+  EXPECT_FALSE(mesh.is_live(w));
   EXPECT_EQ(mesh.vertex_count(), 0U);
   EXPECT_EQ(mesh.add_vertex(), w);
   EXPECT_EQ(mesh.add_vertex(), v);

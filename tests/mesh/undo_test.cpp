@@ -36,14 +36,14 @@ struct State {
 State state_of(const TriangleMesh& mesh) {
   State state;
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!mesh.is_alive(Face{f})) continue;
+    if (!mesh.is_live(Face{f})) continue;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge h{3 * f + i};
       state.edges[h] = {mesh.origin(h), mesh.twin(h), mesh.label(h)};
     }
   }
   for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
-    if (mesh.is_alive(Vertex{v})) state.vertices.insert(Vertex{v});
+    if (mesh.is_live(Vertex{v})) state.vertices.insert(Vertex{v});
   }
   return state;
 }
@@ -120,7 +120,7 @@ void change(TriangleMesh& mesh, Random& random) {
   HalfEdge h{};
   do {
     h = HalfEdge{static_cast<std::uint32_t>(random.below(mesh.face_slots() * std::size_t{3}))};
-  } while (!mesh.is_alive(mesh::face(h)));
+  } while (!mesh.is_live(mesh::face(h)));
   switch (random.below(7)) {
     case 0:
       mesh.split_face(mesh::face(h), mesh.add_vertex());
@@ -189,24 +189,24 @@ TEST(Undo, TouchedFacesAndVerticesAreThoseThatChanged) {
     for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
       const Face f{i};
       const HalfEdge h = mesh::first(f);
-      const bool was_alive = before.edges.contains(h);
-      const bool is_alive = after.edges.contains(h);
-      bool has_changed = was_alive != is_alive;
+      const bool was_live = before.edges.contains(h);
+      const bool is_live = after.edges.contains(h);
+      bool has_changed = was_live != is_live;
       for (const HalfEdge side : {h, mesh::next(h), mesh::previous(h)}) {
-        if (!was_alive || !is_alive) continue;
+        if (!was_live || !is_live) continue;
         const EdgeState& old_state = before.edges.at(side);
         const EdgeState& new_state = after.edges.at(side);
         has_changed = has_changed || old_state.origin != new_state.origin || old_state.label != new_state.label;
       }
       ASSERT_TRUE(!has_changed || last_touch.contains(f)) << "face " << i << " changed untold, seed " << seed;
-      ASSERT_TRUE(!last_touch.contains(f) || (last_touch[f] != TriangleMesh::Touch::freed) == is_alive);
+      ASSERT_TRUE(!last_touch.contains(f) || (last_touch[f] != TriangleMesh::Touch::freed) == is_live);
     }
-    std::set<Vertex> alive = before.vertices;
+    std::set<Vertex> live = before.vertices;
     mesh.for_each_touched_vertex([&](Vertex v, TriangleMesh::Touch touch) {
-      if (touch == TriangleMesh::Touch::made) alive.insert(v);
-      if (touch == TriangleMesh::Touch::freed) alive.erase(v);
+      if (touch == TriangleMesh::Touch::made) live.insert(v);
+      if (touch == TriangleMesh::Touch::freed) live.erase(v);
     });
-    ASSERT_EQ(alive, after.vertices);
+    ASSERT_EQ(live, after.vertices);
   }
 }
 

@@ -71,7 +71,7 @@ class Expected {
     std::iota(set_.begin(), set_.end(), 0U);
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
       const HalfEdge h = mesh::first(Face{i});
-      if (mesh_.is_alive(Face{i}) && !triangulation.triangulation().is_ghost_face(h)) faces_.push_back(i);
+      if (mesh_.is_live(Face{i}) && !triangulation.triangulation().is_ghost_face(h)) faces_.push_back(i);
     }
     for (const std::uint32_t f : faces_) {
       for (const HalfEdge h : free_sides(f)) set_[set_of(f)] = set_of(beyond(h));
@@ -80,7 +80,7 @@ class Expected {
     for (bool is_done = false; !is_done;) {
       is_done = true;
       for (const std::uint32_t f : faces_) {
-        if (core_.contains(f) && ways(f) < 2) {
+        if (core_.contains(f) && passages(f) < 2) {
           core_.erase(f);
           is_done = false;
         }
@@ -106,7 +106,7 @@ class Expected {
     return sides;
   }
   [[nodiscard]] std::uint32_t beyond(HalfEdge h) const { return number(mesh::face(mesh_.twin(h))); }
-  [[nodiscard]] unsigned ways(std::uint32_t f) const {
+  [[nodiscard]] unsigned passages(std::uint32_t f) const {
     unsigned count = 0;
     for (const HalfEdge h : free_sides(f)) count += core_.contains(beyond(h)) ? 1 : 0;
     return count;
@@ -148,10 +148,11 @@ class Expected {
       if (core.is_core(Face{f}) != core_.contains(f)) {
         return "face " + std::to_string(f) + (core_.contains(f) ? " is of the core" : " is not of the core");
       }
-      if (core.degree(Face{f}) != (core_.contains(f) ? ways(f) : 0)) return "a face has another degree";
+      if (core.degree(Face{f}) != (core_.contains(f) ? passages(f) : 0)) return "a face has another degree";
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        const bool is_way = core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
-        if (core.is_passage(HalfEdge{h}) != is_way) return "a way is not one, or one is missed";
+        const bool is_passage =
+            core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
+        if (core.is_passage(HalfEdge{h}) != is_passage) return "a way is not one, or one is missed";
       }
     }
     return std::nullopt;
@@ -226,19 +227,19 @@ TEST(Abstraction, ASolidIsARingsMiddle) {
   EXPECT_FALSE(abstraction.core().is_core(reduced.face_at({5, 1})));
 }
 
-TEST(Abstraction, WallsPartAndTheirGoingJoins) {
+TEST(Abstraction, WallsDivideAComponentAndTheirRemovalConnectsIt) {
   Reduced reduced(kTen);
-  const auto parted = [&] {
+  const auto is_divided = [&] {
     const nav::Components& components = reduced.abstraction().components();
     return components.component_of(reduced.face_at({1, 4.5})) != components.component_of(reduced.face_at({9, 4.5}));
   };
   reduced.insert(wall({5, 0}, {5, 6}));
-  EXPECT_FALSE(parted());
+  EXPECT_FALSE(is_divided());
   const ItemId upper = reduced.insert(wall({5, 6}, {5, 10}));
-  EXPECT_TRUE(parted());
+  EXPECT_TRUE(is_divided());
   EXPECT_EQ(fault_of(reduced), std::nullopt);
   reduced.remove(upper);
-  EXPECT_FALSE(parted());
+  EXPECT_FALSE(is_divided());
   EXPECT_EQ(fault_of(reduced), std::nullopt);
 }
 
@@ -263,7 +264,7 @@ TEST(Abstraction, SolidsInSolidsAreCoveredByAll) {
 }
 
 // A ring that visits all its corners twice encloses nothing under the even-odd rule.
-TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
+TEST(Abstraction, EqualSolidsAreCountedOneByOne) {
   Reduced reduced(kTen);
   const Shape once = rectangle(4, 4, 6, 6);
   Shape twice = once;
@@ -283,7 +284,7 @@ TEST(Abstraction, SolidsInOnePlaceAreCountedOneByOne) {
 }
 
 /// A wall with a gap that opens and closes, deep in a maze whose component is one tree.
-TEST(Abstraction, RingsComeAndGoInATree) {
+TEST(Abstraction, RingsAreInsertedAndRemovedInATree) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<ItemId> walls;
   for (int i = 1; i < 20; ++i) {
@@ -310,7 +311,7 @@ TEST(Abstraction, RingsComeAndGoInATree) {
 
 // These changes do not touch a wall, so the abstraction checks them only briefly. But the area inside the polygon and
 // the area outside are different components.
-TEST(Abstraction, KeepsComponentsApartWherePointsComeAndGoInTheOpen) {
+TEST(Abstraction, KeepsComponentsSeparateWhilePointsChangeInOpenSpace) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<Change> lattice{
       {Change::Kind::insert, {}, {ItemKind::polygon, {{{30, 30}, {70, 30}, {70, 70}, {30, 70}}}}}};
@@ -326,13 +327,13 @@ TEST(Abstraction, KeepsComponentsApartWherePointsComeAndGoInTheOpen) {
   ASSERT_EQ(fault_of(reduced), std::nullopt);
   const ItemId inside{1001};
   const ItemId outside{1002};
-  const std::vector<Change> come{{Change::Kind::insert, {}, {ItemKind::point, {{{51, 51.5}}}}},
-                                 {Change::Kind::insert, {}, {ItemKind::point, {{{11, 11.5}}}}}};
-  reduced.apply(come, {inside, outside});
+  const std::vector<Change> insertions{{Change::Kind::insert, {}, {ItemKind::point, {{{51, 51.5}}}}},
+                                       {Change::Kind::insert, {}, {ItemKind::point, {{{11, 11.5}}}}}};
+  reduced.apply(insertions, {inside, outside});
   ASSERT_EQ(fault_of(reduced), std::nullopt);
   reduced.apply({{Change::Kind::remove, inside, {}}, {Change::Kind::remove, outside, {}}}, {inside, outside});
   ASSERT_EQ(fault_of(reduced), std::nullopt);
-  reduced.apply({come[0]}, {inside});
+  reduced.apply({insertions[0]}, {inside});
   ASSERT_EQ(fault_of(reduced), std::nullopt);
   reduced.remove(inside);
   ASSERT_EQ(fault_of(reduced), std::nullopt);

@@ -85,20 +85,20 @@ std::vector<Arrangement::Crossing> Arrangement::find_crossings() const {
 }
 
 void Arrangement::merge_vertices(const std::vector<OraclePoint>& corners, std::vector<Crossing> crossings) {
-  std::vector<ExactPoint> places;
-  for (const OraclePoint& p : corners) places.push_back(grid.point(p));
-  for (Crossing& crossing : crossings) places.push_back(std::move(crossing.at));
-  std::vector<std::uint32_t> order(places.size());
+  std::vector<ExactPoint> positions;
+  for (const OraclePoint& p : corners) positions.push_back(grid.point(p));
+  for (Crossing& crossing : crossings) positions.push_back(std::move(crossing.at));
+  std::vector<std::uint32_t> order(positions.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    const int sign = compare_xy(places[i], places[j]);
+    const int sign = compare_xy(positions[i], positions[j]);
     return sign != 0 ? sign < 0 : i < j;
   });
-  std::vector<std::uint32_t> vertex_of(places.size());
+  std::vector<std::uint32_t> vertex_of(positions.size());
   for (const std::uint32_t i : order) {
-    if (vertices.empty() || compare_xy(vertices.back(), places[i]) != 0) {
-      near_vertices.push_back(grid.nearest(places[i]));
-      vertices.push_back(places[i]);
+    if (vertices.empty() || compare_xy(vertices.back(), positions[i]) != 0) {
+      near_vertices.push_back(grid.nearest(positions[i]));
+      vertices.push_back(positions[i]);
       if (i >= corners.size()) ++crossing_count;
     }
     vertex_of[i] = static_cast<std::uint32_t>(vertices.size() - 1);

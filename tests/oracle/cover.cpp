@@ -22,8 +22,8 @@ namespace {
 // Above its inside, a counter-clockwise ring runs towards smaller x; to the right of its inside, it runs towards larger
 // y. No ray next to a side that is parallel to the ray crosses that side, so for such a side any result is correct.
 int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
-  const int way = across_x ? compare_y(q, p) : compare_x(p, q);
-  return way > 0 ? 1 : way < 0 ? -1 : 0;
+  const int direction = across_x ? compare_y(q, p) : compare_x(p, q);
+  return direction > 0 ? 1 : direction < 0 ? -1 : 0;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
 // lies beyond the ray's line and the other does not. An end on the line does not lie beyond it, so a ray through a
 // corner counts correctly. A side through the position itself does not cross the ray that starts just after the
 // position; it crosses the ray that starts just before.
-Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x) {
+Cover cover_of(const Solid& solid, const ExactPoint& position, bool across_x) {
   Cover cover;
   int turns_ahead = 0;
   int turns_here = 0;
@@ -40,15 +40,15 @@ Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const ExactPoint& p = ring[i];
       const ExactPoint& q = ring[i + 1 < ring.size() ? i + 1 : 0];
-      if (on_segment(p, q, place)) {
+      if (on_segment(p, q, position)) {
         cover.on_boundary = true;
         turns_here += turn_of(p, q, across_x);
         continue;
       }
-      const bool p_beyond = across_x ? compare_y(p, place) > 0 : compare_x(p, place) > 0;
-      const bool q_beyond = across_x ? compare_y(q, place) > 0 : compare_x(q, place) > 0;
+      const bool p_beyond = across_x ? compare_y(p, position) > 0 : compare_x(p, position) > 0;
+      const bool q_beyond = across_x ? compare_y(q, position) > 0 : compare_x(q, position) > 0;
       if (p_beyond == q_beyond) continue;
-      const int turn = q_beyond ? orientation(p, q, place) : orientation(q, p, place);
+      const int turn = q_beyond ? orientation(p, q, position) : orientation(q, p, position);
       if (across_x ? turn > 0 : turn < 0) turns_ahead += turn_of(p, q, across_x);
     }
   }

@@ -25,9 +25,9 @@ struct Cover {
   bool inside_before = false;  ///< inside just before the position
 };
 
-/// Returns the relation of `place` to the polygon. `inside_after` and `inside_before` are correct if the position is
+/// Returns the relation of `position` to the polygon. `inside_after` and `inside_before` are correct if the position is
 /// not a corner and all sides through it lie on one line. If the position is not on the boundary, both are equal. With
 /// `across_x`, they describe the left and the right instead of below and above.
-[[nodiscard]] Cover cover_of(const Solid& solid, const ExactPoint& place, bool across_x = false);
+[[nodiscard]] Cover cover_of(const Solid& solid, const ExactPoint& position, bool across_x = false);
 
 }  // namespace waywright::oracle

@@ -71,7 +71,7 @@ struct Edge {
   bool forward = true;  ///< whether the triangle has it from `from` to `to`, so that it lies to the left
   std::uint32_t apex = 0;
 
-  [[nodiscard]] bool same_place(const Edge& other) const { return from == other.from && to == other.to; }
+  [[nodiscard]] bool same_ends(const Edge& other) const { return from == other.from && to == other.to; }
 };
 
 Fault check_triangles(const std::vector<Triangle>& triangles, const Arrangement& arrangement) {
@@ -130,7 +130,7 @@ Fault check_edges(const std::vector<Edge>& edges, const Arrangement& arrangement
   for (std::size_t i = 0; i < edges.size();) {
     const Edge& edge = edges[i];
     std::size_t count = 1;
-    while (i + count < edges.size() && edges[i + count].same_place(edge)) ++count;
+    while (i + count < edges.size() && edges[i + count].same_ends(edge)) ++count;
     const std::string name = "edge " + in_quotes(words({edge.from, edge.to}));
     const std::array<std::uint32_t, 2> key{edge.from, edge.to};
     if (constraint != last_constraint && std::array{constraint->from, constraint->to} < key) break;

@@ -18,16 +18,17 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns, for the edge from each corner k of a triangle to the next corner, where the position lies: 1 inside, 0 on
 /// the edge's line, -1 outside.
-std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPoint& place) {
+std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPoint& position) {
   const auto& v = arrangement.vertices;
   std::array<int, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) sides[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], place);
+  for (std::size_t k = 0; k < 3; ++k) sides[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], position);
   return sides;
 }
 
 bool touches(const std::array<int, 3>& sides) { return sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0; }
 
-OraclePlace place_of(const Arrangement& arrangement, const std::vector<Triangle>& triangles, const ExactPoint& p) {
+OracleLocation location_of(const Arrangement& arrangement, const std::vector<Triangle>& triangles,
+                           const ExactPoint& p) {
   for (const Triangle& t : triangles) {
     const std::array<int, 3> sides = sides_of(arrangement, t, p);
     if (!touches(sides)) continue;
@@ -37,9 +38,9 @@ OraclePlace place_of(const Arrangement& arrangement, const std::vector<Triangle>
       if (sides[k] == 0) std::erase(corners, t[(k + 2) % 3]);
     }
     if (corners.size() == 2) std::sort(corners.begin(), corners.end());
-    OraclePlace place{static_cast<OraclePlace::At>(corners.size() - 1), {}};
-    for (const std::uint32_t corner : corners) place.corners.push_back(arrangement.near_vertices[corner]);
-    return place;
+    OracleLocation location{static_cast<OracleLocation::Kind>(corners.size() - 1), {}};
+    for (const std::uint32_t corner : corners) location.vertices.push_back(arrangement.near_vertices[corner]);
+    return location;
   }
   return {};
 }
@@ -76,14 +77,14 @@ std::vector<std::array<int, 3>> neighbours_of(const Arrangement& arrangement, co
 
 }  // namespace
 
-std::vector<OraclePlace> Oracle::places(std::string_view text, const std::vector<OraclePoint>& points) const {
+std::vector<OracleLocation> Oracle::locate(std::string_view text, const std::vector<OraclePoint>& points) const {
   std::string fault;
   const auto dump = read_dump(text, fault);
-  std::vector<OraclePlace> places;
+  std::vector<OracleLocation> locations;
   for (const OraclePoint& p : points) {
-    places.push_back(place_of(impl_->arrangement, dump->triangles, impl_->arrangement.grid.point(p)));
+    locations.push_back(location_of(impl_->arrangement, dump->triangles, impl_->arrangement.grid.point(p)));
   }
-  return places;
+  return locations;
 }
 
 bool Oracle::connected(std::string_view text, OraclePoint from, OraclePoint to) const {

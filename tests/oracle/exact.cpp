@@ -186,7 +186,7 @@ bool on_segment(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
   return compare_xy(a, p) * compare_xy(p, b) >= 0;
 }
 
-bool same_way(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v) {
+bool same_direction(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v) {
   return compare_xy(at, u) == compare_xy(at, v);
 }
 

@@ -71,7 +71,7 @@ class Grid {
 
 /// Returns whether two rays from `at` through u and v have the same direction. Requires: at, u and v are collinear, at
 /// is not u or v.
-[[nodiscard]] bool same_way(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v);
+[[nodiscard]] bool same_direction(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v);
 
 /// Returns whether the ray from `at` through t lies strictly inside the sector that runs counter-clockwise from the ray
 /// through u to the ray through v. Requires: the rays through u and v have different directions.

@@ -14,26 +14,26 @@ std::vector<ExactPoint> meetings(const Grid& grid, const Wall& wall, const Exact
   const ExactPoint& a = wall.exact_a;
   const ExactPoint& b = wall.exact_b;
   if (cross_properly(a, b, from, to)) return {grid.crossing(a, b, from, to)};
-  std::vector<ExactPoint> places;
+  std::vector<ExactPoint> positions;
   for (const ExactPoint* end : {&from, &to}) {
-    if (on_segment(a, b, *end)) places.push_back(*end);
+    if (on_segment(a, b, *end)) positions.push_back(*end);
   }
   for (const ExactPoint* end : {&a, &b}) {
-    if (on_segment(from, to, *end)) places.push_back(*end);
+    if (on_segment(from, to, *end)) positions.push_back(*end);
   }
-  return places;
+  return positions;
 }
 
 OracleHit first_wall(const Arrangement& arrangement, const OracleRay& ray) {
   const ExactPoint from = arrangement.grid.point(ray.from);
   const ExactPoint to = arrangement.grid.point(ray.to);
   const bool forward = compare_xy(from, to) <= 0;
-  std::vector<ExactPoint> places;
+  std::vector<ExactPoint> positions;
   for (const Wall& wall : arrangement.walls) {
-    for (ExactPoint& place : meetings(arrangement.grid, wall, from, to)) places.push_back(std::move(place));
+    for (ExactPoint& position : meetings(arrangement.grid, wall, from, to)) positions.push_back(std::move(position));
   }
-  if (places.empty()) return {};
-  const ExactPoint& first = *std::min_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+  if (positions.empty()) return {};
+  const ExactPoint& first = *std::min_element(positions.begin(), positions.end(), [&](const auto& a, const auto& b) {
     return forward ? compare_xy(a, b) < 0 : compare_xy(a, b) > 0;
   });
   OracleHit result{true, arrangement.grid.nearest(first), {}};

@@ -36,7 +36,7 @@ TEST(OracleFirstWall, MayBeTouchedAtItsEndOrFromOneOfTheRays) {
   expect_hit({{4, 4}, {4, 4}}, {4, 4}, {1, 2});
 }
 
-TEST(OracleFirstWall, PlacesAreRoundedCorrectly) {
+TEST(OracleFirstWall, PositionsAreRoundedCorrectly) {
   const OracleScene scene{{{0, 0}, {8, 8}}, {{1, OracleKind::segment, {{{1, 1}, {4, 3}}}}}};
   const OracleHit hit = first_walls(scene, {{{1, 2}, {4, 1}}}).front();
   EXPECT_EQ(hit.at, (OraclePoint{2, 5.0 / 3.0}));

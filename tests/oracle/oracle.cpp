@@ -27,10 +27,10 @@ std::size_t Oracle::crossing_count() const { return impl_->arrangement.crossing_
 std::size_t Oracle::constraint_count() const { return impl_->arrangement.constraints.size(); }
 
 std::vector<std::uint64_t> Oracle::covering_polygons(OraclePoint point) const {
-  const ExactPoint place = impl_->arrangement.grid.point(point);
+  const ExactPoint position = impl_->arrangement.grid.point(point);
   std::vector<std::uint64_t> ids;
   for (const Solid& solid : impl_->solids) {
-    const Cover cover = cover_of(solid, place);
+    const Cover cover = cover_of(solid, position);
     if (cover.on_boundary || cover.inside_after) ids.push_back(solid.id);
   }
   std::sort(ids.begin(), ids.end());
@@ -38,9 +38,9 @@ std::vector<std::uint64_t> Oracle::covering_polygons(OraclePoint point) const {
 }
 
 bool Oracle::strictly_inside(OraclePoint point) const {
-  const ExactPoint place = impl_->arrangement.grid.point(point);
+  const ExactPoint position = impl_->arrangement.grid.point(point);
   return std::any_of(impl_->solids.begin(), impl_->solids.end(), [&](const Solid& solid) {
-    const Cover cover = cover_of(solid, place);
+    const Cover cover = cover_of(solid, position);
     return !cover.on_boundary && cover.inside_after;
   });
 }

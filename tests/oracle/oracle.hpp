@@ -57,13 +57,13 @@ struct ExpectedMesh {
 };
 
 /// The location of a point in a triangulation.
-struct OraclePlace {
-  enum class At : std::uint8_t { vertex, edge, face };
+struct OracleLocation {
+  enum class Kind : std::uint8_t { vertex, edge, face };
 
-  At at = At::face;
-  /// The corners of the vertex, edge or face as nearest doubles. The first in (x, y) order comes first; a face is
-  /// counter-clockwise.
-  std::vector<OraclePoint> corners;
+  Kind kind = Kind::face;
+  /// The vertices of the location, each coordinate rounded to the nearest double. The first in (x, y) order comes
+  /// first; those of a face are counter-clockwise.
+  std::vector<OraclePoint> vertices;
 };
 
 /// Computes the answers for one scene.
@@ -89,7 +89,7 @@ class Oracle {
   [[nodiscard]] std::optional<std::string> check_dump(std::string_view dump) const;
 
   /// Returns the locations of points of the domain in the mesh of a dump. Requires: check_dump(dump) finds no fault.
-  [[nodiscard]] std::vector<OraclePlace> places(std::string_view dump, const std::vector<OraclePoint>& points) const;
+  [[nodiscard]] std::vector<OracleLocation> locate(std::string_view dump, const std::vector<OraclePoint>& points) const;
 
   /// Returns whether a point agent can move from one point to another. The agent may cross the faces that no polygon
   /// covers and the edges that are not constrained, from a face that touches `from` to a face that touches `to`. Two

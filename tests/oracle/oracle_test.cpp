@@ -85,7 +85,7 @@ TEST(OracleExpected, CrossingsThatCoincideAreOneVertex) {
   EXPECT_EQ(oracle.constraint_count(), 4U + 7U);
 }
 
-TEST(OracleExpected, PlacesAreExactAtTheEndsOfTheRange) {
+TEST(OracleExpected, PositionsAreExactAtTheEndsOfTheRange) {
   const double big = 0x1p100;
   const double tiny = 0x1p-100;
   const OracleScene scene{{{-big, -big}, {big, big}},
@@ -209,24 +209,24 @@ TEST(OracleDump, RefusesTheWrongDiagonal) {
               HasSubstr("edge '1 2' breaks the tie rule"));
 }
 
-TEST(OraclePlaces, NamesVertexEdgeAndFace) {
+TEST(OracleLocate, NamesVertexEdgeAndFace) {
   const Oracle oracle(kCrossing);
-  const auto places = oracle.places(kCrossingDump, {{0.75, 0.75}, {1.5, 1.5}, {0, 2}, {2.5, 1}, {0.25, 2}, {3, 3}});
-  ASSERT_EQ(places.size(), 6U);
-  EXPECT_EQ(places[0].at, OraclePlace::At::vertex);
-  EXPECT_THAT(places[0].corners, ElementsAre(OraclePoint{0.75, 0.75}));
-  EXPECT_EQ(places[1].at, OraclePlace::At::edge);
-  EXPECT_THAT(places[1].corners, ElementsAre(OraclePoint{0.75, 0.75}, OraclePoint{3, 3}));
-  EXPECT_EQ(places[2].at, OraclePlace::At::edge);
-  EXPECT_THAT(places[2].corners, ElementsAre(OraclePoint{0, 1}, OraclePoint{0, 3}));
-  EXPECT_EQ(places[3].at, OraclePlace::At::face);
-  EXPECT_THAT(places[3].corners, ElementsAre(OraclePoint{0.75, 0.75}, OraclePoint{3, 0}, OraclePoint{3, 3}));
-  EXPECT_EQ(places[4].at, OraclePlace::At::face);
-  EXPECT_THAT(places[4].corners, ElementsAre(OraclePoint{0, 1}, OraclePoint{0.75, 0.75}, OraclePoint{0, 3}));
-  EXPECT_EQ(places[5].at, OraclePlace::At::vertex);
+  const auto locations = oracle.locate(kCrossingDump, {{0.75, 0.75}, {1.5, 1.5}, {0, 2}, {2.5, 1}, {0.25, 2}, {3, 3}});
+  ASSERT_EQ(locations.size(), 6U);
+  EXPECT_EQ(locations[0].kind, OracleLocation::Kind::vertex);
+  EXPECT_THAT(locations[0].vertices, ElementsAre(OraclePoint{0.75, 0.75}));
+  EXPECT_EQ(locations[1].kind, OracleLocation::Kind::edge);
+  EXPECT_THAT(locations[1].vertices, ElementsAre(OraclePoint{0.75, 0.75}, OraclePoint{3, 3}));
+  EXPECT_EQ(locations[2].kind, OracleLocation::Kind::edge);
+  EXPECT_THAT(locations[2].vertices, ElementsAre(OraclePoint{0, 1}, OraclePoint{0, 3}));
+  EXPECT_EQ(locations[3].kind, OracleLocation::Kind::face);
+  EXPECT_THAT(locations[3].vertices, ElementsAre(OraclePoint{0.75, 0.75}, OraclePoint{3, 0}, OraclePoint{3, 3}));
+  EXPECT_EQ(locations[4].kind, OracleLocation::Kind::face);
+  EXPECT_THAT(locations[4].vertices, ElementsAre(OraclePoint{0, 1}, OraclePoint{0.75, 0.75}, OraclePoint{0, 3}));
+  EXPECT_EQ(locations[5].kind, OracleLocation::Kind::vertex);
 }
 
-TEST(OracleConnected, GoesThroughFreeEdgesOnly) {
+TEST(OracleConnected, ConnectsThroughFreeEdgesOnly) {
   // The walls 5 and 9 divide the square into four pieces: left, bottom, right and the rest above.
   const Oracle oracle(kCrossing);
   EXPECT_TRUE(oracle.connected(kCrossingDump, {0.125, 2}, {2, 2.5}));

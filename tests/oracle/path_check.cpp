@@ -85,10 +85,10 @@ class PathCheck {
     return stops;
   }
 
-  [[nodiscard]] std::vector<const Wall*> walls_at(const ExactPoint& place) const {
+  [[nodiscard]] std::vector<const Wall*> walls_at(const ExactPoint& position) const {
     std::vector<const Wall*> walls;
     for (const Wall& wall : arrangement_.walls) {
-      if (on_segment(wall.exact_a, wall.exact_b, place)) walls.push_back(&wall);
+      if (on_segment(wall.exact_a, wall.exact_b, position)) walls.push_back(&wall);
     }
     return walls;
   }
@@ -99,14 +99,14 @@ class PathCheck {
   static Sides turn(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) {
     const ExactPoint& at = *state.at;
     const ExactPoint& in = *state.from;
-    const bool back = orientation(at, in, next) == 0 && same_way(at, in, next);
+    const bool back = orientation(at, in, next) == 0 && same_direction(at, in, next);
     bool left_open = true;
     bool right_open = true;
     for (const Wall* wall : walls) {
       for (const ExactPoint* end : {&wall->exact_a, &wall->exact_b}) {
         if (compare_xy(*end, at) == 0) continue;
         if (back) {
-          const bool elsewhere = orientation(at, in, *end) != 0 || !same_way(at, in, *end);
+          const bool elsewhere = orientation(at, in, *end) != 0 || !same_direction(at, in, *end);
           left_open = right_open = left_open && !elsewhere;
         } else {
           left_open = left_open && !in_sector(at, next, *end, in);
@@ -147,8 +147,8 @@ class PathCheck {
 
 /// Returns the exact points that a point of a path may stand for: the point itself, or crossings that are not pairs of
 /// doubles and round to it.
-std::vector<const ExactPoint*> meanings(const Arrangement& arrangement, const OraclePoint& p, const ExactPoint& exact,
-                                        bool is_end) {
+std::vector<const ExactPoint*> possible_positions(const Arrangement& arrangement, const OraclePoint& p,
+                                                  const ExactPoint& exact, bool is_end) {
   std::vector<const ExactPoint*> result{&exact};
   if (is_end) return result;
   const auto [first, last] = arrangement.vertices_between(p.x, p.x);
@@ -177,10 +177,11 @@ Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
   for (std::size_t i = 1; i < points.size(); ++i) {
     std::vector<State> next_states;
     std::string fault;
-    for (const ExactPoint* place : meanings(impl_->arrangement, points[i], exact[i], i + 1 == points.size())) {
+    for (const ExactPoint* position :
+         possible_positions(impl_->arrangement, points[i], exact[i], i + 1 == points.size())) {
       for (const State& state : states) {
         std::string reason;
-        const State next = check.advance(state, *place, reason);
+        const State next = check.advance(state, *position, reason);
         if (!next.sides.none()) next_states.push_back(next);
         // The last meaning is the likeliest, so its reason is the best one.
         if (next.sides.none()) fault = reason;

@@ -56,8 +56,8 @@ struct ShortestPaths::Impl {
   }
 
   [[nodiscard]] std::uint32_t vertex_of(OraclePoint p) const {
-    const ExactPoint place = oracle.arrangement.grid.point(p);
-    const auto found = std::lower_bound(vertices.begin(), vertices.end(), place,
+    const ExactPoint position = oracle.arrangement.grid.point(p);
+    const auto found = std::lower_bound(vertices.begin(), vertices.end(), position,
                                         [](const ExactPoint& a, const ExactPoint& b) { return compare_xy(a, b) < 0; });
     return static_cast<std::uint32_t>(found - vertices.begin());
   }
@@ -126,8 +126,8 @@ struct ShortestPaths::Impl {
   }
 
   /// Returns whether one of the two sides of a piece of a wall leads from a node's wedge into another node's wedge.
-  [[nodiscard]] bool joined_along_wall(const Node& u, std::uint32_t spoke_u, const Node& v,
-                                       std::uint32_t spoke_v) const {
+  [[nodiscard]] bool are_connected_along_wall(const Node& u, std::uint32_t spoke_u, const Node& v,
+                                              std::uint32_t spoke_v) const {
     const auto before = [&](const Node& node, std::uint32_t spoke) {
       const auto count = static_cast<std::uint32_t>(hubs[node.vertex].spokes.size());
       return (spoke + count - 1) % count;
@@ -167,17 +167,17 @@ struct ShortestPaths::Impl {
     return true;
   }
 
-  [[nodiscard]] bool are_joined(const Node& u, const Node& v) const {
+  [[nodiscard]] bool are_connected(const Node& u, const Node& v) const {
     if (u.vertex == v.vertex) return false;
     if (const auto spoke_u = spoke_to(u.vertex, v.vertex)) {
-      return joined_along_wall(u, *spoke_u, v, *spoke_to(v.vertex, u.vertex));
+      return are_connected_along_wall(u, *spoke_u, v, *spoke_to(v.vertex, u.vertex));
     }
     return may_leave(u, v.vertex) && may_leave(v, u.vertex) && is_clear(u.vertex, v.vertex);
   }
 
   [[nodiscard]] bool sees(std::size_t u, std::size_t v) {
     std::optional<bool>& answer = known[std::min(u, v) * nodes.size() + std::max(u, v)];
-    if (!answer) answer = are_joined(nodes[u], nodes[v]);
+    if (!answer) answer = are_connected(nodes[u], nodes[v]);
     return *answer;
   }
 

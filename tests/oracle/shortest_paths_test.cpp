@@ -48,7 +48,7 @@ TEST(ShortestPaths, BendRoundTheEndsOfWalls) {
   EXPECT_EQ(length(square(10, {wall(1, {4, 0}, {4, 7})}), {1, 1}, {7, 1}), text(2 * std::sqrt(45)));
 }
 
-TEST(ShortestPaths, TouchCornersOnAStraightWay) {
+TEST(ShortestPaths, TouchCornersOnAStraightPath) {
   // The straight path from (1, 1) to (7, 7) touches the corners of two boxes, one to its left and one to its right.
   const OracleScene scene = square(8, {box(1, {2, 3}, {3, 4}), box(2, {5, 4}, {6, 5})});
   EXPECT_EQ(length(scene, {1, 1}, {7, 7}), text(6 * std::sqrt(2)));

@@ -149,17 +149,17 @@ double distance_to_free(const Scene& scene, const oracle::Oracle& oracle, const 
   std::vector<std::pair<double, Point>> candidates;
   const auto add = [&](const Point& q) { candidates.emplace_back(std::hypot(q.x - p.x, q.y - p.y), q); };
   for (const auto& [a, b] : sides) {
-    const Point way{b.x - a.x, b.y - a.y};
-    const double squared = way.x * way.x + way.y * way.y;
-    const double share = squared == 0 ? 0 : ((p.x - a.x) * way.x + (p.y - a.y) * way.y) / squared;
-    add({a.x + std::clamp(share, 0.0, 1.0) * way.x, a.y + std::clamp(share, 0.0, 1.0) * way.y});
+    const Point edge{b.x - a.x, b.y - a.y};
+    const double squared = edge.x * edge.x + edge.y * edge.y;
+    const double share = squared == 0 ? 0 : ((p.x - a.x) * edge.x + (p.y - a.y) * edge.y) / squared;
+    add({a.x + std::clamp(share, 0.0, 1.0) * edge.x, a.y + std::clamp(share, 0.0, 1.0) * edge.y});
     for (const auto& [c, d] : sides) {
       const Point other{d.x - c.x, d.y - c.y};
-      const double cross = way.x * other.y - way.y * other.x;
+      const double cross = edge.x * other.y - edge.y * other.x;
       if (cross == 0) continue;
       const double t = ((c.x - a.x) * other.y - (c.y - a.y) * other.x) / cross;
-      const double u = ((c.x - a.x) * way.y - (c.y - a.y) * way.x) / cross;
-      if (t >= 0 && t <= 1 && u >= 0 && u <= 1) add({a.x + t * way.x, a.y + t * way.y});
+      const double u = ((c.x - a.x) * edge.y - (c.y - a.y) * edge.x) / cross;
+      if (t >= 0 && t <= 1 && u >= 0 && u <= 1) add({a.x + t * edge.x, a.y + t * edge.y});
     }
   }
   std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -168,7 +168,7 @@ double distance_to_free(const Scene& scene, const oracle::Oracle& oracle, const 
   return found == candidates.end() ? kInfinity : found->first;
 }
 
-TEST(BlockedEnds, AreMovedToTheNearestFreePlace) {
+TEST(BlockedEnds, AreMovedToTheNearestFreePosition) {
   std::size_t moved = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const PathCase path_case = random_path_case(Obstacles::boxes, 300 + seed, 12);

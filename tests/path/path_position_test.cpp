@@ -51,7 +51,7 @@ TEST(PathPosition, AdvancesAsFarAsAUnitGoes) {
   expect_position(position, {1, 0}, {1, 0}, 0, 1);
 }
 
-TEST(PathPosition, IsFoundNearAPlace) {
+TEST(PathPosition, IsFoundNearAPoint) {
   expect_position(kCorner.nearest({1, 1}), {1, 0}, {1, 0}, 0, 1);
   expect_position(kCorner.nearest({-2, 5}), {0, 0}, {1, 0}, 0, 0);
   expect_position(kCorner.nearest({5, 3}), {4, 3}, {0, 1}, 1, 7);
@@ -59,12 +59,13 @@ TEST(PathPosition, IsFoundNearAPlace) {
   expect_position(path_of({{3, 3}}).nearest({9, 9}), {3, 3}, {0, 0}, 0, 0);
 }
 
-/// Returns 1 if the point is left of the line from (0, 0) to `way`, -1 if it is right of it. Exact if `way` is whole
-/// numbers: where both products round to the same double, their rounding errors decide.
-int side_of(Point way, Point p) {
-  const double one = way.x * p.y;
-  const double other = way.y * p.x;
-  const double difference = one != other ? one - other : std::fma(way.x, p.y, -one) - std::fma(way.y, p.x, -other);
+/// Returns 1 if the point is left of the line from (0, 0) to `direction`, -1 if it is right of it. Exact if `direction`
+/// is whole numbers: where both products round to the same double, their rounding errors decide.
+int side_of(Point direction, Point p) {
+  const double one = direction.x * p.y;
+  const double other = direction.y * p.x;
+  const double difference =
+      one != other ? one - other : std::fma(direction.x, p.y, -one) - std::fma(direction.y, p.x, -other);
   return difference > 0 ? 1 : difference < 0 ? -1 : 0;
 }
 

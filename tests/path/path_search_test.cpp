@@ -111,7 +111,7 @@ World world_of_doors() {
 
 const PathQuery kThroughTheDoors{{0.5, 5}, {9.5, 5}};
 
-TEST(PathSearch, GoesOnWhenAChangeDoesNotConcernIt) {
+TEST(PathSearch, ContinuesWhenAChangeDoesNotConcernIt) {
   World world = world_of_doors();
   for (double x = 20; x < 90; x += 5) world.insert_segment({x, 2}, {x, 8}).value();
   PathSearch search;
@@ -166,7 +166,7 @@ TEST(PathSearch, SeesThatAPolygonHasComeToCoverItsEnds) {
   EXPECT_EQ(search.path().status, PathStatus::start_blocked);
 }
 
-TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
+TEST(PathSearch, OfAStraightPathNoticesAWallInsertedBeforeTheFirstStep) {
   World world = World::create({{0, 0}, {10, 10}}).value();
   PathSearch search;
   ASSERT_TRUE(search.begin(world, {{1, 5}, {9, 5}}).ok());
@@ -182,7 +182,7 @@ TEST(PathSearch, OfAStraightWayNoticesAWallThatComesBeforeTheFirstStep) {
 }
 
 // The search has not visited the faces beside the wall between its ends. The change only makes the straight path free.
-TEST(PathSearch, NoticesThatTheStraightWayHasBecomeFree) {
+TEST(PathSearch, NoticesThatTheStraightPathHasBecomeFree) {
   for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
     World world = World::create({{0, 0}, {100, 100}}).value();
     // Small faces: those beside the wall have no vertex in common with those at the ends.
@@ -409,20 +409,20 @@ World world_with_edges_without_length(Random& random) {
     world.insert_segment(at, {at.x + 1.5 * fraction(), at.y + 1.5 * fraction()}).value();
     world.insert_segment({at.x + 1.5 * fraction(), at.y}, {at.x, at.y + 1.5 * fraction()}).value();
   }
-  for (const Point& place : world.snapshot().vertices) world.insert_point(place).value();
+  for (const Point& vertex : world.snapshot().vertices) world.insert_point(vertex).value();
   return world;
 }
 
 // An edge between a crossing and a point at its rounded position has two different ends, but no length in doubles.
 TEST(ManyPaths, FromOneStartCrossEdgesWithoutLength) {
   Random random(17);
-  const auto place = [&] { return static_cast<double>(random.below(1U << 27)) * 0x1p-27 * 30; };
+  const auto coordinate = [&] { return static_cast<double>(random.below(1U << 27)) * 0x1p-27 * 30; };
   for (int i = 0; i < 40; ++i) {
     const World world = world_with_edges_without_length(random);
     std::vector<Point> goals;
-    while (goals.size() < 400) goals.push_back({place(), place()});
+    while (goals.size() < 400) goals.push_back({coordinate(), coordinate()});
     for (int j = 0; j < 4; ++j) {
-      const Point start{place(), place()};
+      const Point start{coordinate(), coordinate()};
       const std::vector<Path> paths = world.find_paths_from({start, goals}).value();
       for (std::size_t goal = 0; goal < goals.size(); ++goal) {
         const Path alone = world.find_path({start, goals[goal]}).value();

@@ -47,7 +47,7 @@ TEST_P(PointPaths, StraightThroughEmptySpace) {
 }
 
 // The diagonal of the box starts at its first corner.
-TEST_P(PointPaths, AStraightWayCrossesTheEdgesOnIt) {
+TEST_P(PointPaths, AStraightPathCrossesTheEdgesOnIt) {
   const World world = world_of(kTen, {});
   PathQuery query{{1, 2}, {9, 7}, 0.0, GetParam()};
   query.wants_channel = true;
@@ -112,7 +112,7 @@ TEST_P(PointPaths, OnTheNearerSideToATipThatPartsTheGround) {
   }
 }
 
-TEST_P(PointPaths, WallsThatMeetLeaveNoWay) {
+TEST_P(PointPaths, WallsThatMeetLeaveNoPath) {
   const World crossing = world_of(kTen, {wall({5, 0}, {5, 5}), wall({5, 5}, {5, 10})});
   EXPECT_EQ(path_of(crossing, {1, 5}, {9, 5}).status, PathStatus::no_path);
   const World corners = world_of(kTen, {rectangle(0, 0, 5, 5), rectangle(5, 5, 10, 10)});
@@ -153,7 +153,7 @@ TEST_P(PointPaths, HolesAreRoomsOfTheirOwn) {
   EXPECT_EQ(path_of(world, {3, 5}, {5, 5}).status, PathStatus::found);
 }
 
-TEST_P(PointPaths, NoWayAlongASideThatTwoSolidsShare) {
+TEST_P(PointPaths, NoPathAlongASideThatTwoSolidsShare) {
   const World world = world_of(kTen, {rectangle(2, 2, 5, 8), rectangle(5, 2, 8, 8)});
   // The point is strictly inside neither solid, but has a solid on each side.
   EXPECT_EQ(path_of(world, {5, 5}, {1, 1}).status, PathStatus::no_path);
@@ -161,7 +161,7 @@ TEST_P(PointPaths, NoWayAlongASideThatTwoSolidsShare) {
   EXPECT_EQ(path_of(world, {5, 2}, {5, 8}).points.size(), 4U) << "around one of the solids";
 }
 
-TEST_P(PointPaths, StartAndGoalInOnePlace) {
+TEST_P(PointPaths, StartEqualsGoal) {
   const World world = world_of(kTen, {rectangle(4, 4, 6, 6)});
   const Path path = path_of(world, {4, 4}, {4, 4});
   EXPECT_EQ(path.status, PathStatus::found);

@@ -30,7 +30,7 @@ World square_in_the_middle() {
 
 bool is_clear(const World& world, const std::vector<Point>& points) { return world.is_clear(points).value(); }
 
-TEST(Clear, AWayMayTouchWallsAndRunAlongThem) {
+TEST(Clear, APolylineMayTouchWallsAndRunAlongThem) {
   const World world = square_in_the_middle();
   EXPECT_TRUE(is_clear(world, {{4, 0}, {4, 10}})) << "along a side";
   EXPECT_TRUE(is_clear(world, {{2, 6}, {6, 2}})) << "past a corner";
@@ -39,7 +39,7 @@ TEST(Clear, AWayMayTouchWallsAndRunAlongThem) {
   EXPECT_TRUE(is_clear(world, {{4, 5}})) << "on a side";
 }
 
-TEST(Clear, AWayMustNotPass) {
+TEST(Clear, APolylineMustNotPassFromWedgeToWedge) {
   const World world = square_in_the_middle();
   EXPECT_FALSE(is_clear(world, {{0, 5}, {10, 5}}));
   EXPECT_FALSE(is_clear(world, {{4, 4}, {6, 6}})) << "a diagonal inside";
@@ -49,7 +49,7 @@ TEST(Clear, AWayMustNotPass) {
   EXPECT_FALSE(is_clear(world, {})) << "no points";
 }
 
-TEST(Clear, NoWayLeadsThroughAPointWhereWallsMeet) {
+TEST(Clear, NoPolylineLeadsThroughAPointWhereWallsMeet) {
   World world = World::create({{0, 0}, {10, 10}}).value();
   world.insert_segment({5, 0}, {5, 5}).value();
   world.insert_segment({5, 5}, {5, 10}).value();
@@ -61,7 +61,7 @@ TEST(Clear, NoWayLeadsThroughAPointWhereWallsMeet) {
   EXPECT_TRUE(is_clear(world, {{1, 5}, {5, 5}, {5, 9}, {1, 9}}));
 }
 
-TEST(Clear, ItTellsWhichPointIsOutside) {
+TEST(Clear, TheErrorNamesThePointThatIsOutside) {
   const World world = square_in_the_middle();
   const auto refused = world.is_clear(std::vector<Point>{{1, 1}, {2, 2}, {11, 1}});
   ASSERT_FALSE(refused.ok());
@@ -71,7 +71,7 @@ TEST(Clear, ItTellsWhichPointIsOutside) {
 }
 
 /// Returns a point of the scene: a corner of an item, the rounded position of a vertex, or any point.
-Point random_place(const PathCase& path_case, const std::vector<oracle::OraclePoint>& vertices, Random& random) {
+Point random_point(const PathCase& path_case, const std::vector<oracle::OraclePoint>& vertices, Random& random) {
   if (random.chance(40)) {
     const oracle::OraclePoint& v = vertices[random.below(vertices.size())];
     return {v.x, v.y};
@@ -98,7 +98,7 @@ std::size_t check_against_oracle(const PathCase& path_case, const WorldOptions& 
   for (int i = 0; i < 12; ++i) {
     std::vector<Point> points;
     const std::size_t count = 1 + random.below(4);
-    while (points.size() < count) points.push_back(random_place(path_case, vertices, random));
+    while (points.size() < count) points.push_back(random_point(path_case, vertices, random));
     if (random.chance(20)) points.push_back(points.front());
     check(points);
   }
@@ -169,7 +169,7 @@ TEST(Affected, AreThePathsThatAChangedItemsBoxMeets) {
 // The log forgets old boxes. A path from before the oldest box in the log counts as affected.
 TEST(Affected, IsEverythingThatTheLogHasForgotten) {
   World world = World::create({{0, 0}, {100, 100}}).value();
-  const std::vector<Point> way = {{0, 90}, {100, 90}};
+  const std::vector<Point> path = {{0, 90}, {100, 90}};
   const std::uint64_t at_first = world.version();
   std::uint64_t recent = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -177,15 +177,15 @@ TEST(Affected, IsEverythingThatTheLogHasForgotten) {
     if (i == 2500) recent = world.version();
     world.remove(id).value();
   }
-  EXPECT_TRUE(world.is_affected(way, at_first));
-  EXPECT_FALSE(world.is_affected(way, recent));
+  EXPECT_TRUE(world.is_affected(path, at_first));
+  EXPECT_FALSE(world.is_affected(path, recent));
   std::vector<Item> many;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const double x = static_cast<double>(i % 100);
     many.push_back({ItemId{i + 10000}, {ItemKind::segment, {{{x, 1}, {x, 2}}}}});
   }
   world.insert_all(many).value();
-  EXPECT_FALSE(world.is_affected(way, recent));
+  EXPECT_FALSE(world.is_affected(path, recent));
   EXPECT_TRUE(world.is_affected(std::vector<Point>{{0.5, 0}, {0.5, 5}}, recent)) << "the box of many items is one";
 }
 

@@ -40,7 +40,7 @@ double hypotenuse(const Point& p, const Point& q) { return std::hypot(p.x - q.x,
 /// of all portals to all later ones that a straight line through the portals between them reaches.
 double shortest_by_trying_all(const Triangulation& triangulation, const Channel& channel) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  const auto place = [&](Vertex v) { return triangulation.geometry().rounded(number(v)); };
+  const auto coordinates = [&](Vertex v) { return triangulation.geometry().rounded(number(v)); };
   struct Stop {
     Point at;
     std::size_t portal;
@@ -48,8 +48,8 @@ double shortest_by_trying_all(const Triangulation& triangulation, const Channel&
   };
   std::vector<Point> left, right;
   for (const HalfEdge exit : channel.exits) {
-    left.push_back(place(mesh.target(exit)));
-    right.push_back(place(mesh.origin(exit)));
+    left.push_back(coordinates(mesh.target(exit)));
+    right.push_back(coordinates(mesh.origin(exit)));
   }
   std::vector<Stop> stops;
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -105,13 +105,13 @@ class TautStrings : public testing::Test {
     channel.start = end_in(random, triangulation, f);
     std::set<mesh::Face> seen = {f};
     for (const std::size_t most = 1 + random.below(12); channel.exits.size() < most;) {
-      std::vector<HalfEdge> ways;
+      std::vector<HalfEdge> passages;
       for (std::uint32_t side = 0; side < 3; ++side) {
         const HalfEdge h{3 * number(f) + side};
-        if (!mesh.is_fixed(h) && !seen.contains(mesh::face(mesh.twin(h)))) ways.push_back(h);
+        if (!mesh.is_fixed(h) && !seen.contains(mesh::face(mesh.twin(h)))) passages.push_back(h);
       }
-      if (ways.empty()) break;
-      channel.exits.push_back(ways[random.below(ways.size())]);
+      if (passages.empty()) break;
+      channel.exits.push_back(passages[random.below(passages.size())]);
       f = mesh::face(mesh.twin(channel.exits.back()));
       seen.insert(f);
     }
@@ -153,7 +153,7 @@ void for_each_move(const mesh::TriangleMesh& mesh, const Channel& channel, Left&
   }
 }
 
-TEST_F(TautStrings, AreTheShortestWaysThroughTheirChannels) {
+TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
   Random random(1);
   path::TautString string;
   path::TautTree tree;

@@ -88,7 +88,7 @@ std::size_t expect_alike(const PathCase& path_case) {
   return found;
 }
 
-void expect_as_long_the_other_way(const PathCase& path_case) {
+void expect_same_length_in_reverse(const PathCase& path_case) {
   const World world = moved_world(path_case.scene, stay);
   for (const Ends& ends : path_case.queries) {
     const Path path = find(world, ends, PathAlgorithm::optimal, stay);
@@ -127,12 +127,12 @@ void expect_scaled(const PathCase& path_case) {
 
 class PathSymmetryAmongObstacles : public ::testing::TestWithParam<Obstacles> {};
 
-TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndTheWayBack) {
+TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndReversal) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(GetParam(), seed, kQueries);
     found += expect_alike(path_case);
-    expect_as_long_the_other_way(path_case);
+    expect_same_length_in_reverse(path_case);
     expect_scaled(path_case);
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }
@@ -144,11 +144,11 @@ INSTANTIATE_TEST_SUITE_P(Obstacles, PathSymmetryAmongObstacles, ::testing::Value
 
 class PathSymmetryInRandomScenes : public ::testing::TestWithParam<Flavour> {};
 
-TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndTheWayBack) {
+TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndReversal) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
     expect_alike(path_case);
-    expect_as_long_the_other_way(path_case);
+    expect_same_length_in_reverse(path_case);
     if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its smallest coordinates cannot shrink
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }

@@ -14,7 +14,7 @@
 
 #include "exact/stage_agreement.hpp"
 #include "support/changes_check.hpp"
-#include "support/path_places_check.hpp"
+#include "support/path_positions_check.hpp"
 #include "support/path_scene_check.hpp"
 #include "support/random_changes.hpp"
 #include "support/random_path_cases.hpp"
@@ -30,7 +30,7 @@ struct Settings {
   std::uint64_t seed = 1;
   std::string flavour;           ///< the only flavour or kind of obstacles; all of them when empty
   std::uint64_t paths = 0;       ///< scenes to find paths in, in total; when above 0, instead of scenes
-  std::uint64_t places = 0;      ///< positions on paths to search from again, in total; when above 0, instead of scenes
+  std::uint64_t positions = 0;   ///< positions on paths to search from again, in total; when above 0, instead of scenes
   std::uint64_t predicates = 0;  ///< calls of each predicate, in total; when above 0, instead of scenes
   std::uint64_t changes = 0;     ///< steps of worlds that change, in total; when above 0, instead of scenes
 };
@@ -221,33 +221,33 @@ int run_paths(const Settings& settings) {
 }
 
 /// Searches again from positions on paths.
-int run_places(const Settings& settings) {
-  constexpr std::size_t kPlacesPerPath = 10;
+int run_path_positions(const Settings& settings) {
+  constexpr std::size_t kPositionsPerPath = 10;
   constexpr std::size_t kQueriesPerScene = 40;
   std::size_t faults = 0;
-  PlacesReport all;
+  PathPositionsReport all;
   for (const Obstacles obstacles : kObstacles) {
     const bool has_solids_only = obstacles == Obstacles::boxes || obstacles == Obstacles::cells;
-    PlacesReport some;
-    for (std::uint64_t seed = settings.seed; some.places < settings.places / kObstacles.size(); ++seed) {
+    PathPositionsReport some;
+    for (std::uint64_t seed = settings.seed; some.positions < settings.positions / kObstacles.size(); ++seed) {
       const PathCase path_case = random_path_case(obstacles, seed, kQueriesPerScene);
-      const PlacesReport report = check_places(path_case, kPlacesPerPath, has_solids_only);
+      const PathPositionsReport report = check_path_positions(path_case, kPositionsPerPath, has_solids_only);
       some.paths += report.paths;
-      some.places += report.places;
+      some.positions += report.positions;
       some.moved += report.moved;
       some.worst = std::max(some.worst, report.worst);
       if (!report.fault) continue;
       ++faults;
       std::cout << to_string(obstacles) << ", seed " << seed << ": " << *report.fault << std::endl;
     }
-    std::cout << to_string(obstacles) << ": " << some.places << " places on " << some.paths << " paths, " << some.moved
-              << " moved, longer by at most " << some.worst << " of the domain's size" << std::endl;
+    std::cout << to_string(obstacles) << ": " << some.positions << " positions on " << some.paths << " paths, "
+              << some.moved << " moved, longer by at most " << some.worst << " of the domain's size" << std::endl;
     all.paths += some.paths;
-    all.places += some.places;
+    all.positions += some.positions;
     all.moved += some.moved;
   }
-  std::cout << "all: " << all.places << " places on " << all.paths << " paths, " << all.moved << " moved, " << faults
-            << " faults" << std::endl;
+  std::cout << "all: " << all.positions << " positions on " << all.paths << " paths, " << all.moved << " moved, "
+            << faults << " faults" << std::endl;
   return faults == 0 ? 0 : 1;
 }
 
@@ -305,8 +305,8 @@ int main(int argc, char** argv) {
   app.add_option("--seed", settings.seed, "Seed of the first scene; the others follow it")->capture_default_str();
   app.add_option("--predicates", settings.predicates,
                  "Count of calls of each predicate, stage against stage, instead of scenes");
-  app.add_option("--places", settings.places,
-                 "Count of places on paths from which a path is asked for again, instead of scenes");
+  app.add_option("--positions", settings.positions,
+                 "Count of positions on paths from which a path is asked for again, instead of scenes");
   app.add_option("--paths", settings.paths, "Count of scenes to find paths in, instead of scenes");
   app.add_option(
          "--flavour", settings.flavour,
@@ -321,7 +321,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (settings.predicates > 0) return waywright::test::run_predicates(settings);
   if (settings.paths > 0) return waywright::test::run_paths(settings);
-  if (settings.places > 0) return waywright::test::run_places(settings);
+  if (settings.positions > 0) return waywright::test::run_path_positions(settings);
   if (waywright::test::obstacles_of(settings.flavour)) {
     std::cerr << "waywright_soak: '" << settings.flavour << "' is a flavour of --paths only\n";
     return 2;

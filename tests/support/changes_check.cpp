@@ -82,19 +82,19 @@ class ChangesCheck {
                                         : report_.counts.replacements);
       if (const Fault fault = check_item(world, ids[i])) return fault;
     }
-    std::vector<ItemId> alive;
-    for (const auto& [id, shape] : live_.items()) alive.push_back(id);
-    if (world.item_ids() != alive || world.item_count() != alive.size()) return "wrong items are alive";
+    std::vector<ItemId> live;
+    for (const auto& [id, shape] : live_.items()) live.push_back(id);
+    if (world.item_ids() != live || world.item_count() != live.size()) return "wrong items are live";
     return std::nullopt;
   }
 
   Fault check_item(const World& world, ItemId id) const {
     const auto found = live_.items().find(id);
-    const bool is_alive = found != live_.items().end();
-    if (world.contains(id) != is_alive) return "contains is wrong about " + name_of(id);
+    const bool is_live = found != live_.items().end();
+    if (world.contains(id) != is_live) return "contains is wrong about " + name_of(id);
     const Result<Shape> shape = world.shape(id);
-    if (shape.ok() != is_alive) return "shape is wrong about whether " + name_of(id) + " is there";
-    if (is_alive && *shape != merged(found->second)) return "the shape of " + name_of(id) + " is wrong";
+    if (shape.ok() != is_live) return "shape is wrong about whether " + name_of(id) + " is there";
+    if (is_live && *shape != merged(found->second)) return "the shape of " + name_of(id) + " is wrong";
     return std::nullopt;
   }
 

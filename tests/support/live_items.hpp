@@ -56,11 +56,11 @@ class LiveItems {
 
  private:
   [[nodiscard]] std::optional<ErrorCode> refusal(const Change& change, ItemId id) const {
-    const bool is_alive = items_.contains(id);
-    if (change.kind != Change::Kind::insert && !is_alive) return ErrorCode::unknown_id;
+    const bool is_live = items_.contains(id);
+    if (change.kind != Change::Kind::insert && !is_live) return ErrorCode::unknown_id;
     if (change.kind == Change::Kind::remove) return std::nullopt;
     if (id.value > ItemId::kLargest) return ErrorCode::bad_id;
-    if (change.kind == Change::Kind::insert && is_alive) return ErrorCode::id_in_use;
+    if (change.kind == Change::Kind::insert && is_live) return ErrorCode::id_in_use;
     for (const PointSpan& ring : change.shape.rings) {
       for (const Point& p : ring) {
         if (!is_legal_coordinate(p.x) || !is_legal_coordinate(p.y)) return ErrorCode::coordinate_range;

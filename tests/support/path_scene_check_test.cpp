@@ -48,7 +48,7 @@ TEST(PathSceneCheck, IsContentWithTheWorld) {
   }
 }
 
-TEST(PathSceneCheck, FindsEveryWayToBeWrong) {
+TEST(PathSceneCheck, FindsEveryKindOfFault) {
   EXPECT_THAT(fault_with(spoilt([](Path& path) { path.status = PathStatus::no_path; })), HasSubstr("no-path instead"));
   EXPECT_THAT(fault_with(spoilt([](Path& path) { path.length *= 1.0 + 1e-8; })), HasSubstr("not that of the points"));
   EXPECT_THAT(fault_with(spoilt([](Path& path) { path.points.pop_back(); })), HasSubstr("does not lead"));

@@ -97,19 +97,19 @@ class ChangeMaker {
 
   static bool are_near(const Shape& a, const Shape& b) {
     if (b.rings.empty()) return true;
-    return Box::of(a.rings.points()).overlaps(Box::of(b.rings.points()));
+    return Box::bounding(a.rings.points()).overlaps(Box::bounding(b.rings.points()));
   }
 
   /// Stores the shape, so that it can be inserted again later.
   const Shape& remember(const Shape& shape) {
     last_ = shape;
-    gone_[next_gone_++ % gone_.size()] = shape;
+    removed_shapes_[next_removed_++ % removed_shapes_.size()] = shape;
     return last_;
   }
 
   Shape fresh_shape() {
-    const Shape& gone = gone_[random_.below(gone_.size())];
-    if (random_.chance(25) && !gone.rings.empty()) return last_ = gone;
+    const Shape& removed_shape = removed_shapes_[random_.below(removed_shapes_.size())];
+    if (random_.chance(25) && !removed_shape.rings.empty()) return last_ = removed_shape;
     const Shape& other = pool_.items[random_.below(pool_.items.size())].shape;
     return last_ = random_.chance(15) ? dragged(other) : other;
   }
@@ -163,8 +163,8 @@ class ChangeMaker {
   LiveItems live_;
   Season season_ = Season::growth;
   Shape last_;
-  std::array<Shape, 8> gone_;
-  std::size_t next_gone_ = 0;
+  std::array<Shape, 8> removed_shapes_;
+  std::size_t next_removed_ = 0;
 };
 
 /// Returns the line of a world script that inserts the item.

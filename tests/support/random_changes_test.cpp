@@ -37,7 +37,7 @@ struct Events {
 
 void count_events(const ChangeScript& script, std::size_t live_count, Events& events) {
   LiveItems live(script.domain);
-  std::vector<Shape> gone;
+  std::vector<Shape> removed_shapes;
   for (const Step& step : script.steps) {
     const std::map<ItemId, Shape> before = live.items();
     const Result<std::vector<ItemId>> ids = live.apply(step);
@@ -50,10 +50,13 @@ void count_events(const ChangeScript& script, std::size_t live_count, Events& ev
     for (const Change& change : step.changes) {
       ++events.done[change.kind];
       const bool has_shape = change.kind != Change::Kind::remove;
-      events.back_again += has_shape && std::find(gone.begin(), gone.end(), change.shape) != gone.end() ? 1 : 0;
+      events.back_again +=
+          has_shape && std::find(removed_shapes.begin(), removed_shapes.end(), change.shape) != removed_shapes.end()
+              ? 1
+              : 0;
     }
     for (const auto& [id, shape] : before) {
-      if (!live.items().contains(id)) gone.push_back(shape);
+      if (!live.items().contains(id)) removed_shapes.push_back(shape);
     }
     events.full += live.items().size() == live_count ? 1 : 0;
     events.emptied += !before.empty() && live.items().empty() ? 1 : 0;

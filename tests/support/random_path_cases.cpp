@@ -53,9 +53,9 @@ class PathSceneMaker {
 
   /// Returns a position within reach of (x, y), a third of the time along an axis.
   std::pair<std::int64_t, std::int64_t> step(std::int64_t x, std::int64_t y) {
-    const std::size_t way = random_.below(6);
-    if (way != 0) x = inside(x + random_.between(-reach_, reach_));
-    if (way != 1) y = inside(y + random_.between(-reach_, reach_));
+    const std::size_t direction = random_.below(6);
+    if (direction != 0) x = inside(x + random_.between(-reach_, reach_));
+    if (direction != 1) y = inside(y + random_.between(-reach_, reach_));
     return {x, y};
   }
 
@@ -114,9 +114,9 @@ class PathSceneMaker {
 };
 
 template <class RandomPoint>
-std::vector<Ends> random_queries(const Scene& scene, std::size_t count, Random& random, RandomPoint&& random_place) {
+std::vector<Ends> random_queries(const Scene& scene, std::size_t count, Random& random, RandomPoint&& random_point) {
   const auto end = [&]() -> Point {
-    if (scene.items.empty() || random.chance(67)) return random_place();
+    if (scene.items.empty() || random.chance(67)) return random_point();
     const auto& rings = scene.items[random.below(scene.items.size())].shape.rings;
     const auto& ring = rings[random.below(rings.size())];
     return ring[random.below(ring.size())];

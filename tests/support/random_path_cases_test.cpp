@@ -53,7 +53,7 @@ TEST(RandomPathCases, AskForPathsOfEveryOutcome) {
 
 // Compares two methods to find out whether a path exists: the visibility graph, and a flood fill over the faces of a
 // mesh.
-TEST(RandomPathCases, AreConnectedWhereTheVisibilityGraphFindsAWay) {
+TEST(RandomPathCases, AreConnectedWhereTheVisibilityGraphFindsAPath) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const PathCase path_case = random_path_case(kObstacles.at(seed % kObstacles.size()), seed, kQueries);
     World world = World::create(path_case.scene.domain).value();

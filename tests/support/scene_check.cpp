@@ -97,7 +97,7 @@ class WorldCheck {
     return std::nullopt;
   }
 
-  std::vector<Point> places_to_locate() {
+  std::vector<Point> points_to_locate() {
     std::vector<Point> points;
     for (std::size_t i = 0; i < 8; ++i) points.push_back(random_point(flavour_, scene_.domain, random_));
     for (std::size_t i = 0; i < 8 && !scene_.items.empty(); ++i) {
@@ -124,8 +124,8 @@ class WorldCheck {
   }
 
   Fault check_locations(const World& world, std::string_view dump) {
-    const std::vector<Point> points = places_to_locate();
-    const auto expected = oracle_.places(dump, oracle::to_oracle(points));
+    const std::vector<Point> points = points_to_locate();
+    const auto expected = oracle_.locate(dump, oracle::to_oracle(points));
     QueryContext context;
     Location location;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -133,13 +133,14 @@ class WorldCheck {
       const std::string where = "locate " + text_of(points[i]) + ": ";
       const Result<void> located = world.locate(points[i], context, location);
       if (!located) return where + located.error().message();
-      if (static_cast<int>(location.at) != static_cast<int>(expected[i].at)) return where + "wrong kind of place";
-      const std::vector<Point> corners(location.corners.begin(),
-                                       location.corners.begin() + static_cast<std::ptrdiff_t>(location.corner_count));
-      if (oracle::to_oracle(corners) != expected[i].corners) return where + "wrong corners";
-      std::vector<std::uint64_t> inside;
-      for (const ItemId id : location.inside) inside.push_back(id.value);
-      if (inside != oracle_.covering_polygons(oracle::to_oracle(points[i]))) return where + "wrong polygons";
+      if (static_cast<int>(location.kind) != static_cast<int>(expected[i].kind))
+        return where + "wrong kind of location";
+      const std::vector<Point> vertices(location.vertices.begin(),
+                                        location.vertices.begin() + static_cast<std::ptrdiff_t>(location.vertex_count));
+      if (oracle::to_oracle(vertices) != expected[i].vertices) return where + "wrong vertices";
+      std::vector<std::uint64_t> polygons;
+      for (const ItemId id : location.polygons) polygons.push_back(id.value);
+      if (polygons != oracle_.covering_polygons(oracle::to_oracle(points[i]))) return where + "wrong polygons";
     }
     return std::nullopt;
   }

@@ -20,18 +20,18 @@ struct Answers {
   bool operator==(const Answers&) const = default;
 };
 
-Answers ask(const World& world, const std::vector<Point>& places) {
+Answers ask(const World& world, const std::vector<Point>& points) {
   Answers answers;
   QueryContext context;
   Path path;
   Location location;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    world.locate(places[i], context, location).value();
-    answers.inside.push_back(location.inside);
-    world.find_path({places[i - 1], places[i]}, context, path).value();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    world.locate(points[i], context, location).value();
+    answers.inside.push_back(location.polygons);
+    world.find_path({points[i - 1], points[i]}, context, path).value();
     answers.paths.push_back(path.points);
-    answers.paths.push_back(world.find_path({places[i], places[i - 1]}).value().points);  // the world's own context
-    answers.inside.push_back(world.items_in({places[i], places[i]}).value());
+    answers.paths.push_back(world.find_path({points[i], points[i - 1]}).value().points);  // the world's own context
+    answers.inside.push_back(world.items_in({points[i], points[i]}).value());
   }
   return answers;
 }
@@ -42,15 +42,15 @@ TEST(Threads, AnyNumberMayQueryOneWorldAtOnce) {
   World world = World::create(scene.domain).value();
   for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
   Random random(7);
-  std::vector<Point> places;
-  for (int i = 0; i < 60; ++i) places.push_back(random_point(Flavour::small, scene.domain, random));
+  std::vector<Point> points;
+  for (int i = 0; i < 60; ++i) points.push_back(random_point(Flavour::small, scene.domain, random));
 
-  const Answers alone = ask(world, places);
+  const Answers alone = ask(world, points);
   std::vector<Answers> answers(4);
   std::vector<std::thread> threads;
-  for (Answers& mine : answers) threads.emplace_back([&] { mine = ask(world, places); });
+  for (Answers& own_answers : answers) threads.emplace_back([&] { own_answers = ask(world, points); });
   for (std::thread& thread : threads) thread.join();
-  for (const Answers& mine : answers) EXPECT_EQ(mine, alone);
+  for (const Answers& own_answers : answers) EXPECT_EQ(own_answers, alone);
 }
 
 TEST(Threads, ShareTheQueriesOfABatch) {

@@ -283,7 +283,7 @@ TEST(Files, ATemporaryOfAnotherRunIsLeftAlone) {
   EXPECT_EQ(folder.file_count(), 2U);
 }
 
-TEST(StandardOutput, AFullDiskIsTold) {
+TEST(StandardOutput, AFullDiskIsReported) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const TemporaryFolder folder;
   const std::vector<std::string> run{"run", "-", "--dump", folder.file("dump")};
@@ -292,7 +292,7 @@ TEST(StandardOutput, AFullDiskIsTold) {
   expect_one_line_and_status_2(run_command({"--help"}, {}, "/dev/full"));
 }
 
-TEST(StandardOutput, AReaderThatGoesAwayIsTold) {
+TEST(StandardOutput, AClosedPipeIsReported) {
   const TemporaryFolder folder;
   std::string script = kWorld;
   for (int i = 0; i < 50000; ++i) script += "locate 1 2\n";

@@ -44,7 +44,7 @@ struct Inputs {
   }
 };
 
-TEST(ClosedStreams, StandardOutputIsToldForEverySubcommand) {
+TEST(ClosedStreams, StandardOutputIsReportedForEverySubcommand) {
   const Inputs inputs;
   for (const std::string& words : kPrinting) {
     const auto result = inputs.shell("\"$W\" " + words +
@@ -57,7 +57,7 @@ TEST(ClosedStreams, StandardOutputIsToldForEverySubcommand) {
   }
 }
 
-TEST(ClosedStreams, AFullStandardOutputIsToldForEverySubcommand) {
+TEST(ClosedStreams, AFullStandardOutputIsReportedForEverySubcommand) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const Inputs inputs;
   for (const std::string& words : kPrinting) {
@@ -92,7 +92,7 @@ TEST(ClosedStreams, SilentWorkNeedsNone) {
 }
 
 // If an output file got the descriptor of a closed stream, the command would print into that file.
-TEST(ClosedStreams, NoOutputFileTakesTheirPlace) {
+TEST(ClosedStreams, NoOutputFileTakesTheirDescriptors) {
   const Inputs inputs;
   const std::string dump = inputs.folder.file("dump");
   ASSERT_EQ(run_command({"run", inputs.script, "--dump", dump}).status, 0);
@@ -111,7 +111,7 @@ TEST(ClosedStreams, NoOutputFileTakesTheirPlace) {
 
 // The command opens a pipe before the run. If the pipe got the descriptor of a closed stream, it would receive the
 // answers.
-TEST(ClosedStreams, NoPipeTakesTheirPlace) {
+TEST(ClosedStreams, NoPipeTakesTheirDescriptor) {
   const Inputs inputs;
   const auto result = inputs.shell(
       "mkfifo \"$D\"/pipe; \"$W\" run \"$D\"/a.wws --dump \"$D\"/pipe >&- & cat \"$D\"/pipe; wait $!; echo $?");
@@ -119,7 +119,7 @@ TEST(ClosedStreams, NoPipeTakesTheirPlace) {
   EXPECT_EQ(result.err, "waywright: cannot write to standard output: Bad file descriptor\n");
 }
 
-TEST(ClosedStreams, StandardInputIsTold) {
+TEST(ClosedStreams, StandardInputIsReported) {
   const Inputs inputs;
   for (const std::string words : {"run -", "path - --from 1 1 --to 2 2", "convert - \"$D\"/x.svg",
                                   "scenario \"$D\"/a.wws -", "scenario - \"$D\"/a.scen"}) {
@@ -130,7 +130,7 @@ TEST(ClosedStreams, StandardInputIsTold) {
   }
 }
 
-TEST(ClosedStreams, AFileBeyondTheUsersLimitIsTold) {
+TEST(ClosedStreams, AFileBeyondTheUsersLimitIsReported) {
   const Inputs inputs;
   const auto result = inputs.shell("ulimit -f 0; \"$W\" convert \"$D\"/a.wws \"$D\"/big.wws 2>/dev/null");
   EXPECT_EQ(result.status, 2);
@@ -138,7 +138,7 @@ TEST(ClosedStreams, AFileBeyondTheUsersLimitIsTold) {
   EXPECT_EQ(inputs.folder.file_count(), 3U);
 }
 
-TEST(ClosedStreams, UsedUpMemoryIsTold) {
+TEST(ClosedStreams, UsedUpMemoryIsReported) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer needs more addresses than the limit leaves";
 #endif

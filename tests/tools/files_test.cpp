@@ -212,7 +212,7 @@ TEST(WrittenFiles, AreRefusedWhereTheUserMayNotWriteThem) {
 
 // The folder accepts no new file, or a new file could not have the old file's owner. The command can still write the
 // file itself.
-TEST(WrittenFiles, AreOverwrittenInPlaceWhereNoOtherFileCanTakeTheirPlace) {
+TEST(WrittenFiles, AreOverwrittenInPlaceIfNoOtherFileCanReplaceThem) {
   if (!can_be_nobody()) GTEST_SKIP() << "needs the superuser and setpriv";
   const Files files;
   const std::string target = files.folder.file("target", std::string(5000, 'x'));

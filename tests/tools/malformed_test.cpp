@@ -23,9 +23,9 @@ std::string name_of(const testing::TestParamInfo<Malformed>& info) { return info
 void expect_malformed(const CommandResult& result, const std::string& file, int line) {
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.out, "");
-  const std::string place = file + ":" + std::to_string(line) + ": ";
-  EXPECT_EQ(result.err.substr(0, place.size()), place);
-  EXPECT_GT(result.err.size(), place.size() + 10) << "says nothing about what is wrong";
+  const std::string prefix = file + ":" + std::to_string(line) + ": ";
+  EXPECT_EQ(result.err.substr(0, prefix.size()), prefix);
+  EXPECT_GT(result.err.size(), prefix.size() + 10) << "says nothing about what is wrong";
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_TRUE(result.err.ends_with('\n'));
 }
@@ -124,7 +124,7 @@ TEST(MalformedScript, TheWholeScriptIsReadBeforeAnythingRuns) {
   expect_malformed(result, "-", 5);
 }
 
-TEST(MalformedScript, ADomainOutOfRangeIsToldByItsLine) {
+TEST(MalformedScript, ADomainOutOfRangeIsReportedWithItsLine) {
   const TemporaryFolder folder;
   const auto result = run_command({"run", folder.file("a.wws", "waywright 1\n\ndomain 0 0 inf 1\nlocate 0 0\n")});
   expect_malformed(result, folder.file("a.wws"), 3);

@@ -46,9 +46,9 @@ TEST(PathCommand, NoPathIsAnAnswer) {
   const std::string map = folder.file("map.wws",
                                       "waywright 1\ndomain 0 0 10 10\nsegment 1 5 0 5 10\n"
                                       "polygon 2 3 1 1 4 1 1 4\npath 1 1 2 2 0\n");
-  const auto parted = run_command(arguments(map, {"4", "8"}, {"8", "8"}));
-  EXPECT_EQ(parted.status, 0);
-  EXPECT_EQ(parted.out, "{\"op\":\"path\",\"found\":false,\"reason\":\"no-path\"}\n");
+  const auto unconnected = run_command(arguments(map, {"4", "8"}, {"8", "8"}));
+  EXPECT_EQ(unconnected.status, 0);
+  EXPECT_EQ(unconnected.out, "{\"op\":\"path\",\"found\":false,\"reason\":\"no-path\"}\n");
   EXPECT_EQ(json_lines(run_command(arguments(map, {"2", "2"}, {"4", "8"})).out).at(0).at("reason"), "start-blocked");
   EXPECT_EQ(json_lines(run_command(arguments(map, {"4", "8"}, {"2", "2"})).out).at(0).at("reason"), "goal-blocked");
 }
@@ -72,7 +72,7 @@ void expect_path(const std::string& map, const std::vector<std::string>& from, c
 }
 
 // Over the block, from corner to corner, the length is 5 + 2 + 5; under it 2 + 2 sqrt(109).
-TEST_P(PathCommandBy, GoesAroundTheNearerSide) {
+TEST_P(PathCommandBy, LeadsAroundTheNearerCorners) {
   const TemporaryFolder folder;
   const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 20\npolygon 1 4 4 2 6 2 6 16 4 16\n");
   expect_path(map, {"1", "12"}, {"9", "12"}, GetParam(), 12.0, {1, 12, 4, 16, 6, 16, 9, 12});
@@ -87,7 +87,7 @@ TEST_P(PathCommandBy, WindsAroundWallsThatCross) {
               {1, 1, 2, 4, 4, 7, 8, 4, 7, 1});
 }
 
-TEST_P(PathCommandBy, GoesStraightWhereItCan) {
+TEST_P(PathCommandBy, IsStraightWherePossible) {
   const TemporaryFolder folder;
   const std::string map = folder.file("map.wws", "waywright 1\ndomain 0 0 10 10\nsegment 1 4 5 4 7\npoint 2 5 4\n");
   expect_path(map, {"1", "1"}, {"9", "7"}, GetParam(), 10.0, {1, 1, 9, 7});
@@ -131,10 +131,10 @@ TEST(ConvertCommand, WritesAScriptThatHoldsTheSameWorld) {
   EXPECT_EQ(converted.status, 0);
   EXPECT_EQ(converted.out + converted.err, "");
   // The cell (2, 1) touches the free cell at its upper right only diagonally, and that diagonal is closed.
-  const auto places = run_script(read_file(script) +
+  const auto result = run_script(read_file(script) +
                                  "locate 1.5 1.5\nlocate 2.5 1.5\nlocate 3.5 0.5\nlocate 4.5 3.5\n"
                                  "path 2.5 1.5 3.5 0.5 0\n");
-  const auto lines = json_lines(places.out);
+  const auto lines = json_lines(result.out);
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines[0].at("inside").size(), 1U);
   EXPECT_EQ(lines[1].at("inside").size(), 0U);

@@ -67,7 +67,7 @@ TEST(RunCommand, PrintsAPathInTheFormatsShape) {
                         "\n");
 }
 
-TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
+TEST(RunCommand, ReportsHowManyCallsEachStageDecided) {
   const std::string script = kHead + "segment 1 2 0 2 10\nsegment 2 0 5 10 5\nsegment 3 1.1 1.1 8 9\nlocate 5 2\n";
   const auto plain = run_script(script);
   EXPECT_EQ(plain.err, "");
@@ -87,7 +87,7 @@ TEST(RunCommand, TellsHowManyQuestionsEachStageDecided) {
 
 // A box and a point have 6 vertices with the ghost vertex. Each has two coordinates, a half-edge and a list of items.
 // The triangulated sphere has 8 faces with three corners and three neighbours each.
-TEST(RunCommand, TellsWhereTheMemoryIs) {
+TEST(RunCommand, ReportsTheUseOfMemory) {
   const auto memory = json::parse(run_script(kHead + "point 1 5 2\n", {"--stats"}).err).at("memory");
   EXPECT_EQ(memory.at("faces"), 8 * 24);
   EXPECT_GE(memory.at("vertices"), 6 * (4 + 4 + 16));
@@ -146,7 +146,7 @@ void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.operat
 
 class RunCommandRefuses : public testing::TestWithParam<Refusal> {};
 
-TEST_P(RunCommandRefuses, WithACodeAndAMessageAndGoesOn) {
+TEST_P(RunCommandRefuses, WithACodeAndAMessageAndContinues) {
   const auto& [operation, op, code] = GetParam();
   const std::string script = kHead + "point 1 5 5\n" + operation + "\nlocate 5 5\n";
   const auto result = run_script(script, {"--check"});
@@ -205,7 +205,7 @@ TEST(RunCommand, MovesAnEndThatIsBlockedByRoundingAndSaysSo) {
   EXPECT_EQ(answer("path 4.000001 6 3 6 0 optimal tolerance 0\n").at("reason"), "start-blocked");
 }
 
-TEST(RunCommand, TellsWhetherAWayIsClear) {
+TEST(RunCommand, ReportsWhetherAPolylineIsClear) {
   const auto result = run_script(kHead + "polygon 7 4 4 4 8 4 8 8 4 8\nclear 3 1 1 4 4 4 9\nclear 2 1 1 9 9\n");
   EXPECT_EQ(result.out,
             "{\"line\":4,\"op\":\"clear\",\"clear\":true}\n{\"line\":5,\"op\":\"clear\",\"clear\":false}\n");
@@ -273,7 +273,7 @@ TEST(RunCommand, SaysWhatIsWrongWithADomain) {
             "-:3: expected X0 to be 0 or of a size from 2^-100 to 2^100 in 'domain X0 Y0 X1 Y1', found 'nan'\n");
 }
 
-TEST(RunCommand, TakesAByteOrderMarkAndTellsUtf16) {
+TEST(RunCommand, AcceptsAByteOrderMarkAndReportsUtf16) {
   const std::string script = kHead + "locate 5 5\n";
   EXPECT_EQ(run_script("\xef\xbb\xbf" + script).out, run_script(script).out);
   std::string wide = "\xff\xfe";
@@ -284,7 +284,7 @@ TEST(RunCommand, TakesAByteOrderMarkAndTellsUtf16) {
             "UTF-8'\n");
 }
 
-TEST(RunCommand, HashesDependOnWhatIsAliveAlone) {
+TEST(RunCommand, HashesDependOnLiveItemsAlone) {
   const auto result = run_script(kHead +
                                  "hash\nsegment 1 1 1 9 9\nsegment 2 1 9 9 1\nhash\nremove 1\nremove 2\nhash\n"
                                  "segment 2 1 9 9 1\nsegment 1 1 1 9 9\nhash\n");

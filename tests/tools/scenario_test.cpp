@@ -118,7 +118,7 @@ void PrintTo(const BadScenario& bad, std::ostream* out) { *out << bad.message; }
 
 class BadScenarios : public testing::TestWithParam<BadScenario> {};
 
-TEST_P(BadScenarios, AreToldByTheirLineAndLeaveNothing) {
+TEST_P(BadScenarios, AreReportedWithTheirLineAndLeaveNothing) {
   const Files files;
   const std::string scenario = files.folder.file("bad.scen", GetParam().text);
   const auto result = run_command({"scenario", files.map, scenario, "--csv", files.folder.file("out.csv")});
@@ -158,7 +158,7 @@ TEST(ScenarioCommand, TakesTheNameOfItsMapFromAnyFolderAndSystem) {
   EXPECT_EQ(run_command({"scenario", files.map, "-"}, "version 1\n0 su.map 3 3 0 0 0 3 3.0\n").status, 2);
 }
 
-TEST(ScenarioCommand, AsksTheQueriesOfAnotherMapWhereTold) {
+TEST(ScenarioCommand, AnswersTheQueriesOfAnotherMapIfAsked) {
   const Files files;
   const std::string scenario = files.folder.file("v.scen", "version 1\n0 v.map 99 3 0 0 0 3 3.0\n");
   EXPECT_EQ(run_command({"scenario", files.map, scenario}).status, 2);

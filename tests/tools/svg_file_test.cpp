@@ -34,7 +34,7 @@ TEST(SvgFile, OfARunShowsTheFinalWorldAndThePathsFoundInIt) {
   EXPECT_GT(drawn["mesh"], 0);
 }
 
-TEST(SvgFile, OfAPathIsTitledWithTheMapAndDrawnTheMapsWayUp) {
+TEST(SvgFile, OfAPathHasTheTitleAndTheOrientationOfTheMap) {
   const TemporaryFolder folder;
   const std::string map = folder.file("one & two.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n....\n....\n....\n");
   const std::string picture = folder.file("a.svg");
@@ -93,7 +93,7 @@ TEST(SvgFile, OfAPathThatIsNotFoundShowsItsEnds) {
             std::vector<std::string>{"no path from (1, 1) to (8, 8)"});
 }
 
-TEST(SvgFile, ShowsAPartOfTheWorldInAThemeWithoutAxes) {
+TEST(SvgFile, ShowsACropBoxInAThemeWithoutAxes) {
   const TemporaryFolder folder;
   const std::string text = "waywright 1\ndomain -20 -20 20 20\npoint 1 1 1\npoint 2 -9 -9\n";
   const std::string map = folder.file("a.wws", text);

@@ -78,13 +78,13 @@ TEST(ToSvg, MarksFailedPathsWithTheirStatus) {
   for (std::size_t i = 1; i < lines.size(); i += 2) EXPECT_TRUE(lines[i].contains("stroke-dasharray"));
 }
 
-TEST(ToSvg, ColoursPlacesByTheirAnswer) {
+TEST(ToSvg, ColoursLocationsByTheirAnswer) {
   World world = make_world({{0, 0}, {10, 10}});
   world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {8}).value();
   world.insert_segment({6, 1}, {6, 9}, {2}).value();
   SvgOverlay overlay;
-  for (const Point& place : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}, Point{4, 2}, Point{4, 4}}) {
-    overlay.locations.push_back({place, world.locate(place).value()});
+  for (const Point& point : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}, Point{4, 2}, Point{4, 4}}) {
+    overlay.locations.push_back({point, world.locate(point).value()});
   }
   const json drawn = drawing_of(world, overlay, bare_options());
   EXPECT_EQ(drawn["labels"], json({"1 solid", "1 wall", "1 place in a face", "1 place on an edge",

@@ -96,10 +96,10 @@ TEST(ToSvg, IsTheSameTextEveryTimeWhateverTheLocale) {
   std::locale::global(before);
 }
 
-TEST(ToSvg, ShowsPlacesWhereItsFrameSays) {
+TEST(ToSvg, ShowsPointsWhereItsFrameSays) {
   World world = make_world({{-10, 5}, {30, 25}});
-  const Point place{2, 9};
-  put(world, ItemKind::point, {{place}});
+  const Point point{2, 9};
+  put(world, ItemKind::point, {{point}});
   for (const bool y_down : {false, true}) {
     for (const bool axes : {false, true}) {
       SvgOptions options;
@@ -108,16 +108,16 @@ TEST(ToSvg, ShowsPlacesWhereItsFrameSays) {
       options.title = "title";
       const SvgFrame frame = frame_of(world, options);
       const json dot = elements_of(drawing_of(world, {}, options), "points", "circle").at(0);
-      EXPECT_NEAR(number_of(dot, "cx"), frame.to_picture(place).x, 0.006);
-      EXPECT_NEAR(number_of(dot, "cy"), frame.to_picture(place).y, 0.006);
+      EXPECT_NEAR(number_of(dot, "cx"), frame.to_picture(point).x, 0.006);
+      EXPECT_NEAR(number_of(dot, "cy"), frame.to_picture(point).y, 0.006);
       // The position in the map is the same fraction of the width and of the height as in the world, measured from
       // below or from above.
       const Box& map = frame.map();
-      EXPECT_NEAR(frame.to_picture(place).x, map.min.x + 0.3 * (map.max.x - map.min.x), 1e-9);
-      EXPECT_NEAR(frame.to_picture(place).y, map.min.y + (y_down ? 0.2 : 0.8) * (map.max.y - map.min.y), 1e-9);
+      EXPECT_NEAR(frame.to_picture(point).x, map.min.x + 0.3 * (map.max.x - map.min.x), 1e-9);
+      EXPECT_NEAR(frame.to_picture(point).y, map.min.y + (y_down ? 0.2 : 0.8) * (map.max.y - map.min.y), 1e-9);
       EXPECT_NEAR((map.max.x - map.min.x) / frame.scale(), 40.0, 1e-9);
-      EXPECT_NEAR(frame.to_world(frame.to_picture(place)).x, place.x, 1e-9);
-      EXPECT_NEAR(frame.to_world(frame.to_picture(place)).y, place.y, 1e-9);
+      EXPECT_NEAR(frame.to_world(frame.to_picture(point)).x, point.x, 1e-9);
+      EXPECT_NEAR(frame.to_world(frame.to_picture(point)).y, point.y, 1e-9);
     }
   }
 }

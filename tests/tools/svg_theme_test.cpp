@@ -27,8 +27,8 @@ json colourful(SvgTheme theme) {
                      .failed_paths = {{{5, 5}, {2, 2}, PathStatus::goal_blocked}},
                      .discs = {{{8, 8}, 1, "", ""}},
                      .labels = {{.at = {8, 8}, .text = "label"}}};
-  for (const Point& place : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}}) {
-    overlay.locations.push_back({place, world.locate(place).value()});
+  for (const Point& point : {Point{8, 5.25}, Point{6, 5}, Point{6, 9}, Point{2, 3}}) {
+    overlay.locations.push_back({point, world.locate(point).value()});
   }
   SvgOptions options;
   options.title = "title";

@@ -60,7 +60,7 @@ TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
       "the value of a refused call was taken: the point, \\(3, 17\\), lies outside the domain, \\(0, 0\\) to \\(10, "
       "10\\)";
   EXPECT_DEATH(static_cast<void>(*refused), why);
-  EXPECT_DEATH(static_cast<void>(refused->at), why);
+  EXPECT_DEATH(static_cast<void>(refused->kind), why);
   EXPECT_DEATH(static_cast<void>(*world_of_ten().locate({3, 17})), why);
   const Result<Location> done = world_of_ten().locate({3, 7});
   EXPECT_DEATH(static_cast<void>(done.error()), "Result::error\\(\\): the call was carried out");
@@ -125,7 +125,7 @@ TEST(AssertionOf, ShapesAndBoxes) {
   EXPECT_DEATH(static_cast<void>(rings.back()), "there is no ring of this index");
   EXPECT_DEATH(rings.add_point({1, 1}), "there is no ring yet");
   EXPECT_DEATH(static_cast<void>(centroid({ItemKind::polygon, {{}}})), "the shape has no point");
-  EXPECT_DEATH(static_cast<void>(Box::of({})), "Box::of: there is no point");
+  EXPECT_DEATH(static_cast<void>(Box::bounding({})), "Box::bounding: there is no point");
   EXPECT_DEATH(static_cast<void>(Shape::regular_polygon({0, 0}, 1, 2)), "3 corners or more");
 }
 

@@ -112,7 +112,7 @@ TEST(Bulk, ChangesInRunsAreThoseOneByOne) {
   EXPECT_TRUE(at_once.validate().ok);
 }
 
-TEST(Bulk, ProgressGoesUpToItsTotal) {
+TEST(Bulk, ProgressEndsAtItsTotal) {
   std::vector<Item> items;
   for (int i = 0; i < 3000; ++i) {
     const double x = (i % 60) / 16.0;

@@ -65,17 +65,17 @@ TEST(Removal, KeepsACrossingAsLongAsTwoWallsMeetThere) {
   EXPECT_EQ(world.vertex_count(), 11U);
   ASSERT_TRUE(world.remove({1}).ok());
   EXPECT_EQ(world.vertex_count(), 9U);
-  EXPECT_EQ(world.locate({4, 4}).value().at, LocationKind::vertex);
+  EXPECT_EQ(world.locate({4, 4}).value().kind, LocationKind::vertex);
   ASSERT_TRUE(world.remove({2}).ok());
   EXPECT_EQ(world.vertex_count(), 6U);
-  EXPECT_EQ(world.locate({4, 4}).value().at, LocationKind::edge);
+  EXPECT_EQ(world.locate({4, 4}).value().kind, LocationKind::edge);
   ASSERT_TRUE(world.remove({3}).ok());
   EXPECT_EQ(world.vertex_count(), 4U);
   EXPECT_EQ(world.item_count(), 0U);
 }
 
 // Walls 1 to 5 and 3 to 7 on one line: three pieces, then one again.
-TEST(Removal, JoinsThePiecesOfWhatOverlapped) {
+TEST(Removal, MergesThePiecesOfTheRemainingSide) {
   World world = World::create(kEight).value();
   ASSERT_TRUE(world.insert_segment({1, 4}, {5, 4}, {1}).ok());
   ASSERT_TRUE(world.insert_segment({3, 4}, {7, 4}, {2}).ok());

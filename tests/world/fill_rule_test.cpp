@@ -42,9 +42,9 @@ void expect_inside(const Shape& shape, const std::vector<Point>& inside, const s
     EXPECT_TRUE(validation.ok) << validation.fault;
     const auto expect = [&](const Point& p, bool is_inside) {
       SCOPED_TRACE(testing::Message() << p.x << ' ' << p.y);
-      EXPECT_EQ(world.locate(p)->inside, is_inside ? std::vector<ItemId>{kId} : std::vector<ItemId>{});
-      EXPECT_EQ(world.items_at(p).value(), world.locate(p)->inside);
-      EXPECT_EQ(world.items_in({p, {p.x + 0x1p-20, p.y + 0x1p-20}}).value(), world.locate(p)->inside);
+      EXPECT_EQ(world.locate(p)->polygons, is_inside ? std::vector<ItemId>{kId} : std::vector<ItemId>{});
+      EXPECT_EQ(world.items_at(p).value(), world.locate(p)->polygons);
+      EXPECT_EQ(world.items_in({p, {p.x + 0x1p-20, p.y + 0x1p-20}}).value(), world.locate(p)->polygons);
       const PathStatus status = world.find_path({p, {p.x + 0x1p-20, p.y}})->status;
       EXPECT_EQ(status, is_inside ? PathStatus::start_blocked : PathStatus::found);
     };
@@ -53,7 +53,7 @@ void expect_inside(const Shape& shape, const std::vector<Point>& inside, const s
   }
 }
 
-TEST(FillRule, ARingInARingIsAHoleByTheWayItTurns) {
+TEST(FillRule, ARingInARingIsAHoleDependingOnItsDirection) {
   const Point between{2, 5};
   const Point middle{5, 5};
   const Point beyond{12, 5};
@@ -89,7 +89,7 @@ TEST(FillRule, ARingTwiceRoundIsInsideWhereTurnsCount) {
 }
 
 // Two squares with opposite directions: where they overlap, the turns cancel out.
-TEST(FillRule, APlaceWhereTurnsCancelOutIsFreeBetweenItsWalls) {
+TEST(FillRule, AFaceWithWindingNumberZeroIsFreeBetweenItsWalls) {
   const std::vector<Point> other = {{5, 5}, {5, 13}, {13, 13}, {13, 5}};
   const Shape shape{ItemKind::polygon, {kOuter, other}, FillRule::nonzero};
   expect_inside(shape, {{2, 2}, {12, 12}}, {{7, 7}, {12, 2}});
@@ -108,18 +108,18 @@ TEST(FillRule, AWallBetweenTwoInsidesIsASideAllTheSame) {
 }
 
 // Changes inside a star must not change which cells between its sides are covered.
-TEST(FillRule, IsKeptWhileOtherThingsComeAndGo) {
+TEST(FillRule, IsKeptWhileOtherItemsChange) {
   for (const FillRule rule : {FillRule::even_odd, FillRule::nonzero}) {
     World world = world_with({ItemKind::polygon, {kStar, kOuter}, rule});
-    const std::vector<Point> places = {{10, 9}, {8, 8}, {6, 4}, {2, 2}, {14, 4}, {10, 16}, {8.5, 10}, {10, 12.0625}};
+    const std::vector<Point> points = {{10, 9}, {8, 8}, {6, 4}, {2, 2}, {14, 4}, {10, 16}, {8.5, 10}, {10, 12.0625}};
     std::vector<std::vector<ItemId>> before;
-    for (const Point& p : places) before.push_back(world.locate(p)->inside);
+    for (const Point& p : points) before.push_back(world.locate(p)->polygons);
     for (double x = 0.5; x < 20; x += 1.25) {
       const ItemId wall = world.insert_segment({x, 0}, {20 - x, 20}).value();
       const ItemId crossing = world.insert_segment({0, x}, {20, x}).value();
       const Validation validation = world.validate();
       ASSERT_TRUE(validation.ok) << validation.fault;
-      for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(world.locate(places[i])->inside, before[i]);
+      for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(world.locate(points[i])->polygons, before[i]);
       world.remove(wall).value();
       ASSERT_TRUE(world.validate().ok);
       world.remove(crossing).value();
@@ -141,10 +141,10 @@ TEST(FillRule, BelongsToTheShape) {
 
   world.replace(kId, even_odd).value();
   EXPECT_EQ(world.shape(kId).value(), even_odd);
-  EXPECT_THAT(world.locate({10, 9})->inside, IsEmpty());
+  EXPECT_THAT(world.locate({10, 9})->polygons, IsEmpty());
   EXPECT_EQ(world.items_hash(), plain.items_hash());
   world.apply(std::vector<Change>{{Change::Kind::replace, kId, nonzero}}).value();
-  EXPECT_THAT(world.locate({10, 9})->inside, ElementsAre(kId));
+  EXPECT_THAT(world.locate({10, 9})->polygons, ElementsAre(kId));
 }
 
 TEST(FillRule, MeansNothingForOtherKinds) {

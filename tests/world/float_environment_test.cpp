@@ -168,7 +168,7 @@ std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& 
   const auto somewhere = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random.below(33)) / 32.0);
   };
-  const auto place = [&]() -> Point {
+  const auto random_point = [&]() -> Point {
     return {somewhere(script.domain.min.x, script.domain.max.x), somewhere(script.domain.min.y, script.domain.max.y)};
   };
   std::string text;
@@ -176,15 +176,15 @@ std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& 
     const auto done = call([&] { return perform(*world, step); });
     text += done ? "done" : to_string(done.error().code);
     text += ' ' + to_string(world->items_hash()) + '\n';
-    const Point from = place();
-    const Point to = place();
+    const Point from = random_point();
+    const Point to = random_point();
     for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::ta, PathAlgorithm::tra}) {
       text += text_of(call([&] { return world->find_path({.start = from, .goal = to, .algorithm = algorithm}); }));
     }
     const auto hit = call([&] { return world->ray(from, to); });
     text += hit ? std::to_string(hit->hit) + bits_of(hit->at) : std::string(to_string(hit.error().code));
     const auto location = call([&] { return world->locate(to); });
-    if (location) text += bits_of(location->corners[0]) + std::string(to_string(location->at));
+    if (location) text += bits_of(location->vertices[0]) + std::string(to_string(location->kind));
     const auto crossed = call([&] { return world->items_crossed(from, to); });
     if (crossed) {
       for (const CrossedItem& item : *crossed) text += bits_of(item.at);

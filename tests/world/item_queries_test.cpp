@@ -44,7 +44,7 @@ TEST(ItemsAt, CoverSidesCornersAndPoints) {
   EXPECT_EQ(world.items_at({11, 0}).error().code, ErrorCode::out_of_domain);
 }
 
-TEST(ItemsCrossed, ComeInOrderWithTheirPlaces) {
+TEST(ItemsCrossed, AreSortedAndHaveTheirPositions) {
   const World world = furnished_world();
   using Crossed = std::vector<CrossedItem>;
   EXPECT_EQ(world.items_crossed({2.5, 0}, {2.5, 10}).value(),
@@ -84,7 +84,7 @@ TEST(Ray, StopsAtTheFirstWallItTouches) {
   EXPECT_EQ(world.ray({1, 1}, {11, 1}).error().index, 1U);
 }
 
-TEST(Ray, GivesTheNearestDoublesOfAPlaceThatNoneNames) {
+TEST(Ray, GivesTheNearestDoublesOfAPositionWithoutDoubles) {
   World world = World::create({{0, 0}, {8, 8}}).value();
   ASSERT_TRUE(world.insert_segment({1, 1}, {4, 3}, {1}).ok());
   EXPECT_EQ(world.ray({1, 2}, {4, 1}).value(), (RayHit{true, {2, 5.0 / 3.0}, ids({1})}));
@@ -175,7 +175,7 @@ TEST(ItemsIn, AgreeWithBruteForceOnRandomScenes) {
     const auto holds = [&](const Point& r) {
       return r.x >= box.min.x && r.x <= box.max.x && r.y >= box.min.y && r.y <= box.max.y;
     };
-    const std::vector<ItemId> covering = world.locate(box.min).value().inside;
+    const std::vector<ItemId> covering = world.locate(box.min).value().polygons;
     std::vector<ItemId> expected;
     for (const Item& item : scene.items) {
       bool meets = std::find(covering.begin(), covering.end(), item.id) != covering.end();
@@ -207,7 +207,7 @@ TEST(Shapes, CentroidIsTheCentreOfArea) {
 // A square of side 2 and half of another beside it, with both directions of the ring.
 TEST(Shapes, CentroidIsTheSameOfARingTurnedRound) {
   std::vector<Point> ring = {{0, 0}, {4, 0}, {2, 2}, {0, 2}};
-  for (int way = 0; way < 2; ++way) {
+  for (int direction = 0; direction < 2; ++direction) {
     const Point centre = centroid({ItemKind::polygon, {ring}});
     EXPECT_DOUBLE_EQ(centre.x, (4 * 1.0 + 2 * (2 + 2 / 3.0)) / 6);
     EXPECT_DOUBLE_EQ(centre.y, (4 * 1.0 + 2 * (2 / 3.0)) / 6);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr Box kBox{{0, 0}, {1 << 20, 1 << 20}};
 
-Point place(Random& random) {
+Point random_point(Random& random) {
   return {static_cast<double>(random.between(0, 1 << 20)), static_cast<double>(random.between(0, 1 << 20))};
 }
 
@@ -28,9 +28,10 @@ Point place(Random& random) {
 std::vector<Item> many_items() {
   Random random(4);
   std::vector<Item> items;
-  while (items.size() < 20'000) items.push_back({ItemId{items.size() + 1}, {ItemKind::point, {{place(random)}}}});
+  while (items.size() < 20'000)
+    items.push_back({ItemId{items.size() + 1}, {ItemKind::point, {{random_point(random)}}}});
   while (items.size() < 20'100) {
-    const Point from = place(random);
+    const Point from = random_point(random);
     items.push_back({ItemId{items.size() + 1}, {ItemKind::segment, {{from, {from.x / 2, from.y / 3}}}}});
   }
   return items;
@@ -60,7 +61,7 @@ class JobSystems : public testing::Test {
   JobSystems() {
     Random random(5);
     world_.insert_all(many_items()).value();
-    while (queries_.size() < 40) queries_.push_back({.start = place(random), .goal = place(random)});
+    while (queries_.size() < 40) queries_.push_back({.start = random_point(random), .goal = random_point(random)});
     for (const PathQuery& query : queries_) expected_.push_back(world_.find_path(query).value());
   }
 

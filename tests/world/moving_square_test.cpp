@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Turns, MovingSquare,
 // Experiment 6 of Chen's thesis: a small square moves along the diagonal through nested squares; it is removed,
 // translated and inserted 8,000 times. (The baseline of that experiment leaves vertices behind: 44 become 361.) At its
 // start and its end the square touches no other, so the number of vertices must be equal.
-TEST_P(MovingSquare, LeavesNothingBehindOnItsWay) {
+TEST_P(MovingSquare, LeavesNothingBehind) {
   constexpr int kSteps = 8000;
   constexpr ItemId kMoving{9};
   const double angle = GetParam().angle;

@@ -60,7 +60,7 @@ TEST(Point, SortsByXThenY) {
   EXPECT_EQ(points, (std::vector<Point>{{0, 9}, {1, -5}, {1, 5}, {2, 1}}));
 }
 
-TEST(Point, HashesEqualPlacesAlike) {
+TEST(Point, HashesEqualPointsAlike) {
   EXPECT_EQ(std::hash<Point>{}({0.0, 1}), std::hash<Point>{}({-0.0, 1}));
   std::unordered_set<std::size_t> hashes;
   for (int x = 0; x < 30; ++x) {
@@ -120,8 +120,8 @@ TEST(Box, GrowsToWhatItIsToContain) {
   EXPECT_EQ(box, (Box{{0, 2}, {5, 12}}));
   box.expand({7, -1});
   EXPECT_EQ(box, (Box{{0, -1}, {7, 12}}));
-  EXPECT_EQ(Box::of({{3, 4}, {1, 8}, {2, -1}}), (Box{{1, -1}, {3, 8}}));
-  EXPECT_EQ(Box::of({{3, 4}}), (Box{{3, 4}, {3, 4}}));
+  EXPECT_EQ(Box::bounding({{3, 4}, {1, 8}, {2, -1}}), (Box{{1, -1}, {3, 8}}));
+  EXPECT_EQ(Box::bounding({{3, 4}}), (Box{{3, 4}, {3, 4}}));
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(World, SidesOnTheDomainBoundaryShareItsEdges) {
   const std::set<std::string> expected = {"0,0-0,4: 0 7", "0,0-4,0: 0 7", "0,4-4,4: 0 7", "4,0-4,4: 0 7"};
   EXPECT_EQ(constraints(world), expected);
   EXPECT_EQ(world.vertex_count(), 4U);
-  EXPECT_EQ(world.locate({1, 1}).value().inside, (std::vector<ItemId>{{7}}));
+  EXPECT_EQ(world.locate({1, 1}).value().polygons, (std::vector<ItemId>{{7}}));
 }
 
 TEST(World, DegeneratePiecesActAsPoints) {
@@ -92,9 +92,9 @@ TEST(World, DegeneratePiecesActAsPoints) {
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{3, 3}, {3, 3}, {3, 3}}, {3}).ok());
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{1, 3}, {2, 3}, {1, 3}}, {4}).ok());
   EXPECT_EQ(world.vertex_count(), 9U);
-  EXPECT_EQ(world.locate({3, 3}).value().inside, (std::vector<ItemId>{{3}}));
-  EXPECT_EQ(world.locate({1.5, 3}).value().inside, (std::vector<ItemId>{{4}}));
-  EXPECT_TRUE(world.locate({1.5, 2.9}).value().inside.empty());
+  EXPECT_EQ(world.locate({3, 3}).value().polygons, (std::vector<ItemId>{{3}}));
+  EXPECT_EQ(world.locate({1.5, 3}).value().polygons, (std::vector<ItemId>{{4}}));
+  EXPECT_TRUE(world.locate({1.5, 2.9}).value().polygons.empty());
   EXPECT_EQ(world.shape({1}).value().rings[0].size(), 2U);
   EXPECT_EQ(world.shape({3}).value().rings[0].size(), 1U);
   EXPECT_TRUE(world.validate().ok);
@@ -110,11 +110,11 @@ TEST(World, RingsThatRepeatTheirFirstPointAtTheEnd) {
   EXPECT_TRUE(world.validate().ok) << world.validate().fault;
 }
 
-TEST(World, LocateNamesPlaceCornersAndPolygons) {
+TEST(World, LocateReturnsKindVerticesAndPolygons) {
   World world = empty_world();
   const std::vector<std::vector<Point>> rings = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
   ASSERT_TRUE(world.insert_polygon(rings, {9}).ok());
-  const auto inside = [&](double x, double y) { return world.locate({x, y}).value().inside; };
+  const auto inside = [&](double x, double y) { return world.locate({x, y}).value().polygons; };
   const std::vector<ItemId> nine = {{9}};
   EXPECT_EQ(inside(0.5, 0.25), nine);
   EXPECT_TRUE(inside(1.5, 1.25).empty()) << "in the hole";
@@ -122,15 +122,15 @@ TEST(World, LocateNamesPlaceCornersAndPolygons) {
   EXPECT_EQ(inside(3, 3), nine) << "on a corner";
   EXPECT_TRUE(inside(3.5, 1).empty());
   const Location corner = world.locate({2, 1}).value();
-  EXPECT_EQ(corner.at, LocationKind::vertex);
-  EXPECT_EQ(corner.corner_count, 1U);
-  EXPECT_EQ(corner.corners[0], (Point{2, 1}));
+  EXPECT_EQ(corner.kind, LocationKind::vertex);
+  EXPECT_EQ(corner.vertex_count, 1U);
+  EXPECT_EQ(corner.vertices[0], (Point{2, 1}));
   const Location side = world.locate({1.25, 2}).value();
-  EXPECT_EQ(side.at, LocationKind::edge);
-  EXPECT_EQ(side.corner_count, 2U);
-  EXPECT_EQ(side.corners[0], (Point{1, 2}));
-  EXPECT_EQ(side.corners[1], (Point{2, 2}));
-  EXPECT_EQ(world.locate({0.5, 0.125}).value().at, LocationKind::face);
+  EXPECT_EQ(side.kind, LocationKind::edge);
+  EXPECT_EQ(side.vertex_count, 2U);
+  EXPECT_EQ(side.vertices[0], (Point{1, 2}));
+  EXPECT_EQ(side.vertices[1], (Point{2, 2}));
+  EXPECT_EQ(world.locate({0.5, 0.125}).value().kind, LocationKind::face);
   EXPECT_EQ(world.locate({5, 5}).error().code, ErrorCode::out_of_domain);
   EXPECT_EQ(world.locate({kNan, 5}).error().code, ErrorCode::coordinate_range);
 }

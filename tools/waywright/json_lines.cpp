@@ -46,14 +46,14 @@ void append_moved(std::string& out, std::string_view name, const std::optional<M
 }  // namespace
 
 std::string json_line(const Request& request, const Location& location) {
-  std::string out = opening(request) + fmt::format(R"(,"at":"{}","vertices":[)", to_string(location.at));
-  for (std::size_t i = 0; i < location.corner_count; ++i) {
+  std::string out = opening(request) + fmt::format(R"(,"at":"{}","vertices":[)", to_string(location.kind));
+  for (std::size_t i = 0; i < location.vertex_count; ++i) {
     out += i == 0 ? "[" : ",[";
-    append_point(out, location.corners.at(i));
+    append_point(out, location.vertices.at(i));
     out += ']';
   }
   out += R"(],"inside":[)";
-  append_ids(out, location.inside);
+  append_ids(out, location.polygons);
   return out + "]}";
 }
 

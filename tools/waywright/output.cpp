@@ -61,7 +61,7 @@ void StreamWriter::flush() {
 OutputFile::OutputFile(const std::string& target) : name_(target) {
   if (target.empty()) return;
   if (is_standard_output(target)) {
-    way_ = Way::standard_output;
+    method_ = Method::standard_output;
     return;
   }
   target_ = followed(target);
@@ -69,12 +69,12 @@ OutputFile::OutputFile(const std::string& target) : name_(target) {
   if (fs::is_symlink(fs::symlink_status(target_, fault)) && !is_descriptor(target_)) fail(ELOOP);
   const fs::file_status status = fs::status(target_, fault);
   if (is_descriptor(target_) || (fs::exists(status) && !fs::is_regular_file(status))) {
-    way_ = Way::special;
+    method_ = Method::special;
     file_ = std::fopen(target_.string().c_str(), is_descriptor(target_) ? "ab" : "wb");
     if (file_ == nullptr) fail(errno);
     return;
   }
-  choose_way_to_regular_file(fs::exists(status));
+  choose_method_for_regular_file(fs::exists(status));
 }
 
 OutputFile::~OutputFile() {
@@ -82,17 +82,17 @@ OutputFile::~OutputFile() {
   remove_temporary();
 }
 
-void OutputFile::choose_way_to_regular_file(bool exists) {
+void OutputFile::choose_method_for_regular_file(bool exists) {
   if (exists && !is_writable(target_)) fail(errno);
-  way_ = Way::temporary;
+  method_ = Method::temporary;
   std::FILE* const file = create_temporary();
   if (file == nullptr) {
     if (!exists) fail(errno);
-    way_ = Way::in_place;
+    method_ = Method::in_place;
     return;
   }
   std::fclose(file);
-  if (exists && !adopt_attributes()) way_ = Way::in_place;
+  if (exists && !adopt_attributes()) method_ = Method::in_place;
   // The run may take long, and someone may stop it. So no empty file exists during the run.
   remove_temporary();
 }
@@ -124,16 +124,16 @@ void OutputFile::remove_temporary() {
 }
 
 void OutputFile::write(std::string_view text) {
-  if (way_ == Way::standard_output) {
+  if (method_ == Method::standard_output) {
     StreamWriter output(StandardStream::output);
     output.write(text);
     output.flush();
     return;
   }
-  if (way_ == Way::temporary) file_ = create_temporary();
-  if (way_ == Way::in_place) file_ = std::fopen(target_.string().c_str(), "wb");
+  if (method_ == Method::temporary) file_ = create_temporary();
+  if (method_ == Method::in_place) file_ = std::fopen(target_.string().c_str(), "wb");
   if (file_ == nullptr) fail(errno);
-  if (way_ == Way::temporary && !adopt_attributes()) fail(EPERM);
+  if (method_ == Method::temporary && !adopt_attributes()) fail(EPERM);
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), file_) == text.size();
   const int write_fault = errno;

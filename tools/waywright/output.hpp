@@ -47,16 +47,16 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  [[nodiscard]] bool wanted() const { return way_ != Way::none; }
+  [[nodiscard]] bool wanted() const { return method_ != Method::none; }
   /// Writes the whole text of the file. Throws Failure.
   void write(std::string_view text);
   /// Moves the written text to the target. Throws Failure.
   void commit();
 
  private:
-  enum class Way : unsigned char { none, standard_output, temporary, in_place, special };
+  enum class Method : unsigned char { none, standard_output, temporary, in_place, special };
 
-  void choose_way_to_regular_file(bool exists);
+  void choose_method_for_regular_file(bool exists);
   /// Creates the temporary file under an unused name. Returns null and sets errno if the folder accepts no new file.
   std::FILE* create_temporary();
   /// Gives the temporary file the owner, group and permissions of the target. Returns false if the user may not do so.
@@ -67,7 +67,7 @@ class OutputFile {
   std::string name_;                 // as the user gave it
   std::filesystem::path target_;     // after following links
   std::filesystem::path temporary_;  // empty if there is none
-  Way way_ = Way::none;
+  Method method_ = Method::none;
   std::FILE* file_ = nullptr;  // for a special file open from the start, otherwise only during writing
 };
 

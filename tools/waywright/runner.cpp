@@ -56,21 +56,21 @@ bool Runner::validate_after(const ScriptLine& operation) {
 Outcome Runner::insert(const ScriptLine& operation) {
   const Result<ItemId> inserted = world_.insert(operation.item.shape, operation.item.id);
   if (!inserted.ok()) return refuse(operation, inserted.error());
-  forget_queries();
+  clear_queries();
   return Outcome::done;
 }
 
 Outcome Runner::remove(const ScriptLine& operation) {
   const Result<void> removed = world_.remove(operation.item.id);
   if (!removed.ok()) return refuse(operation, removed.error());
-  forget_queries();
+  clear_queries();
   return Outcome::done;
 }
 
 Outcome Runner::replace(const ScriptLine& operation) {
   const Result<void> replaced = world_.replace(operation.item.id, operation.item.shape);
   if (!replaced.ok()) return refuse(operation, replaced.error());
-  forget_queries();
+  clear_queries();
   return Outcome::done;
 }
 
@@ -114,7 +114,7 @@ Outcome Runner::check(const ScriptLine& operation) {
   return validation.ok ? Outcome::done : Outcome::check_failed;
 }
 
-void Runner::forget_queries() {
+void Runner::clear_queries() {
   if (overlay_ != nullptr) *overlay_ = {};
 }
 

@@ -34,7 +34,7 @@ class Runner {
   Outcome find_path(const ScriptLine& operation);
   Outcome test_clear(const ScriptLine& operation);
   Outcome check(const ScriptLine& operation);
-  void forget_queries();
+  void clear_queries();
   Outcome refuse(const ScriptLine& operation, const Error& error);
   Outcome refuse_unsupported(const ScriptLine& operation);
 

@@ -60,7 +60,7 @@ bool is_between_cells(const World& world, const Point& point, QueryContext& cont
   const auto is_blocked = [&](double dx, double dy) {
     Location location;
     const Result<void> done = world.locate({point.x + dx, point.y + dy}, context, location);
-    return done.ok() && !location.inside.empty();
+    return done.ok() && !location.polygons.empty();
   };
   const bool low = is_blocked(-0.5, -0.5);
   const bool right = is_blocked(0.5, -0.5);

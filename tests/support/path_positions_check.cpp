@@ -1,4 +1,4 @@
-#include "support/path_places_check.hpp"
+#include "support/path_positions_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,16 +27,16 @@ double length_of(const std::vector<Point>& points) {
 enum class Maker { path_double, path_float, program_double, program_float };
 constexpr std::array kMakers{Maker::path_double, Maker::path_float, Maker::program_double, Maker::program_float};
 
-class PlacesCheck {
+class PathPositionsCheck {
  public:
-  PlacesCheck(const PathCase& path_case, std::size_t places_per_path, bool has_solids_only)
+  PathPositionsCheck(const PathCase& path_case, std::size_t positions_per_path, bool has_solids_only)
       : path_case_(path_case),
-        places_per_path_(places_per_path),
+        positions_per_path_(positions_per_path),
         has_solids_only_(has_solids_only),
         random_(path_case.scene.items.size() * 7919 + path_case.queries.size()),
         size_(path_case.scene.domain.max.x - path_case.scene.domain.min.x) {}
 
-  PlacesReport run() {
+  PathPositionsReport run() {
     World world = World::create(path_case_.scene.domain).value();
     for (const Item& item : path_case_.scene.items) world.insert(item.shape, item.id).value();
     for (const Ends& ends : path_case_.queries) {
@@ -45,8 +45,8 @@ class PlacesCheck {
         if (auto done = world.find_path(query, context_, path_); !done) return failed(done.error().message());
         if (path_.status != PathStatus::found || path_.length == 0.0) continue;
         ++report_.paths;
-        for (std::size_t i = 0; i < places_per_path_; ++i) {
-          if (report_.fault = check_place(world, query); report_.fault) return report_;
+        for (std::size_t i = 0; i < positions_per_path_; ++i) {
+          if (report_.fault = check_position(world, query); report_.fault) return report_;
         }
       }
     }
@@ -54,22 +54,22 @@ class PlacesCheck {
   }
 
  private:
-  PlacesReport failed(std::string fault) {
+  PathPositionsReport failed(std::string fault) {
     report_.fault = std::move(fault);
     return report_;
   }
 
-  std::optional<std::string> check_place(const World& world, const PathQuery& query) {
+  std::optional<std::string> check_position(const World& world, const PathQuery& query) {
     const double share = static_cast<double>(random_.below(1U << 30)) * 0x1p-30;
     const PathPosition position = path_.at(share * path_.length);
     const Maker maker = kMakers[random_.below(kMakers.size())];
-    const Point place = place_of(position, maker);
-    ++report_.places;
+    const Point start = point_of(position, maker);
+    ++report_.positions;
     PathQuery again = query;
-    again.start = place;
+    again.start = start;
     if (auto done = world.find_path(again, context_, answer_); !done) return done.error().message();
     const std::string text = std::string(to_string(query.algorithm)) + " from " + text_of(query.start) + " to " +
-                             text_of(query.goal) + ", again from " + text_of(place);
+                             text_of(query.goal) + ", again from " + text_of(start);
     if (answer_.status != PathStatus::found) return text + ": " + std::string(to_string(answer_.status));
     if (answer_.moved_start) ++report_.moved;
     const bool is_own = maker == Maker::program_double || maker == Maker::program_float;
@@ -100,7 +100,7 @@ class PlacesCheck {
     return {between(a.x, b.x), between(a.y, b.y)};
   }
 
-  [[nodiscard]] Point place_of(const PathPosition& position, Maker maker) const {
+  [[nodiscard]] Point point_of(const PathPosition& position, Maker maker) const {
     switch (maker) {
       case Maker::path_double:
         return position.at;
@@ -115,20 +115,21 @@ class PlacesCheck {
   }
 
   const PathCase& path_case_;
-  std::size_t places_per_path_;
+  std::size_t positions_per_path_;
   bool has_solids_only_;
   Random random_;
   double size_;
   QueryContext context_;
   Path path_;
   Path answer_;
-  PlacesReport report_;
+  PathPositionsReport report_;
 };
 
 }  // namespace
 
-PlacesReport check_places(const PathCase& path_case, std::size_t places_per_path, bool has_solids_only) {
-  return PlacesCheck(path_case, places_per_path, has_solids_only).run();
+PathPositionsReport check_path_positions(const PathCase& path_case, std::size_t positions_per_path,
+                                         bool has_solids_only) {
+  return PathPositionsCheck(path_case, positions_per_path, has_solids_only).run();
 }
 
 }  // namespace waywright::test

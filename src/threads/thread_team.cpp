@@ -1,4 +1,4 @@
-#include "threads/crew.hpp"
+#include "threads/thread_team.hpp"
 
 #include <future>
 #include <vector>
@@ -61,7 +61,7 @@ class Calls {
 
 }  // namespace
 
-void Crew::run_all(const std::function<void(std::size_t)>& work) const {
+void ThreadTeam::run_all(const std::function<void(std::size_t)>& work) const {
   Calls calls(threads_, work);
   const std::function<void(std::size_t)> job = [&calls](std::size_t i) { calls.make(i); };
   StartedThreads started;
