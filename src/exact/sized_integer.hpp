@@ -29,7 +29,7 @@ class SizedInteger {
   /// The same number in the storage of a larger size.
   template <std::size_t kWider>
   [[nodiscard]] constexpr auto widened() const {
-    if constexpr (kWider == 1) {
+    if constexpr (kWider == kLimbs) {
       return value_;
     } else if constexpr (kLimbs == 1) {
       return WideInteger<kWider>(value_);
@@ -64,8 +64,12 @@ template <int kA, int kB>
   } else {
     constexpr std::size_t kLimbsA = SizedInteger<kA>::kLimbs;
     constexpr std::size_t kLimbsB = SizedInteger<kB>::kLimbs;
-    return Product(
-        (WideInteger<kLimbsA>(a.value()) * WideInteger<kLimbsB>(b.value())).template resize<Product::kLimbs>());
+    const auto product = WideInteger<kLimbsA>(a.value()) * WideInteger<kLimbsB>(b.value());
+    if constexpr (Product::kLimbs == kLimbsA + kLimbsB) {
+      return Product(product);
+    } else {
+      return Product(product.template resize<Product::kLimbs>());
+    }
   }
 }
 

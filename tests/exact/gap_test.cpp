@@ -373,6 +373,28 @@ TEST_P(Gaps, LengthAndEndAreNearTheRationals) {
   }
 }
 
+/// Points with the largest offsets of each size of the integers of fixed width.
+TEST(GapSizes, LargestOffsetsFit) {
+  Random random(9);
+  for (const int bits : {13, 29, 60}) {
+    Answered answered;
+    const double largest = std::ldexp(1.0 - 0x1p-53, bits);
+    const std::array<double, 5> choices = {0.0, 1.0, bits < 53 ? std::floor(largest) : largest,
+                                           std::ldexp(1.0, bits - 1), 2.0};
+    const auto point = [&] { return Point{choices[random.below(5)], choices[random.below(5)]}; };
+    for (int i = 0; i < 600 && !testing::Test::HasFailure(); ++i) {
+      const Gap p = {point(), point(), point()}, q = {point(), point(), point()};
+      check_meets(p, q.from, q.a, answered);
+      check_lengths(p, q, answered);
+      check_distances(p.from, p.a, p.b, q.a, q.b, answered);
+      check_dot(p.from, p.a, q.from, q.a, answered);
+      check_diameter(p, choices[random.below(5)], answered);
+      check_distance(p.from, p.a, p.b, choices[random.below(5)], answered);
+    }
+    EXPECT_EQ(bits == 13 ? answered.small : bits == 29 ? answered.narrow : answered.wide, answered.calls) << bits;
+  }
+}
+
 // Constructed ties.
 
 /// Pythagorean triples.
