@@ -11,6 +11,7 @@
 #include "exact/lattice_point.hpp"
 #include "exact/offsets.hpp"
 #include "exact/power_of_two.hpp"
+#include "exact/twofold.hpp"
 #include "exact/whole.hpp"
 #include "exact/wide_integer.hpp"
 
@@ -130,27 +131,9 @@ bool are_whole(const Crossing& crossing) {
   return fractions.x + fractions.y == 0.0;
 }
 
-/// The exact product, as the sum of `rounded` and `error`. Source: Dekker, *A floating-point technique for extending
-/// the available precision*, 1971.
-struct Product {
-  double rounded;
-  double error;
-};
-Product multiply_exactly(double a, double b) {
-  const auto split = [](double value) -> Product {
-    const double shifted = 0x1.0000002p27 * value;
-    const double high = shifted - (shifted - value);
-    return {high, value - high};
-  };
-  const double product = a * b;
-  const auto [a_high, a_low] = split(a);
-  const auto [b_high, b_low] = split(b);
-  return {product, a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)};
-}
-
 /// Whether the rounded quotient equals the exact quotient.
 bool is_quotient(double rounded, double numerator, double denominator) {
-  const Product product = multiply_exactly(rounded, denominator);
+  const Twofold product = multiply_exactly(rounded, denominator);
   return product.rounded == numerator && product.error == 0.0;
 }
 

@@ -10,6 +10,7 @@
 #include "waywright/point.hpp"
 
 #include "exact/power_of_two.hpp"
+#include "exact/twofold.hpp"
 
 namespace waywright::exact {
 
@@ -37,6 +38,13 @@ class Offsets {
   void add(const Point& point) {
     parts_[count_] = part(point.x, origin_.x);
     parts_[count_ + 1] = part(point.y, origin_.y);
+    count_ += 2;
+  }
+  /// Adds a length, as the offset (length, 0). Requires: `length` is not negative.
+  void add_length(double length) {
+    parts_[count_] = {length, 0.0};
+    parts_[count_ + 1] = {};
+    largest_ = std::max(largest_, length);
     count_ += 2;
   }
 
@@ -73,25 +81,18 @@ class Offsets {
   [[nodiscard]] int unit_exponent() const { return unit_exponent_; }
 
  private:
-  /// The exact difference of two doubles, as the sum of `rounded` and `error`.
-  struct Part {
-    double rounded = 0.0;
-    double error = 0.0;
-  };
-
-  [[nodiscard]] Part part(double a, double b) {
-    const double rounded = a - b;
-    const double b_virtual = a - rounded;
-    const double a_virtual = rounded + b_virtual;
-    largest_ = std::max(largest_, std::abs(rounded));
-    return {rounded, (b_virtual - b) + (a - a_virtual)};
+  [[nodiscard]] Twofold part(double a, double b) {
+    const Twofold difference = subtract_exactly(a, b);
+    largest_ = std::max(largest_, std::abs(difference.rounded));
+    return difference;
   }
+
   Point origin_;
   double largest_ = 0.0;
   std::size_t count_ = 0;
   int bits_ = 0;
   int unit_exponent_ = 0;
-  std::array<Part, 2 * kMost> parts_;
+  std::array<Twofold, 2 * kMost> parts_;
   std::array<std::int64_t, 2 * kMost> values_;
 };
 

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <compare>
+#include <optional>
+
+#include "waywright/point.hpp"
+
+#include "base/ieee.hpp"
+#include "exact/rounded.hpp"
+#include "exact/sign.hpp"
+
+namespace waywright::exact {
+
+// Predicates for clearance: about gaps between explicit points, and about distances. Like the predicates of
+// predicates.hpp they run in stages: doubles with a proven error bound; integers of fixed width, if all coordinates lie
+// on one lattice; integers of any size. Requires, everywhere: the points are in range.
+
+/// The straight gap from a point to another point (then a == b), or to the foot of the perpendicular from the point on
+/// the line through a and b.
+struct Gap {
+  Point from;
+  Point a;
+  Point b;
+};
+
+namespace detail {
+/// Runs the stages after the filter of dot(), one after the other.
+[[nodiscard]] Sign finer_dot(const Point& p, const Point& q, const Point& a, const Point& b);
+}  // namespace detail
+
+/// The sign of (q - p) . (b - a).
+[[nodiscard]] inline Sign dot(const Point& p, const Point& q, const Point& a, const Point& b) {
+  const auto difference = [](double s, double t) { return ExactDouble{s} - ExactDouble{t}; };
+  const auto sum = difference(q.x, p.x) * difference(b.x, a.x) + difference(q.y, p.y) * difference(b.y, a.y);
+  if (const auto sign = sign_if_sure(sum)) return *sign;
+  return detail::finer_dot(p, q, a, b);
+}
+
+/// Whether the open disc whose diameter is the gap contains a point of the segment from `c` to `d`. `c` and `d` may be
+/// equal.
+[[nodiscard]] bool meets(const Gap& gap, const Point& c, const Point& d);
+
+/// Compares the length of the gap with 2 * radius. Requires: the radius is finite and not negative. It may be subnormal
+/// or larger than kLargestCoordinate.
+[[nodiscard]] std::strong_ordering compare_to_diameter(const Gap& gap, double radius);
+
+/// Compares the lengths of two gaps.
+[[nodiscard]] std::strong_ordering compare_lengths(const Gap& p, const Gap& q);
+
+/// Compares the distance from `c` to the segment from `a` to `b` with the radius. `a` and `b` may be equal. Requires:
+/// the radius is finite and not negative, as for compare_to_diameter().
+[[nodiscard]] std::strong_ordering compare_distance(const Point& c, const Point& a, const Point& b, double radius);
+
+/// Compares the distances from `c` to two segments. Each segment may be a point.
+[[nodiscard]] std::strong_ordering compare_distances(const Point& c, const Point& a1, const Point& b1, const Point& a2,
+                                                     const Point& b2);
+
+/// The length of the gap, up to a few ulps. For output and for the order of a search only, never for decisions.
+[[nodiscard]] double length(const Gap& gap);
+
+/// The end of the gap, `a` or the foot of the perpendicular: each coordinate up to a few ulps. For output and for the
+/// order of a search only, never for decisions.
+[[nodiscard]] Point end(const Gap& gap);
+
+/// The answer of each stage alone, so that tests can compare them with one another. A stage that cannot answer is
+/// empty.
+template <class Answer>
+struct StageAnswers {
+  std::optional<Answer> doubles;
+  std::optional<Answer> whole;   ///< small whole numbers, without a search for the lattice
+  std::optional<Answer> small;   ///< offsets below 2^13 in units of the lattice
+  std::optional<Answer> narrow;  ///< offsets below 2^29
+  std::optional<Answer> wide;    ///< offsets below 2^60
+  std::optional<Answer> any;     ///< integers of any size, which always answer
+};
+
+namespace stages {
+[[nodiscard]] StageAnswers<Sign> dot(const Point& p, const Point& q, const Point& a, const Point& b);
+[[nodiscard]] StageAnswers<bool> meets(const Gap& gap, const Point& c, const Point& d);
+[[nodiscard]] StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius);
+[[nodiscard]] StageAnswers<Sign> compare_lengths(const Gap& p, const Gap& q);
+[[nodiscard]] StageAnswers<Sign> compare_distance(const Point& c, const Point& a, const Point& b, double radius);
+[[nodiscard]] StageAnswers<Sign> compare_distances(const Point& c, const Point& a1, const Point& b1, const Point& a2,
+                                                   const Point& b2);
+}  // namespace stages
+
+}  // namespace waywright::exact

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/ieee.hpp"
+#include "exact/filter.hpp"
+#include "exact/sign.hpp"
+
+// Doubles that carry a proven error bound, for polynomials in differences of coordinates. The compiler derives the
+// bound from the formula. Notation: u = 2^-53.
+//
+// Let a formula consist of differences of coordinates, sums, differences and products. Multiplied out, it is a sum of
+// monomials. A computed difference of coordinates is the exact one times (1 + e) with |e| <= u. Each later operation
+// multiplies every monomial of its result by one more such factor. So the computed value is the sum of the exact
+// monomials, each times a product of at most k factors (1 + e). The template parameter kRoundings is such a k:
+//   a difference of coordinates: 1;
+//   a product: the sum of those of both factors, and 1;
+//   a sum or difference: the larger one of those of both terms, and 1.
+// Let m be the sum of the magnitudes of the monomials. Then the error is at most ((1 + u)^k - 1) m. The member
+// `magnitude` is m, computed by the same operations, so that it is at least (1 - u)^k m. So the error is at most
+//   ((1 + u)^k - 1) / (1 - u)^k magnitude <= (k + 2 k^2 u) u magnitude for k <= 1000,
+// which is less than the computed (k + 1) u magnitude.
+//
+// Underflow. kDegree says that the value is a multiple of 2^(-152 kDegree). It is 1 for differences of coordinates in
+// range (point.hpp), and the degrees of factors add up. Rounding keeps a multiple of a power of two a multiple, unless
+// the result is subnormal. So up to degree 6 all values are 0 or at least 2^-912: nothing underflows, not even the
+// error bound, and a magnitude of 0 proves that the value is 0. Values of degree 7 or 8 are products of smaller
+// degrees, or sums of a few of these, and are not multiplied again (the code asserts this). Each of these products
+// loses at most 2^-1074 by underflow, in the value and in the magnitude, and sums lose nothing by underflow. So the
+// code trusts the sign of such a value only if it exceeds the bound by 2^-1000.
+//
+// Overflow. Differences of coordinates in range are at most 2^101, so values of degree 8 with a few terms are less than
+// 2^900.
+
+namespace waywright::exact {
+
+/// A double with a bound on its error.
+template <int kRoundings, int kDegree>
+struct Rounded {
+  static_assert(kRoundings <= 1000 && kDegree <= 8);
+  double value;
+  double magnitude;
+};
+
+/// A double without an error: a coordinate.
+struct ExactDouble {
+  double value;
+
+  [[nodiscard]] friend Rounded<1, 1> operator-(const ExactDouble& a, const ExactDouble& b) {
+    const double difference = a.value - b.value;
+    return {difference, std::abs(difference)};
+  }
+};
+
+template <int kA, int kDegreeA, int kB, int kDegreeB>
+[[nodiscard]] Rounded<std::max(kA, kB) + 1, std::max(kDegreeA, kDegreeB)> operator+(const Rounded<kA, kDegreeA>& a,
+                                                                                    const Rounded<kB, kDegreeB>& b) {
+  return {a.value + b.value, a.magnitude + b.magnitude};
+}
+
+template <int kA, int kDegreeA, int kB, int kDegreeB>
+[[nodiscard]] Rounded<std::max(kA, kB) + 1, std::max(kDegreeA, kDegreeB)> operator-(const Rounded<kA, kDegreeA>& a,
+                                                                                    const Rounded<kB, kDegreeB>& b) {
+  return {a.value - b.value, a.magnitude + b.magnitude};
+}
+
+template <int kA, int kDegreeA, int kB, int kDegreeB>
+[[nodiscard]] Rounded<kA + kB + 1, kDegreeA + kDegreeB> operator*(const Rounded<kA, kDegreeA>& a,
+                                                                  const Rounded<kB, kDegreeB>& b) {
+  static_assert(kDegreeA <= 6 && kDegreeB <= 6, "a product that may have underflowed is not multiplied again");
+  return {a.value * b.value, a.magnitude * b.magnitude};
+}
+
+/// The sign of the exact value, or nothing if the error could hide it.
+template <int kRoundings, int kDegree>
+[[nodiscard]] std::optional<Sign> sign_if_sure(const Rounded<kRoundings, kDegree>& number) {
+  constexpr bool kMayUnderflow = kDegree > 6;
+  const double error =
+      (kRoundings + 1) * filter::kHalfUlp * number.magnitude + (kMayUnderflow ? filter::kUnderflow : 0.0);
+  if (number.value > error) return Sign::positive;
+  if (-number.value > error) return Sign::negative;
+  if (!kMayUnderflow && number.magnitude == 0.0) return Sign::zero;
+  return std::nullopt;
+}
+
+}  // namespace waywright::exact
