@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <sstream>
 #include <utility>
 
 #include "support/disc_oracle.hpp"
@@ -223,7 +224,7 @@ class TangentGraph {
         const Event& second = way > 0 ? b : a;
         add_link(first.node, second.node, {0, turn * c.radius, circle, first.angle, way * turn, {}});
         // Rounding may exchange two tangents that touch the circle at the same point.
-        if (turn < 1e-15L) add_link(second.node, first.node, {0, 0.0L, circle, second.angle, 0.0L, {}});
+        if (turn < 1e-13L) add_link(second.node, first.node, {0, 0.0L, circle, second.angle, 0.0L, {}});
       }
     }
   }
@@ -346,7 +347,12 @@ Real distance(const Arc& arc, const Wall& wall) {
   return least;
 }
 
-std::string text(Vector p) { return to_string(Point{static_cast<double>(p.x), static_cast<double>(p.y)}); }
+std::string text(Vector p) {
+  std::ostringstream out;
+  out.precision(17);
+  out << '(' << p.x << ", " << p.y << ')';
+  return out.str();
+}
 
 }  // namespace
 
