@@ -235,7 +235,8 @@ class SceneMaker {
     const std::size_t count = 1 + random_.below(30);
     while (scene.walls.segments.size() < count) add_item(kind_, scene.walls);
     scene.walls.segments.resize(count);
-    for (double& r : scene.radii) r = size_ * (0.004 + 0.1 * fraction() * fraction());
+    const double spread = std::array<double, 3>{0.05, 0.1, 0.2}[random_.below(3)];
+    for (double& r : scene.radii) r = size_ * (0.004 + spread * fraction() * fraction());
     const bool is_on_grid = kind_ == SceneKind::boxes || kind_ == SceneKind::lattice;
     if (is_on_grid && random_.chance(50))
       scene.radii[random_.below(4)] = 0.5 * static_cast<double>(random_.between(1, 4));
