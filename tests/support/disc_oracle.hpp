@@ -127,11 +127,13 @@ struct ShortestPath {
   std::vector<Piece> pieces;  ///< without pieces of length zero; none if start and goal are equal
 };
 
-/// The fraction of the radius by which a piece of `shortest` may come too near to a wall. If the exact clearance of a
-/// piece is the radius, the rounding errors of long double decide what the computed clearance is; without a tolerance,
-/// they would disconnect paths along touching circles. The errors are below 2^-58 of the scene's extent, and `shortest`
-/// adds this to the tolerance. So its answer is certain only for scenes and radii of which no bridge has a length
-/// within this tolerance of 2 r; use `connected` for the other ones.
+/// The fraction of the radius by which a piece of `shortest` may come too near to a wall. `shortest` adds 2^-58 of the
+/// scene's extent, or 2^-47 where a long double is a double. Reason: on many paths the exact clearance of a piece is
+/// the radius. Then the rounding errors decide whether the computed clearance is less. Without a tolerance, they would
+/// remove pieces along walls and around touching circles. The errors are smaller than the addition.
+///
+/// If a bridge is shorter than 2 r by less than the tolerance, or the clearance of an end is less than r by less than
+/// the tolerance, `shortest` may find a path that the disc cannot take. Use `connected` to decide these cases.
 inline constexpr double kShortestTolerance = 1e-12;
 
 /// Returns the shortest path from start to goal of the centre of a disc of radius r: brute force over the circles of

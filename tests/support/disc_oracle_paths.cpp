@@ -14,6 +14,7 @@ namespace {
 using Real = long double;
 
 constexpr Real kPi = 3.14159265358979323846264338327950288L;
+constexpr int kDigits = std::numeric_limits<Real>::digits;
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 struct Vector {
@@ -91,7 +92,7 @@ struct Scene {
 class TangentGraph {
  public:
   TangentGraph(const Walls& walls, Point start, Point goal, double r)
-      : scene_(walls, start), r_(r), least_(r - (r * kShortestTolerance + std::ldexp(scene_.extent, -58))) {
+      : scene_(walls, start), r_(r), least_(r - (r * kShortestTolerance + std::ldexp(scene_.extent, 6 - kDigits))) {
     circles_.push_back({scene_.local(start), 0.0L, {}, {}});
     circles_.push_back({scene_.local(goal), 0.0L, {}, {}});
     for (const Wall& wall : scene_.walls) {
