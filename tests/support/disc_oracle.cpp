@@ -1,6 +1,7 @@
 #include "support/disc_oracle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
