@@ -39,8 +39,7 @@ bool has_bridge(const std::vector<Bridge>& bridges, const RationalPoint& p, cons
   });
 }
 
-// ---- Bridges
-// ---------------------------------------------------------------------------------------------------------
+// Bridges
 
 TEST(DiscBridges, GoFromEndsToFeet) {
   // The segment from (0, 4) to (3, 2) is longer than the distance 3 of the walls, so its disc meets both.
@@ -120,8 +119,7 @@ TEST(DiscBridges, MayCross) {
   EXPECT_FALSE(connectivity.is_free({10, 10}, above(5)));
 }
 
-// ---- Connectivity
-// ----------------------------------------------------------------------------------------------------
+// Connectivity
 
 TEST(DiscConnectivity, FreePositionsAreExact) {
   const Walls walls = chain({{0, 0}, {4, 3}});
@@ -197,8 +195,7 @@ TEST(DiscConnectivity, OfIslandsInRooms) {
   EXPECT_FALSE(connected(walls, {7, 15.5}, {2, 15}, 0.75));
 }
 
-// ---- Shortest paths
-// --------------------------------------------------------------------------------------------------
+// Shortest paths
 
 TEST(DiscShortest, IsStraightWithoutWallsBetween) {
   EXPECT_DOUBLE_EQ(shortest({}, {0, 0}, {3, 4}, 1).value(), 5);
@@ -237,8 +234,7 @@ TEST(DiscShortest, CannotPassWhereTheDiscDoesNotFit) {
   EXPECT_EQ(shortest(walls, {2, 5}, {8, 5}, 1.01), std::nullopt);
 }
 
-// ---- The check of paths
-// ----------------------------------------------------------------------------------------------
+// The check of paths
 
 TEST(DiscPathCheck, FindsFaults) {
   const Walls walls = chain({{0, -10}, {0, 0}});
@@ -266,8 +262,7 @@ TEST(DiscPathCheck, FindsFaults) {
   EXPECT_EQ(check_path(walls, {-1, -5}, {-1, -5}, 1, {}).fault, "");
 }
 
-// ---- One oracle against the other
-// ------------------------------------------------------------------------------------
+// One oracle against the other
 
 /// Returns whether the tolerance of `shortest` could decide: a bridge of nearly the diameter, or an end that is nearly
 /// not free.
@@ -326,8 +321,7 @@ TEST_P(DiscOraclesInRandomScenes, Agree) {
 INSTANTIATE_TEST_SUITE_P(Kinds, DiscOraclesInRandomScenes, ::testing::ValuesIn(kSceneKinds),
                          [](const auto& kind) { return std::string(to_string(kind.param)); });
 
-// ---- The scenes
-// ------------------------------------------------------------------------------------------------------
+// The scenes
 
 void expect_usable(const NamedScene& scene) {
   EXPECT_FALSE(scene.name.empty());

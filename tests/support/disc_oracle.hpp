@@ -24,8 +24,7 @@ struct Walls {
   std::vector<std::pair<Point, Point>> segments;
 };
 
-// ---- Connectivity, in rationals without any tolerance
-// ----------------------------------------------------------------
+// Connectivity, in rationals without any tolerance
 
 using Rational = boost::multiprecision::cpp_rational;
 
@@ -103,8 +102,7 @@ class Connectivity {
 /// See Connectivity::widest.
 [[nodiscard]] std::optional<Widest> widest_squared_diameter(const Walls& walls, Point start, Point goal);
 
-// ---- Shortest paths, in long double
-// ----------------------------------------------------------------------------------
+// Shortest paths, in long double
 
 /// A straight piece of a path, or an arc.
 struct Piece {
@@ -142,8 +140,7 @@ inline constexpr double kShortestTolerance = 1e-12;
 /// Returns the length of the shortest path.
 [[nodiscard]] std::optional<double> shortest(const Walls& walls, Point start, Point goal, double r);
 
-// ---- A check of paths
-// ------------------------------------------------------------------------------------------------
+// A check of paths
 
 struct PathReport {
   std::string fault;       ///< the first fault, or empty

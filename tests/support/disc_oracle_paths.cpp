@@ -307,8 +307,7 @@ class TangentGraph {
   std::vector<std::vector<Link>> nodes_;  ///< the links from each node; node 0 is the start, node 1 the goal
 };
 
-// ---- The check of paths
-// ----------------------------------------------------------------------------------------------
+// The check of paths
 
 struct Arc {
   Vector centre;

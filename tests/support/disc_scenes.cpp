@@ -14,8 +14,7 @@ void add_chain(Walls& walls, const Chain& chain) {
   for (std::size_t i = 1; i < chain.size(); ++i) walls.segments.emplace_back(chain[i - 1], chain[i]);
 }
 
-// ---- Trap scenes
-// -----------------------------------------------------------------------------------------------------
+// Trap scenes
 
 /// A trap before its coordinates are changed. If there is a gap, the radii are half of its length after the change, the
 /// doubles next to it, and one of `radii`.
@@ -220,8 +219,7 @@ NamedScene with_coordinates(const Trap& trap, Coordinates coordinates, Point shi
   return scene;
 }
 
-// ---- Random scenes
-// ---------------------------------------------------------------------------------------------------
+// Random scenes
 
 class SceneMaker {
  public:
