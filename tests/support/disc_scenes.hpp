@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "waywright/point.hpp"
+
+#include "support/disc_oracle.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test::disc {
+
+/// A scene for paths of discs, with queries and radii to try.
+struct NamedScene {
+  std::string name;
+  Box domain;
+  Walls walls;                                   ///< without the sides of the domain; all within the domain
+  std::vector<std::pair<Point, Point>> queries;  ///< start and goal
+  std::array<double, 4> radii{};                 ///< ascending
+};
+
+/// Returns the walls of the scene and, after them, the four sides of the domain.
+[[nodiscard]] Walls walls_of(const NamedScene& scene);
+
+/// Returns scenes that are made to break implementations: bottlenecks between a vertex and a wall of a long corridor,
+/// gaps of exactly the diameter and of one unit in the last place more or less, combs, spirals, touching arcs, starts
+/// in wedges, rooms that a disc fills exactly. The coordinates are whole, decimal, huge (1e12) or tiny (1e-9). The seed
+/// varies the sizes; the same seed gives the same scenes on every platform.
+[[nodiscard]] std::vector<NamedScene> trap_scenes(std::uint64_t seed);
+
+enum class SceneKind : std::uint8_t {
+  boxes,          ///< axis-parallel boxes on a grid of integers; they touch and overlap
+  rotated_boxes,  ///< boxes in any direction
+  segments,       ///< segments that cross
+  polylines,      ///< chains of segments
+  lattice,        ///< segments on a small lattice: many ties, T-junctions, overlaps, rectangles of four ends
+  corridors,      ///< long walls, most of them nearly parallel, with ends near them
+  mixture,        ///< all of these
+};
+
+inline constexpr std::array kSceneKinds{SceneKind::boxes,     SceneKind::rotated_boxes, SceneKind::segments,
+                                        SceneKind::polylines, SceneKind::lattice,       SceneKind::corridors,
+                                        SceneKind::mixture};
+
+[[nodiscard]] std::string_view to_string(SceneKind kind);
+
+/// Returns a scene of 1 to 30 walls with four queries and four radii. The radii are random doubles, except that one
+/// radius of about half of the scenes of the kinds `boxes` and `lattice` is half a whole number.
+[[nodiscard]] NamedScene random_scene(Random& random, SceneKind kind);
+
+}  // namespace waywright::test::disc
