@@ -32,7 +32,7 @@ BOOST = ("boost/",)
 NUMBERS = {"base", "memory"}
 TRIANGULATION = NUMBERS | {"threads", "exact", "mesh", "locate", "delaunay"}
 NAVIGATION = TRIANGULATION | {"constraint"}
-WORLD = NAVIGATION | {"text", "nav", "path"}
+WORLD = NAVIGATION | {"text", "clearance", "nav", "path"}
 
 # By folder. A file belongs to the room with the longest folder name that contains it.
 ROOMS = {
@@ -46,8 +46,9 @@ ROOMS = {
     "src/locate": room(NUMBERS | {"threads", "exact", "mesh"}, VALUES),
     "src/delaunay": room(TRIANGULATION - {"delaunay"}, VALUES),
     "src/constraint": room(TRIANGULATION | {"text"}, VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"}),
+    "src/clearance": room(NAVIGATION, VALUES | {"item.hpp"}),
     "src/nav": room(NAVIGATION, VALUES | {"item.hpp"}),
-    "src/path": room(NAVIGATION | {"nav"}, VALUES | {"item.hpp", "path.hpp"}, BOOST),
+    "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "path.hpp"}, BOOST),
     "src/world": room(WORLD, ALL),
     "src/io": room(["base", "text"], ALL),
     "tools": room(["base"], ALL, ALL),

@@ -89,6 +89,9 @@ class ConstrainedTriangulation {
     uses_.for_each(topology().label(h), [&](std::uint32_t slot) { visit(items_.side(slot)); });
   }
 
+  /// One of the sides that lie on the edge of `h`. Requires: the edge is constrained.
+  [[nodiscard]] const Side& any_side(mesh::HalfEdge h) const { return items_.side(uses_.any(topology().label(h))); }
+
   /// Checks everything, exactly: the topology; the orientation of each face; that the faces cover the domain once; the
   /// empty circles; and that the mesh has exactly the vertices and fixed edges that the items need. Returns a
   /// description of the first fault, or nothing.

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "waywright/memory_use.hpp"
+
+#include "clearance/bridge_finder.hpp"
+#include "constraint/exact_triangulation.hpp"
+#include "memory/free_list.hpp"
+#include "memory/journaled_array.hpp"
+
+namespace waywright::clearance {
+
+/// All bridges of a mesh. BridgeFinder says what a bridge is.
+///
+/// A disc of radius r gets from one free position to another exactly if no walls and no bridges shorter than 2 r
+/// separate the two. So the bridges say for every radius where a disc fits, and the class stores nothing for a radius.
+///
+/// A bridge between two vertices is an edge of the mesh. A bridge to the inside of a wall is a *foot bridge*: it starts
+/// at a corner of a face, crosses free edges and ends at its foot. Each wall has a list of the foot bridges that end on
+/// its left, in the order of their feet.
+///
+/// update() updates the bridges after a change of the mesh: it looks only at vertices near the change. The result
+/// always equals a rebuild. Memory: eight bytes per half-edge, and twelve per foot bridge.
+///
+/// Requires: each vertex of the mesh is the end of a wall.
+class Bridges {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
+
+  /// A bridge that ends inside a wall.
+  struct Foot {
+    mesh::HalfEdge corner;  ///< the bridge starts at the origin and runs into the face of this half-edge
+    mesh::HalfEdge wall;    ///< has the bridge on its left
+    std::uint32_t next;     ///< the next foot in the direction of `wall`, or kNone
+  };
+
+  /// Finds all bridges. Cost: linear in the number of faces, plus the number of faces that the bridges' discs touch.
+  explicit Bridges(const Triangulation& triangulation);
+
+  /// Returns whether the edge of `h` is a bridge.
+  [[nodiscard]] bool is_bridge(mesh::HalfEdge h) const { return (corners_[number(h)] & kIsBridge) != 0; }
+  /// The foot bridge that starts at the origin of `h` and runs into the face of `h`, or kNone.
+  [[nodiscard]] std::uint32_t foot_at(mesh::HalfEdge h) const { return ((corners_[number(h)] >> 1) - 1) & kNone; }
+  /// The first foot on the left of `wall`, or kNone.
+  [[nodiscard]] std::uint32_t first_foot_on(mesh::HalfEdge wall) const { return (walls_[number(wall)] - 1) & kNone; }
+  [[nodiscard]] const Foot& foot(std::uint32_t i) const { return feet_[i]; }
+  /// The number of slots of feet, including free slots. The number of every foot is below it.
+  [[nodiscard]] std::size_t foot_slots() const { return feet_.size(); }
+
+  /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open. If memory
+  /// runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
+  void update(const Triangulation& triangulation);
+
+  /// Returns the first difference from a rebuild, or nothing if there is none. Cost: linear.
+  [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
+
+  void count_memory(MemoryUse& use) const;
+  /// Frees spare memory. Requires: no update is in progress.
+  void shrink_to_fit();
+
+ private:
+  class Guard;
+
+  static constexpr std::uint32_t kIsBridge = 1;
+
+  void begin();
+  void roll_back();
+  void rebuild(const Triangulation& triangulation);
+  void grow_to_mesh(const mesh::TriangleMesh& mesh);
+
+  void collect_touched(const Triangulation& triangulation);
+  void clear_touched();
+  void clear_face(mesh::Face f);
+  /// Collects in `near_` the vertices at which bridges may have appeared or vanished.
+  void collect_near(const Triangulation& triangulation, BridgeFinder& finder);
+  void note_near(mesh::Vertex v);
+  void visit_beyond(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge border);
+  void find_at(const Triangulation& triangulation, BridgeFinder& finder, mesh::Vertex v);
+  void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
+  void set_bridge(mesh::HalfEdge h, bool is_bridge);
+
+  [[nodiscard]] std::uint32_t add_foot(const Foot& foot);
+  void insert_foot(const Triangulation& triangulation, mesh::HalfEdge corner, mesh::HalfEdge wall);
+  void remove_foot(std::uint32_t foot);
+  void free_foot(std::uint32_t foot);
+  void link(mesh::HalfEdge wall, std::uint32_t before, std::uint32_t foot);
+  void write_corner(mesh::HalfEdge h, std::uint32_t value);
+
+  memory::JournaledArray<std::uint32_t> corners_;  ///< by half-edge: kIsBridge, and 2 x (foot + 1)
+  memory::JournaledArray<std::uint32_t> walls_;    ///< by half-edge: first foot + 1
+  memory::JournaledArray<Foot> feet_;
+  memory::FreeList free_feet_;  ///< linked by Foot::next
+  memory::FreeList free_feet_before_;
+
+  // Scratch.
+  std::vector<bool> is_touched_;  ///< by face
+  std::vector<mesh::Face> touched_;
+  std::vector<bool> is_near_;  ///< by vertex
+  std::vector<mesh::Vertex> near_;
+  BridgeScratch scratch_;
+};
+
+}  // namespace waywright::clearance

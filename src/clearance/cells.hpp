@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+
+#include "clearance/bridges.hpp"
+#include "constraint/exact_triangulation.hpp"
+#include "exact/gap.hpp"
+
+namespace waywright::clearance {
+
+/// A piece of the border of a cell, in the direction that has the cell on its left.
+struct CellEdge {
+  enum class Kind : std::uint8_t {
+    bridge,     ///< a bridge along an edge: `h` has the cell on its left
+    foot_down,  ///< a foot bridge, from its vertex to its foot: `h` is its corner
+    foot_up,    ///< a foot bridge, from its foot to its vertex: `h` is its corner
+    wall,       ///< a piece of a wall: `h` has the cell on its left
+  };
+
+  Kind kind = Kind::wall;
+  mesh::HalfEdge h = mesh::kNoHalfEdge;
+  std::uint32_t foot = Bridges::kNone;  ///< of a foot bridge; of a wall: where the piece starts, or kNone at its origin
+
+  [[nodiscard]] bool is_gate() const { return kind != Kind::wall; }
+  friend bool operator==(const CellEdge&, const CellEdge&) = default;
+};
+
+/// The cells into which walls and bridges divide the domain. A *cell* is a face of the planar graph of walls and
+/// bridges. A disc goes from one cell to the next across a bridge (a *gate*), and it can if its diameter is not larger
+/// than the length of the bridge.
+///
+/// Two facts make cells the right pieces for discs:
+/// - The wall that is nearest to a position lies on the border of the position's cell: a straight line to the nearest
+///   wall crosses no bridge. So a disc in a cell touches only walls of this cell.
+/// - Two positions of one cell at which a disc is free are connected for this disc, if the disc fits through any gate
+///   between them at all: within a cell, the distance to the walls has one maximum.
+///
+/// A cell is not stored. next() follows its border, and another call of across() leads to the cell beyond a gate.
+/// Cost of next(): the degree of the vertex at the end of the edge.
+class Cells {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  Cells(const Triangulation& triangulation, const Bridges& bridges)
+      : triangulation_(triangulation), mesh_(triangulation.topology()), bridges_(bridges) {}
+
+  /// The next edge on the border of the same cell.
+  [[nodiscard]] CellEdge next(const CellEdge& edge) const;
+  /// The same bridge as an edge of the cell on its other side. Requires: the edge is a gate.
+  [[nodiscard]] CellEdge across(const CellEdge& gate) const;
+  /// The vertex at which the edge starts, or kNoVertex if it starts at a foot.
+  [[nodiscard]] mesh::Vertex origin(const CellEdge& edge) const;
+  /// The bridge as a gap.
+  [[nodiscard]] exact::Gap gap(const CellEdge& gate) const;
+  /// A number that is different for each gate in each of its two directions. All numbers are below key_count().
+  [[nodiscard]] std::uint32_t key(const CellEdge& gate) const;
+  [[nodiscard]] std::size_t key_count() const {
+    return std::size_t{3} * mesh_.face_slots() + 2 * bridges_.foot_slots();
+  }
+
+  /// The cell at a vertex in the direction of `h`, which starts there: its border turns at the vertex from the edge
+  /// before the result to the result. If a bridge or wall runs in this direction, it is the result.
+  [[nodiscard]] CellEdge first_clockwise(mesh::HalfEdge h) const;
+
+ private:
+  [[nodiscard]] CellEdge turn(mesh::HalfEdge corner) const;
+
+  const Triangulation& triangulation_;
+  const mesh::TriangleMesh& mesh_;
+  const Bridges& bridges_;
+};
+
+}  // namespace waywright::clearance

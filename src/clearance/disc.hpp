@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "waywright/point.hpp"
+
+#include "base/ieee.hpp"
+
+namespace waywright::clearance {
+
+/// A disc in doubles, a little larger than the exact disc that it stands for. A search that visits the faces around a
+/// bridge leaves out what this disc does not touch. It decides nothing else: exact predicates decide about bridges.
+///
+/// All positions are relative to `origin`, a vertex on the circle, so that a small disc far from (0, 0) keeps its
+/// precision.
+struct Disc {
+  Point origin;
+  Point centre;  ///< relative to `origin`
+  double squared_radius = 0.0;
+
+  /// Returns the disc whose diameter is the segment from `from` to the foot of the perpendicular on the line through
+  /// `a` and `b`, or to `a` if the two are equal.
+  [[nodiscard]] static Disc of_gap(const Point& from, const Point& a, const Point& b) {
+    Point to{a.x - from.x, a.y - from.y};
+    double error = 0.0;
+    if (!(a == b)) {
+      const Point along{b.x - a.x, b.y - a.y};
+      const double squared_length = along.x * along.x + along.y * along.y;
+      const double share = (along.x * to.y - along.y * to.x) / squared_length;
+      error = kUnit * (std::abs(to.x) + std::abs(to.y));
+      to = {-along.y * share, along.x * share};
+    }
+    return around(from, {0.5 * to.x, 0.5 * to.y}, error);
+  }
+  /// Returns the disc whose border contains the three vertices of a triangle. Each coordinate of a vertex may be wrong
+  /// by `rounding`.
+  [[nodiscard]] static Disc of_triangle(const Point& a, const Point& b, const Point& c, double rounding) {
+    const Point p{b.x - a.x, b.y - a.y};
+    const Point q{c.x - a.x, c.y - a.y};
+    const double one = p.x * q.y;
+    const double other = p.y * q.x;
+    const double area = one - other;
+    const double extent = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
+    const double uncertain = kUnit * (std::abs(one) + std::abs(other)) + 4.0 * rounding * extent;
+    if (!(std::abs(area) > 0x1p20 * uncertain)) return {a, {0.0, 0.0}, HUGE_VAL};
+    const double p_lift = p.x * p.x + p.y * p.y;
+    const double q_lift = q.x * q.x + q.y * q.y;
+    const double scale = 0.5 / area;
+    const Point centre{(p_lift * q.y - q_lift * p.y) * scale, (p.x * q_lift - q.x * p_lift) * scale};
+    const double terms =
+        (p_lift * std::abs(q.y) + q_lift * std::abs(p.y) + std::abs(p.x) * q_lift + std::abs(q.x) * p_lift) *
+        std::abs(scale);
+    const double shift = 8.0 * rounding * extent * extent * std::abs(scale);
+    return around(a, centre, terms * (kUnit + 2.0 * uncertain / std::abs(area)) + shift + rounding);
+  }
+
+  /// Returns false only if no point of the segment from `a` to `b` lies in the closed exact disc. Each coordinate of
+  /// the two points may be wrong by `rounding`.
+  [[nodiscard]] bool may_touch(const Point& a, const Point& b, double rounding) const {
+    const Point from{a.x - origin.x - centre.x, a.y - origin.y - centre.y};
+    const Point along{b.x - a.x, b.y - a.y};
+    const double squared_length = along.x * along.x + along.y * along.y;
+    const double dot = -(from.x * along.x + from.y * along.y);
+    const double share = dot <= 0.0 ? 0.0 : dot >= squared_length ? 1.0 : dot / squared_length;
+    const double x = from.x + share * along.x;
+    const double y = from.y + share * along.y;
+    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
+    const double slack = kUnit * extent + 4.0 * rounding;
+    const double distance = std::max(std::sqrt(x * x + y * y) - slack, 0.0);
+    return !(distance * distance > squared_radius);
+  }
+
+ private:
+  static constexpr double kUnit = 0x1p-48;  ///< 32 times the unit of rounding: more than the errors of these formulas
+
+  /// `error` bounds the error of each coordinate of the centre. The circle contains the origin.
+  [[nodiscard]] static Disc around(const Point& origin, const Point& centre, double error) {
+    const double radius = std::sqrt(centre.x * centre.x + centre.y * centre.y) * (1.0 + kUnit) + 4.0 * error;
+    return {origin, centre, radius * radius * (1.0 + kUnit)};
+  }
+};
+
+}  // namespace waywright::clearance

@@ -1,0 +1,217 @@
+#include "clearance/near_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clearance/wall_line.hpp"
+#include "exact/gap.hpp"
+
+namespace waywright::clearance {
+
+using exact::Sign;
+using mesh::HalfEdge;
+using mesh::Vertex;
+
+namespace {
+
+/// Bounds of the distance from a point to an edge.
+struct Distance {
+  double least;
+  double most;
+};
+
+/// Computes distances from a point to edges in doubles, with bounds of their errors.
+class Distances {
+ public:
+  Distances(const constraint::ExactTriangulation& triangulation, const Point& point)
+      : mesh_(triangulation.topology()), geometry_(triangulation.triangulation().geometry()), point_(point) {
+    const Box& domain = triangulation.domain();
+    if (!geometry_.has_constructed()) return;
+    rounding_ = 0x1p-50 * std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x),
+                                    std::abs(domain.max.y)});
+  }
+
+  [[nodiscard]] Distance to(HalfEdge h) const {
+    const Point& a = geometry_.rounded(number(mesh_.origin(h)));
+    const Point& b = geometry_.rounded(number(mesh_.target(h)));
+    const Point from{a.x - point_.x, a.y - point_.y};
+    const Point along{b.x - a.x, b.y - a.y};
+    const double squared_length = along.x * along.x + along.y * along.y;
+    const double dot = -(from.x * along.x + from.y * along.y);
+    const double share = dot <= 0.0 ? 0.0 : dot >= squared_length ? 1.0 : dot / squared_length;
+    const double x = from.x + share * along.x;
+    const double y = from.y + share * along.y;
+    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
+    const double slack = 0x1p-48 * extent + rounding_;
+    const double distance = std::sqrt(x * x + y * y);
+    return {distance - slack, distance + slack};
+  }
+
+ private:
+  const mesh::TriangleMesh& mesh_;
+  const exact::Geometry& geometry_;
+  Point point_;
+  double rounding_ = 0.0;
+};
+
+}  // namespace
+
+/// Calls visit(h) for each edge h of each face that it enters, once for each such face. Starts at the location of the
+/// point, and enters the face beyond an edge h if enters(h).
+template <class Enters, class Visit>
+void NearWalls::flood(const Triangulation& triangulation, const Point& point, Enters&& enters, Visit&& visit) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  visited_.grow_to(mesh.face_slots());
+  stamp_.next(1, visited_);
+  const HalfEdge start = triangulation.triangulation().locate(point).h;
+  const auto look = [&](HalfEdge h) {
+    visit(h);
+    if (enters(h)) to_enter_.push_back(mesh.twin(h));
+  };
+  to_enter_.clear();
+  visited_[number(mesh::face(start))] = stamp_.value();
+  for (const HalfEdge h : {start, mesh::next(start), mesh::previous(start)}) look(h);
+  while (!to_enter_.empty()) {
+    const HalfEdge h = to_enter_.back();
+    to_enter_.pop_back();
+    if (triangulation.triangulation().is_ghost_face(h)) continue;
+    if (std::exchange(visited_[number(mesh::face(h))], stamp_.value()) == stamp_.value()) continue;
+    visit(h);
+    for (const HalfEdge other : {mesh::next(h), mesh::previous(h)}) look(other);
+  }
+}
+
+bool NearWalls::is_free(const Triangulation& triangulation, const Point& point, double radius) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const Distances distances(triangulation, point);
+  bool is_free = true;
+  const auto is_near = [&](HalfEdge h) { return is_free && distances.to(h).least < radius; };
+  flood(
+      triangulation, point, [&](HalfEdge h) { return !mesh.is_fixed(h) && is_near(h); },
+      [&](HalfEdge h) {
+        if (!mesh.is_fixed(h) || !is_near(h)) return;
+        const constraint::Side& side = triangulation.any_side(h);
+        is_free = exact::compare_distance(point, geometry.rounded(number(side.from)), geometry.rounded(number(side.to)),
+                                          radius) >= 0;
+      });
+  return is_free;
+}
+
+void NearWalls::find_items(const Triangulation& triangulation, const Point& point, double radius,
+                           std::vector<std::uint32_t>& items) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const Distances distances(triangulation, point);
+  const auto is_near = [&](HalfEdge h) { return distances.to(h).least < radius; };
+  flood(triangulation, point, is_near, [&](HalfEdge h) {
+    if (!mesh.is_fixed(h) || !is_near(h)) return;
+    triangulation.for_each_side(h, [&](const constraint::Side& side) {
+      const auto order = exact::compare_distance(point, geometry.rounded(number(side.from)),
+                                                 geometry.rounded(number(side.to)), radius);
+      if (order < 0) items.push_back(side.item);
+    });
+  });
+}
+
+/// Collects the walls that may be nearest to the point, seen from there.
+void NearWalls::find_candidates(const Triangulation& triangulation, const Point& point) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const Distances distances(triangulation, point);
+  double most = std::numeric_limits<double>::infinity();
+  candidates_.clear();
+  flood(
+      triangulation, point, [&](HalfEdge h) { return !mesh.is_fixed(h) && distances.to(h).least <= most; },
+      [&](HalfEdge h) {
+        if (!mesh.is_fixed(h)) return;
+        const Distance distance = distances.to(h);
+        if (distance.least > most) return;
+        most = std::min(most, distance.most);
+        candidates_.push_back({h, distance.least});
+      });
+  std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.least > most; });
+}
+
+// Two pieces of one side have the same line, so the distance to the whole side does not tell which of them is nearest.
+// The foot of the perpendicular does. A crossing is never nearest: the angles there are less than 180 degrees.
+std::optional<CellEdge> NearWalls::find_cell(const Triangulation& triangulation, const Bridges& bridges,
+                                             const Point& point) {
+  find_candidates(triangulation, point);
+  WallLine nearest = wall_line(triangulation, candidates_.front().wall);
+  for (const Candidate& candidate : candidates_) {
+    const WallLine line = wall_line(triangulation, candidate.wall);
+    if (exact::compare_distances(point, line.from, line.to, nearest.from, nearest.to) < 0) nearest = line;
+  }
+  if (exact::compare_distance(point, nearest.from, nearest.to, 0.0) == 0) return std::nullopt;
+  for (const Candidate& candidate : candidates_) {
+    const WallLine line = wall_line(triangulation, candidate.wall);
+    if (exact::compare_distances(point, line.from, line.to, nearest.from, nearest.to) != 0) continue;
+    if (const auto cell = find_cell_at(triangulation, bridges, point, candidate.wall)) return cell;
+  }
+  return std::nullopt;
+}
+
+/// Returns an edge of the cell that contains the point if the position of the wall's side that is nearest to the point
+/// lies on this wall, which is a piece of the side.
+std::optional<CellEdge> NearWalls::find_cell_at(const Triangulation& triangulation, const Bridges& bridges,
+                                                const Point& point, HalfEdge wall) const {
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const WallLine line = wall_line(triangulation, wall);
+  const Vertex from = triangulation.topology().origin(wall);
+  const Vertex to = triangulation.topology().target(wall);
+  const Sign before = exact::dot(point, geometry.exact(number(from)), line.from, line.to);
+  const Sign after = exact::dot(point, geometry.exact(number(to)), line.from, line.to);
+  if (before == Sign::negative && after == Sign::positive) {
+    // The search may have come around the end of the wall and have seen it from behind.
+    const bool is_on_left = geometry.orientation(exact::Geometry::view(line.from), exact::Geometry::view(line.to),
+                                                 exact::Geometry::view(point)) == Sign::positive;
+    return cell_at_wall(triangulation, bridges, point, is_on_left ? wall : triangulation.topology().twin(wall));
+  }
+  const auto is_at = [&](Vertex v, const Point& end) {
+    return geometry.is_explicit(number(v)) && geometry.rounded(number(v)) == end;
+  };
+  if (before == Sign::zero || (before == Sign::positive && is_at(from, line.from))) {
+    return cell_at_vertex(triangulation, bridges, point, from);
+  }
+  if (after == Sign::zero || (after == Sign::negative && is_at(to, line.to))) {
+    return cell_at_vertex(triangulation, bridges, point, to);
+  }
+  return std::nullopt;
+}
+
+CellEdge NearWalls::cell_at_wall(const Triangulation& triangulation, const Bridges& bridges, const Point& point,
+                                 HalfEdge wall) {
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const WallLine line = wall_line(triangulation, wall);
+  std::uint32_t last = Bridges::kNone;
+  for (std::uint32_t foot = bridges.first_foot_on(wall); foot != Bridges::kNone; foot = bridges.foot(foot).next) {
+    const Vertex v = triangulation.topology().origin(bridges.foot(foot).corner);
+    if (exact::dot(geometry.rounded(number(v)), point, line.from, line.to) == Sign::negative) break;
+    last = foot;
+  }
+  return {CellEdge::Kind::wall, wall, last};
+}
+
+CellEdge NearWalls::cell_at_vertex(const Triangulation& triangulation, const Bridges& bridges, const Point& point,
+                                   Vertex v) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const auto side = [&](Vertex to) {
+    return geometry.orientation(geometry.view(number(v)), geometry.view(number(to)), exact::Geometry::view(point));
+  };
+  const auto has_point = [&](HalfEdge h) {
+    return !triangulation.triangulation().is_ghost_face(h) && side(mesh.target(h)) != Sign::negative &&
+           side(mesh.apex(h)) == Sign::negative;
+  };
+  HalfEdge corner = mesh.outgoing(v);
+  while (!has_point(corner)) corner = mesh.next_around(corner);
+  if (const std::uint32_t foot = bridges.foot_at(corner); foot != Bridges::kNone) {
+    const WallLine line = wall_line(triangulation, bridges.foot(foot).wall);
+    const bool is_clockwise = exact::dot(geometry.rounded(number(v)), point, line.from, line.to) == Sign::negative;
+    if (!is_clockwise) return {CellEdge::Kind::foot_down, corner, foot};
+  }
+  return Cells(triangulation, bridges).first_clockwise(corner);
+}
+
+}  // namespace waywright::clearance

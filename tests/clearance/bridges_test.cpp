@@ -1,0 +1,191 @@
+#include "clearance/bridges.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <gtest/gtest.h>
+
+#include "support/case_count.hpp"
+#include "support/random.hpp"
+#include "support/random_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+using clearance::Bridges;
+using mesh::HalfEdge;
+using Rational = boost::multiprecision::cpp_rational;
+
+struct Vector {
+  Rational x, y;
+
+  friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vector operator*(const Rational& t, const Vector& a) { return {t * a.x, t * a.y}; }
+  friend Rational operator*(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
+  friend bool operator==(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y; }
+  friend bool operator<(const Vector& a, const Vector& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
+};
+Vector exactly(const Point& p) { return {Rational(p.x), Rational(p.y)}; }
+
+using Segment = std::pair<Vector, Vector>;
+using BridgeSet = std::set<Segment>;
+
+Segment ordered(const Vector& a, const Vector& b) { return a < b ? Segment{a, b} : Segment{b, a}; }
+
+Vector foot_on(const Vector& w, const Segment& wall) {
+  const Vector along = wall.second - wall.first;
+  return wall.first + Rational(((w - wall.first) * along) / (along * along)) * along;
+}
+
+/// Whether the closed disc with the diameter u v contains a position of the wall other than u and v.
+bool blocks(const Vector& u, const Vector& v, const Segment& wall) {
+  const Vector along = wall.second - wall.first;
+  const auto is_in = [&](const Rational& t) {
+    const Vector at = wall.first + t * along;
+    const Rational power = (at - u) * (at - v);
+    return power < 0 || (power == 0 && !(at == u) && !(at == v));
+  };
+  if (is_in(0) || is_in(1)) return true;
+  const Rational nearest = (Rational(1, 2) * (u + v) - wall.first) * along / (along * along);
+  return nearest > 0 && nearest < 1 && is_in(nearest);
+}
+
+/// Finds all bridges of the walls, straight from the definition.
+BridgeSet expected_bridges(const std::vector<Segment>& walls) {
+  std::set<Vector> ends;
+  for (const Segment& wall : walls) ends.insert({wall.first, wall.second});
+  std::set<Segment> candidates;
+  for (const Vector& w : ends) {
+    for (const Vector& v : ends) {
+      if (w < v) candidates.insert({w, v});
+    }
+    for (const Segment& wall : walls) {
+      const Vector foot = foot_on(w, wall);
+      const bool is_inside = (foot - wall.first) * (foot - wall.second) < 0;
+      if (is_inside && !(foot == w) && !ends.contains(foot)) candidates.insert({w, foot});
+    }
+  }
+  BridgeSet bridges;
+  for (const Segment& candidate : candidates) {
+    const bool is_bridge = std::none_of(walls.begin(), walls.end(), [&](const Segment& wall) {
+      return blocks(candidate.first, candidate.second, wall);
+    });
+    if (is_bridge) bridges.insert(candidate);
+  }
+  return bridges;
+}
+
+/// A mesh of walls with its bridges. Changes them in the same order as a world does.
+class Walls {
+ public:
+  explicit Walls(const Box& domain) : mesh_(domain), bridges_(mesh_) {}
+
+  void insert(const Shape& shape, ItemId id) {
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    mesh_.insert(shape, id);
+    bridges_.update(mesh_);
+    operation.commit();
+  }
+  void remove(ItemId id) {
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    mesh_.remove(id);
+    bridges_.update(mesh_);
+    operation.commit();
+  }
+  [[nodiscard]] const Bridges& bridges() const { return bridges_; }
+  [[nodiscard]] const constraint::ExactTriangulation& mesh() const { return mesh_; }
+
+  [[nodiscard]] std::vector<Segment> walls() const {
+    std::set<Segment> result;
+    for_each_wall([&](HalfEdge h) {
+      mesh_.for_each_side(
+          h, [&](const constraint::Side& side) { result.insert(ordered(position(side.from), position(side.to))); });
+    });
+    return {result.begin(), result.end()};
+  }
+  [[nodiscard]] BridgeSet found() const {
+    BridgeSet result;
+    for (std::uint32_t i = 0; i < 3 * mesh_.topology().face_slots(); ++i) {
+      const HalfEdge h{i};
+      if (bridges_.is_bridge(h)) {
+        result.insert(ordered(position(mesh_.topology().origin(h)), position(mesh_.topology().target(h))));
+      }
+      if (bridges_.foot_at(h) == Bridges::kNone) continue;
+      const constraint::Side& side = mesh_.any_side(bridges_.foot(bridges_.foot_at(h)).wall);
+      const Vector from = position(mesh_.topology().origin(h));
+      result.insert({from, foot_on(from, {position(side.from), position(side.to)})});
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Vector position(mesh::Vertex v) const {
+    return exactly(mesh_.triangulation().geometry().rounded(number(v)));
+  }
+  template <class Visit>
+  void for_each_wall(Visit&& visit) const {
+    for (std::uint32_t i = 0; i < 3 * mesh_.topology().face_slots(); ++i) {
+      if (mesh_.topology().is_live(mesh::face(HalfEdge{i})) && mesh_.topology().is_fixed(HalfEdge{i}))
+        visit(HalfEdge{i});
+    }
+  }
+
+  constraint::ExactTriangulation mesh_;
+  Bridges bridges_;
+};
+
+/// Returns whether each ring of the shape has a side.
+bool has_walls(const Shape& shape) {
+  if (shape.kind == ItemKind::point) return false;
+  return std::all_of(shape.rings.begin(), shape.rings.end(), [](const auto& ring) {
+    return std::any_of(ring.begin(), ring.end(), [&](const Point& p) { return !(p == ring.front()); });
+  });
+}
+
+class RandomScenes : public testing::TestWithParam<Flavour> {};
+
+TEST_P(RandomScenes, HaveTheBridgesOfTheDefinition) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 1) / 2; ++seed) {
+    const Scene scene = random_scene(GetParam(), seed, 1 + seed % 9);
+    Walls walls(scene.domain);
+    for (const Item& item : scene.items) {
+      if (has_walls(item.shape)) walls.insert(item.shape, item.id);
+    }
+    ASSERT_TRUE(walls.found() == expected_bridges(walls.walls())) << "seed " << seed;
+    ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed;
+  }
+}
+
+TEST_P(RandomScenes, KeepTheBridgesOfARebuildAfterEveryChange) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 4) / 5; ++seed) {
+    const Scene scene = random_scene(GetParam(), 1000 + seed, 4 + 4 * (seed % 8));
+    Random random(seed);
+    Walls walls(scene.domain);
+    std::vector<bool> is_live(scene.items.size());
+    for (int step = 0; step < 100; ++step) {
+      const std::size_t i = random.below(scene.items.size());
+      if (!has_walls(scene.items[i].shape)) continue;
+      if (is_live[i]) {
+        walls.remove(scene.items[i].id);
+      } else {
+        walls.insert(scene.items[i].shape, scene.items[i].id);
+      }
+      is_live[i] = !is_live[i];
+      ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed << ", step " << step;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bridges, RandomScenes, testing::ValuesIn(kFlavours),
+                         [](const auto& flavour) { return std::string(to_string(flavour.param)); });
+
+}  // namespace
+}  // namespace waywright::test

@@ -1,0 +1,148 @@
+#include "clearance/cells.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "clearance/near_walls.hpp"
+#include "clearance/widest.hpp"
+#include "exact/gap.hpp"
+#include "support/case_count.hpp"
+#include "support/disc_oracle.hpp"
+#include "support/disc_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+using clearance::Bridges;
+using clearance::CellEdge;
+using clearance::Cells;
+using disc::NamedScene;
+using disc::Rational;
+
+/// A mesh of the walls of a scene, with its bridges.
+class Map {
+ public:
+  explicit Map(const NamedScene& scene) : mesh_(scene.domain) {
+    std::vector<Item> items;
+    for (const auto& [a, b] : scene.walls.segments) {
+      if (!(a == b)) items.push_back({ItemId{items.size() + 1}, Shape::segment(a, b)});
+    }
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    for (const Item& item : items) mesh_.insert(item.shape, item.id);
+    operation.commit();
+    bridges_.emplace(mesh_);
+  }
+
+  [[nodiscard]] bool is_free(const Point& point, double radius) { return near_.is_free(mesh_, point, radius); }
+  [[nodiscard]] std::optional<CellEdge> cell_at(const Point& point) { return near_.find_cell(mesh_, *bridges_, point); }
+  [[nodiscard]] clearance::Narrowest narrowest(const CellEdge& start, const CellEdge& goal) {
+    return widest_.find(cells(), start, goal);
+  }
+  [[nodiscard]] Cells cells() const { return {mesh_, *bridges_}; }
+
+ private:
+  constraint::ExactTriangulation mesh_;
+  std::optional<Bridges> bridges_;
+  clearance::NearWalls near_;
+  clearance::WidestSearch widest_;
+};
+
+Rational squared_length(const exact::Gap& gap) {
+  const auto difference = [](const Point& p, const Point& q) {
+    return std::pair<Rational, Rational>{Rational(p.x) - Rational(q.x), Rational(p.y) - Rational(q.y)};
+  };
+  const auto [x, y] = difference(gap.a, gap.from);
+  if (gap.a == gap.b) return x * x + y * y;
+  const auto [dx, dy] = difference(gap.b, gap.a);
+  const Rational area = x * dy - y * dx;
+  return area * area / (dx * dx + dy * dy);
+}
+
+Rational squared_distance(const Point& p, const std::pair<Point, Point>& wall) {
+  using Pair = std::pair<Rational, Rational>;
+  const Pair along{Rational(wall.second.x) - Rational(wall.first.x), Rational(wall.second.y) - Rational(wall.first.y)};
+  const Pair to{Rational(p.x) - Rational(wall.first.x), Rational(p.y) - Rational(wall.first.y)};
+  const Rational length = along.first * along.first + along.second * along.second;
+  Rational share = length == 0 ? Rational(0) : Rational((to.first * along.first + to.second * along.second) / length);
+  share = std::clamp(share, Rational(0), Rational(1));
+  const Rational x = to.first - share * along.first;
+  const Rational y = to.second - share * along.second;
+  return x * x + y * y;
+}
+
+/// The squared diameter of the largest disc that fits at both positions.
+Rational largest_at(const disc::Walls& walls, const Point& start, const Point& goal) {
+  std::optional<Rational> least;
+  for (const auto& wall : walls.segments) {
+    for (const Point& p : {start, goal}) {
+      const Rational distance = squared_distance(p, wall);
+      if (!least || distance < *least) least = distance;
+    }
+  }
+  return 4 * *least;
+}
+
+// If another wall touches the circle whose diameter is a gap, the library does not call this gap a bridge. A disc that
+// is longer than the gap then fits at no position on one side of it. So the two agree about all discs that fit at both
+// ends.
+void check_scene(const NamedScene& scene) {
+  SCOPED_TRACE(scene.name);
+  const disc::Connectivity oracle(walls_of(scene));
+  Map map(scene);
+  for (const auto& [start, goal] : scene.queries) {
+    SCOPED_TRACE(to_string(start) + " to " + to_string(goal));
+    for (const double radius : scene.radii) {
+      ASSERT_EQ(map.is_free(start, radius), oracle.is_free(start, radius)) << "start, radius " << radius;
+      ASSERT_EQ(map.is_free(goal, radius), oracle.is_free(goal, radius)) << "goal, radius " << radius;
+    }
+    const auto start_cell = map.cell_at(start);
+    const auto goal_cell = map.cell_at(goal);
+    const auto widest = oracle.widest(start, goal);
+    if (!start_cell || !goal_cell) {
+      ASSERT_FALSE(widest.has_value());
+      continue;
+    }
+    const clearance::Narrowest found = map.narrowest(*start_cell, *goal_cell);
+    ASSERT_EQ(found.is_connected, widest.has_value());
+    if (!widest) continue;
+    const Rational largest = largest_at(walls_of(scene), start, goal);
+    const Rational expected = widest->is_limited ? std::min(largest, widest->squared_diameter) : largest;
+    ASSERT_EQ(found.gate ? std::min(largest, squared_length(map.cells().gap(*found.gate))) : largest, expected);
+    for (const double radius : scene.radii) {
+      if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) continue;
+      const bool fits = !found.gate || exact::compare_to_diameter(map.cells().gap(*found.gate), radius) >= 0;
+      ASSERT_EQ(fits, oracle.connected(start, goal, radius)) << "radius " << radius;
+    }
+  }
+}
+
+TEST(Cells, SayWhichDiscsGetThroughInTrapScenes) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 19) / 20; ++seed) {
+    for (const NamedScene& scene : disc::trap_scenes(seed)) {
+      check_scene(scene);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+class RandomWalls : public testing::TestWithParam<disc::SceneKind> {};
+
+TEST_P(RandomWalls, SayWhichDiscsGetThrough) {
+  Random random(2);
+  for (std::uint64_t i = 0; i < case_count(); ++i) {
+    check_scene(disc::random_scene(random, GetParam()));
+    if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cells, RandomWalls, testing::ValuesIn(disc::kSceneKinds),
+                         [](const auto& kind) { return std::string(to_string(kind.param)); });
+
+}  // namespace
+}  // namespace waywright::test
