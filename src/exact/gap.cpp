@@ -120,26 +120,42 @@ std::optional<Sign> with_squared_distance(const Site<Coordinate>& c, const Site<
   return compare(squared_distance_to_line(c, a, b));
 }
 
-/// Whether a quadratic function with a positive leading coefficient is negative somewhere from 0 to 1. Requires:
-/// `start` and `end` return positive multiples of its values at 0 and 1, the slopes return positive multiples of its
-/// derivatives there, and `lowest` returns a positive multiple of its least value. The function calls them in this
-/// order, as far as it needs them. The quadratic function may also be constant.
-template <class Start, class End, class SlopeAtStart, class SlopeAtEnd, class Lowest>
-std::optional<bool> is_negative_between(const Start& start, const End& end, const SlopeAtStart& slope_at_start,
-                                        const SlopeAtEnd& slope_at_end, const Lowest& lowest) {
-  const std::optional<Sign> at_start = sign_if_sure(start());
-  if (at_start == Sign::negative) return true;
-  const std::optional<Sign> at_end = sign_if_sure(end());
-  if (at_end == Sign::negative) return true;
-  if (!at_start || !at_end) return std::nullopt;
+/// Whether the segment from c to d has a position other than u and v where f <= 0. The arguments return positive
+/// multiples of numbers about f (see below): `start` and `end` of f at c and d, the slopes of the derivative of f
+/// there, `lowest` of the least value of f on the line through c and d. `c_off_gap` and `d_off_gap` return 0 if c or d
+/// lies on the line through u and v. `along` returns 0 if the segment is perpendicular to the gap.
+///
+/// Each of them is called only as far as needed.
+template <class Start, class End, class COffGap, class DOffGap, class SlopeAtStart, class SlopeAtEnd, class Lowest,
+          class Along>
+std::optional<bool> touches_between(const Start& start, const End& end, const COffGap& c_off_gap,
+                                    const DOffGap& d_off_gap, const SlopeAtStart& slope_at_start,
+                                    const SlopeAtEnd& slope_at_end, const Lowest& lowest, const Along& along) {
+  // Where f is 0, a position on the line through u and v is u or v.
+  const auto touches_at = [](const auto& value, const auto& off_gap) -> std::optional<bool> {
+    const std::optional<Sign> sign = sign_if_sure(value());
+    if (!sign) return std::nullopt;
+    if (*sign != Sign::zero) return *sign == Sign::negative;
+    const std::optional<Sign> off = sign_if_sure(off_gap());
+    if (!off) return std::nullopt;
+    return *off != Sign::zero;
+  };
+  const std::optional<bool> at_start = touches_at(start, c_off_gap);
+  if (at_start && *at_start) return true;
+  const std::optional<bool> at_end = touches_at(end, d_off_gap);
+  if (at_end && *at_end) return true;
+  // f is strictly convex unless c equals d.
   const std::optional<Sign> falls = sign_if_sure(slope_at_start());
-  if (falls && *falls != Sign::negative) return false;
+  if (falls && *falls != Sign::negative) return at_start;
   const std::optional<Sign> rises = sign_if_sure(slope_at_end());
-  if (rises && *rises != Sign::positive) return false;
+  if (rises && *rises != Sign::positive) return at_end;
   if (!falls || !rises) return std::nullopt;
   const std::optional<Sign> least = sign_if_sure(lowest());
   if (!least) return std::nullopt;
-  return *least == Sign::negative;
+  if (*least != Sign::zero) return *least == Sign::negative;
+  const std::optional<Sign> slanted = sign_if_sure(along());
+  if (!slanted) return std::nullopt;
+  return *slanted != Sign::zero;
 }
 
 struct DotFormula {
@@ -158,7 +174,7 @@ struct DotFormula {
 // of W's component along the line: min f = (E x C) (E x (C - W)) / |E|^2 - (E . W)^2 / (4 |E|^2). (The centre of the
 // disc has the distance |E x (2 C - W)| / (2 |E|) from the line, and the radius is |W| / 2. Lagrange's identity
 // |E|^2 |W|^2 = (E x W)^2 + (E . W)^2 gives the formula.)
-struct MeetsToPoint {
+struct TouchesToPoint {
   static constexpr bool kHasRadius = false;
   template <class Coordinate>
   static std::optional<bool> answer(const Sites<Coordinate, 4>& sites) {
@@ -175,9 +191,10 @@ struct MeetsToPoint {
       const auto along = dot_product(cd, uv);
       return (from_u + from_u) * (from_v + from_v) - along * along;
     };
-    return is_negative_between([&] { return dot_product(uc, vc); }, [&] { return dot_product(ud, vd); },
-                               [&] { return dot_product(cd, uc + vc); }, [&] { return dot_product(cd, ud + vd); },
-                               lowest);
+    return touches_between([&] { return dot_product(uc, vc); }, [&] { return dot_product(ud, vd); },
+                           [&] { return cross_product(uv, uc); }, [&] { return cross_product(uv, ud); },
+                           [&] { return dot_product(cd, uc + vc); }, [&] { return dot_product(cd, ud + vd); }, lowest,
+                           [&] { return dot_product(cd, uv); });
   }
 };
 
@@ -185,7 +202,7 @@ struct MeetsToPoint {
 // X = D x (a - u), the foot is v = u + W with W = (X / M) (-D.y, D.x). So for every vector V:
 //   V . W = (X / M) (D x V),  V x W = (X / M) (D . V).
 // The values and slopes of f are multiplied by M, and its least value by 4 |E|^2 M^2.
-struct MeetsToFoot {
+struct TouchesToFoot {
   static constexpr bool kHasRadius = false;
   template <class Coordinate>
   static std::optional<bool> answer(const Sites<Coordinate, 5>& sites) {
@@ -206,8 +223,9 @@ struct MeetsToFoot {
       const auto along = x * cross_product(ab, cd);
       return ((m + m) * (from_u + from_u)) * from_v - along * along;
     };
-    return is_negative_between([&] { return value(uc); }, [&] { return value(ud); }, [&] { return slope(uc); },
-                               [&] { return slope(ud); }, lowest);
+    return touches_between([&] { return value(uc); }, [&] { return value(ud); }, [&] { return dot_product(ab, uc); },
+                           [&] { return dot_product(ab, ud); }, [&] { return slope(uc); }, [&] { return slope(ud); },
+                           lowest, [&] { return x * cross_product(ab, cd); });
   }
 };
 
@@ -485,9 +503,9 @@ bool has_foot(const Gap& gap) { return gap.a != gap.b; }
 // The formula for each predicate. `Run` says what to do with it: Decide or AskEachStage.
 
 template <class Run>
-auto run_meets(const Gap& gap, const Point& c, const Point& d) {
-  if (!has_foot(gap)) return Run::template run<MeetsToPoint>(std::array{gap.from, gap.a, c, d});
-  return Run::template run<MeetsToFoot>(std::array{gap.from, gap.a, gap.b, c, d});
+auto run_touches(const Gap& gap, const Point& c, const Point& d) {
+  if (!has_foot(gap)) return Run::template run<TouchesToPoint>(std::array{gap.from, gap.a, c, d});
+  return Run::template run<TouchesToFoot>(std::array{gap.from, gap.a, gap.b, c, d});
 }
 
 template <class Run>
@@ -527,7 +545,21 @@ Sign detail::finer_dot(const Point& p, const Point& q, const Point& a, const Poi
   return decide_in_integers<DotFormula>(std::array{p, q, a, b}, 0.0);
 }
 
-bool meets(const Gap& gap, const Point& c, const Point& d) { return run_meets<Decide>(gap, c, d); }
+Sign detail::dot_in_integers(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
+  LatticeExponent lattice;
+  for (const Point& point : {p, a, b}) lattice.include(point);
+  lattice.include(q);
+  const int exponent = lattice.value();
+  const auto site = [&](const Point& point) {
+    return Site<Integer>{to_integer(point.x, exponent), to_integer(point.y, exponent)};
+  };
+  const Homogeneous at = to_homogeneous(q, exponent);
+  const Site<Integer> from = site(p);
+  const Vector<Integer> pq = {at.x - from.x * at.w, at.y - from.y * at.w};
+  return sign_of(Integer(dot_product(pq, site(b) - site(a))));
+}
+
+bool touches(const Gap& gap, const Point& c, const Point& d) { return run_touches<Decide>(gap, c, d); }
 
 std::strong_ordering compare_to_diameter(const Gap& gap, double radius) {
   return order_of(run_compare_to_diameter<Decide>(gap, radius));
@@ -571,7 +603,9 @@ namespace stages {
 StageAnswers<Sign> dot(const Point& p, const Point& q, const Point& a, const Point& b) {
   return AskEachStage::run<DotFormula>(std::array{p, q, a, b});
 }
-StageAnswers<bool> meets(const Gap& gap, const Point& c, const Point& d) { return run_meets<AskEachStage>(gap, c, d); }
+StageAnswers<bool> touches(const Gap& gap, const Point& c, const Point& d) {
+  return run_touches<AskEachStage>(gap, c, d);
+}
 StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius) {
   return run_compare_to_diameter<AskEachStage>(gap, radius);
 }

@@ -6,6 +6,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "exact/exact_point.hpp"
 #include "exact/rounded.hpp"
 #include "exact/sign.hpp"
 
@@ -26,6 +27,8 @@ struct Gap {
 namespace detail {
 /// Runs the stages after the filter of dot(), one after the other.
 [[nodiscard]] Sign finer_dot(const Point& p, const Point& q, const Point& a, const Point& b);
+/// Runs the last stage of dot() for a crossing `q`.
+[[nodiscard]] Sign dot_in_integers(const Point& p, const ExactPoint& q, const Point& a, const Point& b);
 }  // namespace detail
 
 /// The sign of (q - p) . (b - a).
@@ -36,9 +39,15 @@ namespace detail {
   return detail::finer_dot(p, q, a, b);
 }
 
-/// Whether the open disc whose diameter is the gap contains a point of the segment from `c` to `d`. `c` and `d` may be
-/// equal.
-[[nodiscard]] bool meets(const Gap& gap, const Point& c, const Point& d);
+/// The sign of (q - p) . (b - a). `q` may be a crossing.
+[[nodiscard]] inline Sign dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
+  if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
+  return detail::dot_in_integers(p, q, a, b);
+}
+
+/// Whether the closed disc whose diameter is the gap contains a position of the segment from `c` to `d` other than the
+/// two ends of the gap. `c` and `d` may be equal.
+[[nodiscard]] bool touches(const Gap& gap, const Point& c, const Point& d);
 
 /// Compares the length of the gap with 2 * radius. Requires: the radius is finite and not negative. It may be subnormal
 /// or larger than kLargestCoordinate.
@@ -76,7 +85,7 @@ struct StageAnswers {
 
 namespace stages {
 [[nodiscard]] StageAnswers<Sign> dot(const Point& p, const Point& q, const Point& a, const Point& b);
-[[nodiscard]] StageAnswers<bool> meets(const Gap& gap, const Point& c, const Point& d);
+[[nodiscard]] StageAnswers<bool> touches(const Gap& gap, const Point& c, const Point& d);
 [[nodiscard]] StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius);
 [[nodiscard]] StageAnswers<Sign> compare_lengths(const Gap& p, const Gap& q);
 [[nodiscard]] StageAnswers<Sign> compare_distance(const Point& c, const Point& a, const Point& b, double radius);
