@@ -1,5 +1,4 @@
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -157,6 +156,9 @@ auto run_touches(const Gap& gap, const Point& c, const Point& d) {
 }  // namespace formula
 
 bool touches(const Gap& gap, const Point& c, const Point& d) {
+  // The line through a and b touches the disc at the foot only. The filter could not decide this tie.
+  const auto is_on_line = [&](const Point& p) { return p == gap.a || p == gap.b; };
+  if (gap.has_foot() && is_on_line(c) && is_on_line(d)) return false;
   return formula::run_touches<formula::Decide>(gap, c, d);
 }
 

@@ -2,10 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <deque>
 #include <limits>
-#include <string>
 
 #include <gtest/gtest.h>
 
