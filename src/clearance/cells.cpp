@@ -59,6 +59,10 @@ exact::Gap Cells::gap(const CellEdge& gate) const {
   return {from, position_of(side.from), position_of(side.to)};
 }
 
+Point Cells::position_of_foot(std::uint32_t foot) const {
+  return exact::end(gap({CellEdge::Kind::foot_down, bridges_.foot(foot).corner, foot}));
+}
+
 std::uint32_t Cells::key(const CellEdge& gate) const {
   if (gate.kind == Kind::bridge) return number(gate.h);
   return 3 * mesh_.face_slots() + 2 * gate.foot + (gate.kind == Kind::foot_up ? 1 : 0);

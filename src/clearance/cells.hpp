@@ -52,6 +52,8 @@ class Cells {
   [[nodiscard]] mesh::Vertex origin(const CellEdge& edge) const;
   /// The bridge as a gap.
   [[nodiscard]] exact::Gap gap(const CellEdge& gate) const;
+  /// The position of a foot, in doubles.
+  [[nodiscard]] Point position_of_foot(std::uint32_t foot) const;
   /// A number that is different for each gate in each of its two directions. All numbers are below key_count().
   [[nodiscard]] std::uint32_t key(const CellEdge& gate) const;
   [[nodiscard]] std::size_t key_count() const {

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "waywright/point.hpp"
+
+#include "base/ieee.hpp"
+
+// Tangents to circles, and angles, in doubles. They use only operations that IEEE 754 rounds correctly (also the square
+// root), never the functions of the C library, whose results differ between machines.
+
+namespace waywright::path {
+
+/// A circle that a path touches, with the side on which the path leaves it behind: `side` is 1 if the path turns left
+/// around it (the circle's centre is on the left), -1 if it turns right. A point at which a path starts or ends has the
+/// side 0 and counts as a circle of radius 0.
+struct Contact {
+  Point centre;
+  int side = 0;
+};
+
+/// A straight line in a direction (a vector of length 1) that touches two contacts.
+struct Tangent {
+  Point direction;
+  double length = 0.0;  ///< from the touching point on the first contact to that on the second
+};
+
+[[nodiscard]] inline Point left_of(const Point& direction) { return {-direction.y, direction.x}; }
+
+/// Returns the line that touches `from` and then `to`. Returns nothing if there is none: the circles overlap, and the
+/// line would have to pass between them.
+[[nodiscard]] inline std::optional<Tangent> tangent(const Contact& from, const Contact& to, double radius) {
+  const Point between = to.centre - from.centre;
+  const double squared = squared_length(between);
+  const double across = (to.side - from.side) * radius;
+  const double square = squared - across * across;
+  // If the circles touch, rounding may make the difference negative.
+  if (!(square >= -0x1p-40 * squared) || squared == 0.0) return std::nullopt;
+  const double along = std::sqrt(std::max(square, 0.0));
+  return Tangent{
+      {(along * between.x + across * between.y) / squared, (along * between.y - across * between.x) / squared}, along};
+}
+
+/// Returns the position at which a path in this direction touches a contact.
+[[nodiscard]] inline Point touching_point(const Contact& contact, const Point& direction, double radius) {
+  const double distance = contact.side * radius;
+  return {contact.centre.x + distance * direction.y, contact.centre.y - distance * direction.x};
+}
+
+/// Returns the arc tangent of `ratio`, which is 0 to 1: halves the angle three times, then sums the power series.
+[[nodiscard]] inline double small_arc_tangent(double ratio) {
+  for (int i = 0; i < 3; ++i) ratio /= 1.0 + std::sqrt(1.0 + ratio * ratio);
+  const double square = ratio * ratio;
+  double sum = 0.0;
+  for (int n = 19; n >= 1; n -= 2) sum = 1.0 / n - square * sum;
+  return 8.0 * ratio * sum;
+}
+
+inline constexpr double kPi = 0x1.921fb54442d18p+1;
+
+/// Returns the angle of the vector (x, y), -pi to pi, as std::atan2 does, but the same on every machine.
+[[nodiscard]] inline double angle_of(const Point& v) {
+  const double x = std::abs(v.x);
+  const double y = std::abs(v.y);
+  if (x == 0.0 && y == 0.0) return 0.0;
+  double angle = y <= x ? small_arc_tangent(y / x) : kPi / 2 - small_arc_tangent(x / y);
+  if (v.x < 0.0) angle = kPi - angle;
+  return v.y < 0.0 ? -angle : angle;
+}
+
+/// Returns the angle, 0 to 2 pi, of a turn from direction `a` to direction `b`: to the left if `side` is 1, to the
+/// right if it is -1.
+[[nodiscard]] inline double turning_angle(const Point& a, const Point& b, int side) {
+  const double angle = angle_of({dot(a, b), side * cross(a, b)});
+  return angle < 0.0 ? angle + 2 * kPi : angle;
+}
+
+/// Returns a number from 0 to 4 that grows with turning_angle(a, b, side) and costs less.
+[[nodiscard]] inline double turning_order(const Point& a, const Point& b, int side) {
+  const double x = dot(a, b);
+  const double y = side * cross(a, b);
+  const double share = x / (std::abs(x) + std::abs(y));
+  return y >= 0.0 ? 1.0 - share : 3.0 + share;
+}
+
+}  // namespace waywright::path

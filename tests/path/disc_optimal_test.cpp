@@ -1,0 +1,128 @@
+#include "path/disc_optimal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "clearance/near_walls.hpp"
+#include "support/case_count.hpp"
+#include "support/disc_oracle.hpp"
+#include "support/disc_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+using disc::NamedScene;
+
+/// A mesh of the walls of a scene, with its bridges and a search.
+class Map {
+ public:
+  explicit Map(const NamedScene& scene) : walls_(scene.domain) {
+    constraint::ExactTriangulation::UndoGuard operation(walls_);
+    std::uint64_t id = 0;
+    for (const auto& [a, b] : scene.walls.segments) {
+      if (!(a == b)) walls_.insert(Shape::segment(a, b), ItemId{++id});
+    }
+    operation.commit();
+    bridges_.emplace(walls_);
+  }
+
+  [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
+    const auto start_cell = near_.find_cell(walls_, *bridges_, start);
+    const auto goal_cell = near_.find_cell(walls_, *bridges_, goal);
+    if (!start_cell || !goal_cell) return std::nullopt;
+    const path::DiscMap map{walls_, {walls_, *bridges_}, radius, start};
+    search_.begin(map, start, *start_cell, goal, *goal_cell);
+    std::size_t expansions = 0;
+    EXPECT_TRUE(search_.step(1000000, expansions));
+    if (!search_.is_found()) return std::nullopt;
+    std::vector<path::DiscPiece> pieces;
+    search_.write_path(pieces);
+    std::vector<disc::Piece> result;
+    for (const path::DiscPiece& piece : pieces) {
+      if (!(piece.from == piece.to)) result.push_back(disc::Piece::line(piece.from, piece.to));
+      if (piece.side == 0) continue;
+      const auto angle_at = [&](const Point& direction) {
+        return std::atan2(-piece.side * direction.x, piece.side * direction.y);
+      };
+      const double from = angle_at(piece.direction);
+      const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.side);
+      if (turn > 0.0) result.push_back(disc::Piece::arc(piece.centre, radius, from, from + piece.side * turn));
+    }
+    return result;
+  }
+  [[nodiscard]] double length() const { return search_.length(); }
+
+ private:
+  constraint::ExactTriangulation walls_;
+  std::optional<clearance::Bridges> bridges_;
+  clearance::NearWalls near_;
+  path::DiscOptimal search_;
+};
+
+/// Whether some gap is too narrow for the disc, but by so little that the oracle for lengths may let the disc through.
+bool has_almost_wide_gap(const disc::Connectivity& oracle, double radius) {
+  const disc::Rational square = disc::Rational(4) * disc::Rational(radius) * disc::Rational(radius);
+  return std::any_of(oracle.bridges().begin(), oracle.bridges().end(), [&](const disc::Bridge& bridge) {
+    return bridge.squared_length < square && bridge.squared_length * 1000000000 > square * 999999999;
+  });
+}
+
+// The rational oracle says exactly whether there is a path. The oracle for lengths has a small tolerance.
+void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, Map& map, const Point& start,
+                 const Point& goal, double radius) {
+  if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) return;
+  const auto found = map.find(start, goal, radius);
+  ASSERT_EQ(found.has_value(), oracle.connected(start, goal, radius));
+  if (!found) return;
+  const disc::PathReport report = disc::check_path(walls, start, goal, radius, *found);
+  ASSERT_EQ(report.fault, "");
+  if (has_almost_wide_gap(oracle, radius)) return;
+  const auto shortest = disc::shortest(walls, start, goal, radius);
+  ASSERT_TRUE(shortest.has_value());
+  ASSERT_NEAR(map.length(), *shortest, 1e-12 * *shortest);
+}
+
+void check_scene(const NamedScene& scene) {
+  const disc::Walls walls = walls_of(scene);
+  const disc::Connectivity oracle(walls);
+  Map map(scene);
+  for (const auto& [start, goal] : scene.queries) {
+    for (const double radius : scene.radii) {
+      SCOPED_TRACE(scene.name + ", " + to_string(start) + " to " + to_string(goal) + ", radius " +
+                   std::to_string(radius));
+      check_query(walls, oracle, map, start, goal, radius);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(DiscPaths, AreRightInTrapScenes) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 49) / 50; ++seed) {
+    for (const NamedScene& scene : disc::trap_scenes(seed)) {
+      check_scene(scene);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+class RandomWalls : public testing::TestWithParam<disc::SceneKind> {};
+
+TEST_P(RandomWalls, HaveTheShortestPathsOfDiscs) {
+  Random random(3);
+  for (std::uint64_t i = 0; i < (case_count() + 4) / 5; ++i) {
+    check_scene(disc::random_scene(random, GetParam()));
+    if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(DiscPaths, RandomWalls, testing::ValuesIn(disc::kSceneKinds),
+                         [](const auto& kind) { return std::string(to_string(kind.param)); });
+
+}  // namespace
+}  // namespace waywright::test
