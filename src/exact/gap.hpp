@@ -22,27 +22,36 @@ struct Gap {
   Point from;
   Point a;
   Point b;
+
+  /// Whether the gap ends at the foot of a perpendicular.
+  [[nodiscard]] bool has_foot() const { return a != b; }
 };
 
 namespace detail {
-/// Runs the stages after the filter of dot(), one after the other.
+/// Run the stages after the filter of dot(), one after the other.
 [[nodiscard]] Sign finer_dot(const Point& p, const Point& q, const Point& a, const Point& b);
-/// Runs the last stage of dot() for a crossing `q`.
-[[nodiscard]] Sign dot_in_integers(const Point& p, const ExactPoint& q, const Point& a, const Point& b);
+[[nodiscard]] Sign finer_dot(const Point& p, const Crossing& q, const Point& a, const Point& b);
+
+/// The filter of dot(). The coordinates of q are exact or rounded to nearest.
+template <class Coordinate>
+[[nodiscard]] auto dot_in_doubles(const Point& p, const Coordinate& qx, const Coordinate& qy, const Point& a,
+                                  const Point& b) {
+  const auto exact = [](double coordinate) { return ExactDouble{coordinate}; };
+  return sign_if_sure((qx - exact(p.x)) * (exact(b.x) - exact(a.x)) + (qy - exact(p.y)) * (exact(b.y) - exact(a.y)));
+}
 }  // namespace detail
 
 /// The sign of (q - p) . (b - a).
 [[nodiscard]] inline Sign dot(const Point& p, const Point& q, const Point& a, const Point& b) {
-  const auto difference = [](double s, double t) { return ExactDouble{s} - ExactDouble{t}; };
-  const auto sum = difference(q.x, p.x) * difference(b.x, a.x) + difference(q.y, p.y) * difference(b.y, a.y);
-  if (const auto sign = sign_if_sure(sum)) return *sign;
+  if (const auto sign = detail::dot_in_doubles(p, ExactDouble{q.x}, ExactDouble{q.y}, a, b)) return *sign;
   return detail::finer_dot(p, q, a, b);
 }
 
 /// The sign of (q - p) . (b - a). `q` may be a crossing.
 [[nodiscard]] inline Sign dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
-  return detail::dot_in_integers(p, q, a, b);
+  if (const auto sign = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b)) return *sign;
+  return detail::finer_dot(p, *q.crossing, a, b);
 }
 
 /// Whether the closed disc whose diameter is the gap contains a position of the segment from `c` to `d` other than the
@@ -89,6 +98,8 @@ struct StageAnswers {
 
 namespace stages {
 [[nodiscard]] StageAnswers<Sign> dot(const Point& p, const Point& q, const Point& a, const Point& b);
+/// For a crossing, only the doubles and the integers of any size answer.
+[[nodiscard]] StageAnswers<Sign> dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b);
 [[nodiscard]] StageAnswers<bool> touches(const Gap& gap, const Point& c, const Point& d);
 [[nodiscard]] StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius);
 [[nodiscard]] StageAnswers<Sign> compare_lengths(const Gap& p, const Gap& q);

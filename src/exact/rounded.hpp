@@ -31,8 +31,16 @@
 // loses at most 2^-1074 by underflow, in the value and in the magnitude, and sums lose nothing by underflow. So the
 // code trusts the sign of such a value only if it exceeds the bound by 2^-1000.
 //
+// Crossings. The stored coordinate of a crossing is the exact one times (1 + e) with |e| <= u, because it is rounded to
+// nearest (and not subnormal, see below). Its difference from a coordinate multiplies it by one more factor: so k is 2,
+// and there are two monomials, the exact coordinates. For the degree, an exact coordinate of a crossing is a fraction
+// (homogeneous.hpp). Its numerator is 0 or at least 2^-456, because it is a sum of products of three multiples of
+// 2^-152. Its denominator is a cross product of two differences, at most 2^203. So the coordinate is 0 or at least
+// 2^-659, the stored one is a multiple of 2^-711, and the difference has degree 5.
+//
 // Overflow. Differences of coordinates in range are at most 2^101, so values of degree 8 with a few terms are less than
-// 2^900.
+// 2^900. A coordinate of a crossing is less than 2^610: it is a + t b / w, with a coordinate a, a cross product t and a
+// difference b, and w is at least 2^-304. Its differences are multiplied by one difference of coordinates only.
 
 namespace waywright::exact {
 
@@ -51,6 +59,15 @@ struct ExactDouble {
   [[nodiscard]] friend Rounded<1, 1> operator-(const ExactDouble& a, const ExactDouble& b) {
     const double difference = a.value - b.value;
     return {difference, std::abs(difference)};
+  }
+};
+
+/// A coordinate of a crossing, rounded to the nearest double.
+struct NearestDouble {
+  double value;
+
+  [[nodiscard]] friend Rounded<2, 5> operator-(const NearestDouble& a, const ExactDouble& b) {
+    return {a.value - b.value, std::abs(a.value) + std::abs(b.value)};
   }
 };
 
