@@ -153,7 +153,7 @@ struct WorldOptions {
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
   /// say how wide the gaps are, for discs of any radius. World::widest_path needs them. An operation then costs more,
-  /// because it also updates the bridges near its changes. A world takes about 56 bytes more for each vertex. If an
+  /// because it also updates the bridges near its changes. A world takes about 60 bytes more for each vertex. If an
   /// item is a point or has a ring with only one corner, the world keeps a second mesh, of the walls alone.
   bool keep_bridges = false;
 };

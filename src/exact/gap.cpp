@@ -286,17 +286,6 @@ double length(const Gap& gap) {
   return std::abs(foot.x) / std::sqrt(foot.m);
 }
 
-double largest_radius(const Gap& gap) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double radius = 0.5 * length(gap);
-  while (compare_to_diameter(gap, radius) < 0) radius = std::nextafter(radius, 0.0);
-  for (;;) {
-    const double larger = std::nextafter(radius, kInfinity);
-    if (compare_to_diameter(gap, larger) < 0) return radius;
-    radius = larger;
-  }
-}
-
 // The foot is from + W with W = (X / M) (-ab.y, ab.x). If W nearly cancels a coordinate of `from`, the foot is computed
 // in integers.
 Point end(const Gap& gap) {

@@ -138,7 +138,11 @@ void expect_nothing_changes_on_failure(const Script& script, Before before_each,
     ASSERT_EQ(world.dump(), reference.dumps.back());
     ASSERT_EQ(world.validate().fault, "");
   }
-  EXPECT_EQ(failures, reference.allocations);
+  // Bridges that are built anew give spare memory back. If there is no memory for a smaller array, this changes
+  // nothing.
+  const std::size_t tolerated = options.keep_bridges ? script.operations.size() : 0;
+  EXPECT_LE(failures, reference.allocations);
+  EXPECT_GE(failures + tolerated, reference.allocations);
 }
 
 class MemoryFailure : public testing::TestWithParam<Flavour> {};
