@@ -35,9 +35,9 @@ struct DiscFit {
 /// rooms.insert_segment({10, 0}, {10, 4}, 1).value();
 /// rooms.insert_segment({10, 7}, {10, 10}, 2).value();
 /// const WidestPath widest = rooms.widest_path({5, 5}, {15, 5}).value();
-/// const double radius = widest.radius;             // == 1.5
-/// const Point from = widest.from;                  // == Point{10, 4}
-/// const ItemId above = widest.to_items.front();    // == 2
+/// const double radius = widest.radius;           // == 1.5
+/// const Point from = widest.from;                // == Point{10, 4}
+/// const ItemId above = widest.to_items.front();  // == 2
 /// @endcode
 struct WidestPath {
   /// Whether the walls leave a connection at all. It is false, too, if an end lies on a wall, or in the interior of a

@@ -152,9 +152,10 @@ struct WorldOptions {
   /// enter far more triangles, and the world does not support PathAlgorithm::tra.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
-  /// say how wide the gaps are, for discs of any radius. World::widest_path needs them. An operation then costs more,
-  /// because it also updates the bridges near its changes. A world takes about 60 bytes more for each vertex. If an
-  /// item is a point or has a ring with only one corner, the world keeps a second mesh, of the walls alone.
+  /// say how wide the gaps are, for discs of any radius. World::widest_path needs them. An operation then takes several
+  /// times as long, because it also updates the bridges near its changes. A world takes about 60 bytes more for each
+  /// vertex. If an item is a point or has a ring with only one corner, the world keeps a second mesh, of the walls
+  /// alone, and each operation changes both meshes.
   bool keep_bridges = false;
 };
 
@@ -597,7 +598,8 @@ class WAYWRIGHT_API World {
   /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. Call it if memory is
   /// short, for example after you have loaded a level. The next operations allocate their scratch again. The call
   /// changes no answer and no hash. It does not free the slots of removed items, which later items will use. So if you
-  /// have removed most items and want a smaller world, make a new world and insert the items() of the old one.
+  /// have removed most items and want a smaller world, make a new world and insert the items() of the old one. A world
+  /// that keeps its bridges drops the second mesh (WorldOptions::keep_bridges) if no item needs it any more.
   /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 
