@@ -33,6 +33,7 @@ enum class ErrorCode : std::uint8_t {
   too_large,         ///< more than 2^27 vertices, not counting the crossings that the change makes
   world_gone,        ///< the world of a PathSearch no longer exists
   not_supported,     ///< a request that this version or this world does not support
+  no_bridges,        ///< a query that needs bridges, of a world that does not keep them
   unreadable,        ///< a file that cannot be opened or read
   malformed,         ///< text that does not follow its format
 };

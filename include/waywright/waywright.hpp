@@ -1,6 +1,7 @@
 #pragma once
 
 #include "waywright/assert.hpp"
+#include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"

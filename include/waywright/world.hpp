@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
@@ -150,6 +151,12 @@ struct WorldOptions {
   /// takes 10 bytes less for each vertex (up to 18 bytes less if walls change everywhere). But then many path queries
   /// enter far more triangles, and the world does not support PathAlgorithm::tra.
   bool keep_abstraction = true;
+  /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
+  /// say how wide the gaps are, for discs of any radius. World::widest_path needs them. An operation then takes several
+  /// times as long, because it also updates the bridges near its changes. A world takes about 60 bytes more for each
+  /// vertex. If an item is a point or has a ring with only one corner, the world keeps a second mesh, of the walls
+  /// alone, and each operation changes both meshes.
+  bool keep_bridges = false;
 };
 
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
@@ -379,6 +386,42 @@ class WAYWRIGHT_API World {
 
   /// @}
 
+  /// @name Discs
+  /// You need this group to find out where a round agent fits, and which agents fit through the gaps between two
+  /// positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
+  ///
+  /// @code{.cpp}
+  /// const bool fits = world.fit_disc(start, 5).value().fits;  // == true
+  /// World rooms = World::create(world.domain(), {.keep_bridges = true}).value();
+  /// rooms.insert_all(world.items()).value();
+  /// const double radius = rooms.widest_path(start, goal).value().radius;  // == 20
+  /// @endcode
+  /// @{
+
+  /// Finds out whether a disc fits at a position: the centre does not lie strictly inside a polygon, and no constrained
+  /// edge is nearer to it than the radius. If the disc does not fit, DiscFit::items says why. The decision is exact.
+  /// With the radius 0, only polygons can stop the disc.
+  /// Errors: coordinate_range, out_of_domain, bad_radius.
+  /// Cost: the location of the centre, and the triangles within the radius. Allocates nothing if `context` and `fit`
+  /// have been used before.
+  [[nodiscard]] Result<void> fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const;
+  /// @copydoc fit_disc(Point, double, QueryContext&, DiscFit&) const
+  [[nodiscard]] Result<DiscFit> fit_disc(Point centre, double radius) const;
+
+  /// Finds the largest disc that gets from `start` to `goal`, and the gap that stops every larger disc. All comparisons
+  /// are exact. The disc must also fit at the two ends themselves: see fit_disc().
+  /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges
+  /// (WorldOptions::keep_bridges).
+  /// Cost: the walls nearest to both ends, and n log n in the number of gaps that are as wide as the narrowest gap of
+  /// the widest path. Allocates nothing if `context` and `widest` have been used for a query of the same size before.
+  /// Source: Pollack, *The maximum capacity through a network*, 1960, on gaps that are Gabriel edges (Gabriel and Sokal
+  /// 1969).
+  [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
+  /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const
+  [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal) const;
+
+  /// @}
+
   /// @name Paths
   /// You need this group to move an agent to a goal. Use find_path for one agent, find_paths for many, and
   /// find_paths_from to compare many goals. PathSearch finds a path in slices.
@@ -531,7 +574,7 @@ class WAYWRIGHT_API World {
   [[nodiscard]] MeshHash mesh_hash() const;
   /// Checks the whole world, exactly: the links between triangles; the orientation of each triangle; that the triangles
   /// fill the domain and do not overlap; the constrained edges against the items; the empty-circle property and the
-  /// rule for ties at each free edge; and the path abstraction against one that is built from scratch.
+  /// rule for ties at each free edge; and the path abstraction and the bridges against those of a rebuild.
   /// Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
@@ -555,7 +598,8 @@ class WAYWRIGHT_API World {
   /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. Call it if memory is
   /// short, for example after you have loaded a level. The next operations allocate their scratch again. The call
   /// changes no answer and no hash. It does not free the slots of removed items, which later items will use. So if you
-  /// have removed most items and want a smaller world, make a new world and insert the items() of the old one.
+  /// have removed most items and want a smaller world, make a new world and insert the items() of the old one. A world
+  /// that keeps its bridges drops the second mesh (WorldOptions::keep_bridges) if no item needs it any more.
   /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 

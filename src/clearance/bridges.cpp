@@ -74,9 +74,14 @@ void Bridges::begin() {
   walls_.begin();
   feet_.begin();
   free_feet_before_ = free_feet_;
+  before_rebuild_.reset();
 }
 
 void Bridges::roll_back() {
+  if (before_rebuild_) {
+    swap_bridges(*before_rebuild_);
+    return before_rebuild_.reset();
+  }
   corners_.roll_back();
   walls_.roll_back();
   feet_.roll_back();
@@ -101,11 +106,17 @@ void Bridges::update(const Triangulation& triangulation) {
 
 /// Rebuilds the bridges. If most faces changed, this costs less than an update of each changed face.
 void Bridges::rebuild(const Triangulation& triangulation) {
-  Bridges rebuilt(triangulation);
-  corners_ = std::move(rebuilt.corners_);
-  walls_ = std::move(rebuilt.walls_);
-  feet_ = std::move(rebuilt.feet_);
-  free_feet_ = rebuilt.free_feet_;
+  auto rebuilt = std::make_unique<Bridges>(triangulation);
+  swap_bridges(*rebuilt);
+  before_rebuild_ = std::move(rebuilt);
+}
+
+/// Swaps the bridges, without the scratch.
+void Bridges::swap_bridges(Bridges& other) {
+  std::swap(corners_, other.corners_);
+  std::swap(walls_, other.walls_);
+  std::swap(feet_, other.feet_);
+  std::swap(free_feet_, other.free_feet_);
 }
 
 void Bridges::collect_touched(const Triangulation& triangulation) {
@@ -271,6 +282,8 @@ std::optional<std::string> Bridges::find_fault(const Triangulation& triangulatio
   };
   for (std::uint32_t i = 0; i < 3 * triangulation.topology().face_slots(); ++i) {
     const HalfEdge h{i};
+    // If an operation was undone, the mesh may have more slots than the bridges have. They are free.
+    if (!triangulation.triangulation().is_in_box(mesh::face(h))) continue;
     if (is_bridge(h) != rebuilt.is_bridge(h)) return fault_at("the bridge", i);
     if (wall_at(*this, h) != wall_at(rebuilt, h)) return fault_at("the foot bridge", i);
     std::uint32_t p = first_foot_on(h);
@@ -289,6 +302,7 @@ void Bridges::count_memory(MemoryUse& use) const {
   feet_.count_memory(use, &MemoryUse::bridges);
   use.bridges += (is_touched_.capacity() + is_near_.capacity()) / 8;
   memory::count_spare(use, touched_, near_, scratch_.to_enter, scratch_.to_cross);
+  use.spare += scratch_.visited.size() * sizeof(std::uint32_t);
 }
 
 void Bridges::shrink_to_fit() {

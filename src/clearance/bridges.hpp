@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,6 +58,10 @@ class Bridges {
   /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open. If memory
   /// runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
   void update(const Triangulation& triangulation);
+  /// Undoes the last update(). Requires: neither commit() nor roll_back() was called since. Allocates nothing.
+  void roll_back();
+  /// Frees memory that only roll_back() needs.
+  void commit() { before_rebuild_.reset(); }
 
   /// Returns the first difference from a rebuild, or nothing if there is none. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& triangulation) const;
@@ -71,7 +76,7 @@ class Bridges {
   static constexpr std::uint32_t kIsBridge = 1;
 
   void begin();
-  void roll_back();
+  void swap_bridges(Bridges& other);
   void rebuild(const Triangulation& triangulation);
   void grow_to_mesh(const mesh::TriangleMesh& mesh);
 
@@ -98,6 +103,7 @@ class Bridges {
   memory::JournaledArray<Foot> feet_;
   memory::FreeList free_feet_;  ///< linked by Foot::next
   memory::FreeList free_feet_before_;
+  std::unique_ptr<Bridges> before_rebuild_;  ///< the bridges before the last update(), if it was a rebuild
 
   // Scratch.
   std::vector<bool> is_touched_;  ///< by face

@@ -1,5 +1,8 @@
 #include "clearance/cells.hpp"
 
+#include <tuple>
+#include <utility>
+
 namespace waywright::clearance {
 
 using mesh::HalfEdge;
@@ -60,7 +63,30 @@ exact::Gap Cells::gap(const CellEdge& gate) const {
 }
 
 Point Cells::position_of_foot(std::uint32_t foot) const {
-  return exact::end(gap({CellEdge::Kind::foot_down, bridges_.foot(foot).corner, foot}));
+  return exact::end(canonical_gap({CellEdge::Kind::foot_down, bridges_.foot(foot).corner, foot}));
+}
+
+exact::Gap Cells::canonical_gap(const CellEdge& gate) const {
+  const auto comes_before = [](const Point& p, const Point& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); };
+  exact::Gap result = gap(gate);
+  if (gate.kind == Kind::bridge) {
+    if (comes_before(result.a, result.from)) std::swap(result.from, result.a);
+    result.b = result.a;
+    return result;
+  }
+  const exact::Geometry& geometry = triangulation_.triangulation().geometry();
+  bool is_first = true;
+  triangulation_.for_each_side(bridges_.foot(gate.foot).wall, [&](const constraint::Side& side) {
+    Point a = geometry.rounded(number(side.from));
+    Point b = geometry.rounded(number(side.to));
+    if (comes_before(b, a)) std::swap(a, b);
+    const bool is_better = is_first || comes_before(a, result.a) || (a == result.a && comes_before(b, result.b));
+    if (!is_better) return;
+    result.a = a;
+    result.b = b;
+    is_first = false;
+  });
+  return result;
 }
 
 std::uint32_t Cells::key(const CellEdge& gate) const {

@@ -52,8 +52,12 @@ class Cells {
   [[nodiscard]] mesh::Vertex origin(const CellEdge& edge) const;
   /// The bridge as a gap.
   [[nodiscard]] exact::Gap gap(const CellEdge& gate) const;
-  /// The position of a foot, in doubles.
+  /// The position of a foot, in doubles. It depends only on the geometry of the mesh.
   [[nodiscard]] Point position_of_foot(std::uint32_t foot) const;
+  /// The bridge as a gap that depends only on the geometry of the mesh, in whichever direction the gate leads: a bridge
+  /// between two vertices starts at the first of them in (x, y) order. A foot bridge ends on the first side that lies
+  /// on its wall.
+  [[nodiscard]] exact::Gap canonical_gap(const CellEdge& gate) const;
   /// A number that is different for each gate in each of its two directions. All numbers are below key_count().
   [[nodiscard]] std::uint32_t key(const CellEdge& gate) const;
   [[nodiscard]] std::size_t key_count() const {

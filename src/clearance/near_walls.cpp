@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "clearance/wall_line.hpp"
 #include "exact/gap.hpp"
@@ -131,6 +132,16 @@ void NearWalls::find_candidates(const Triangulation& triangulation, const Point&
         candidates_.push_back({h, distance.least});
       });
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.least > most; });
+  // A point in the middle of a bridge has two nearest walls, on the borders of two cells. The positions of the walls,
+  // not their indices, determine the order.
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const auto key = [&](const Candidate& candidate) {
+    const Point& from = geometry.rounded(number(mesh.origin(candidate.wall)));
+    const Point& to = geometry.rounded(number(mesh.target(candidate.wall)));
+    return std::tie(from.x, from.y, to.x, to.y);
+  };
+  std::sort(candidates_.begin(), candidates_.end(),
+            [&](const Candidate& p, const Candidate& q) { return key(p) < key(q); });
 }
 
 // Two pieces of one side have the same line, so the distance to the whole side does not tell which of them is nearest.

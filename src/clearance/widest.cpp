@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "exact/gap.hpp"
 
@@ -9,11 +10,19 @@ namespace waywright::clearance {
 
 namespace {
 
-/// Compares the lengths of two gates exactly. Doubles decide if they differ by more than their errors.
+/// Compares the lengths of two gates exactly. Doubles decide if they differ by more than their errors. Positions decide
+/// between gates of equal length, so that the answer does not depend on the order in which the search sees them.
 bool is_shorter(const Cells& cells, const CellEdge& p, double p_length, const CellEdge& q, double q_length) {
   constexpr double kRoundingMargin = 0x1p-40;
   if (std::abs(p_length - q_length) > kRoundingMargin * std::max(p_length, q_length)) return p_length < q_length;
-  return exact::compare_lengths(cells.gap(p), cells.gap(q)) < 0;
+  const auto order = exact::compare_lengths(cells.gap(p), cells.gap(q));
+  if (order != 0) return order < 0;
+  const exact::Gap p_gap = cells.canonical_gap(p);
+  const exact::Gap q_gap = cells.canonical_gap(q);
+  const auto key = [](const exact::Gap& gap) {
+    return std::tie(gap.from.x, gap.from.y, gap.a.x, gap.a.y, gap.b.x, gap.b.y);
+  };
+  return key(p_gap) < key(q_gap);
 }
 
 }  // namespace

@@ -73,6 +73,10 @@ template <class Coordinate>
 [[nodiscard]] std::strong_ordering compare_distances(const Point& c, const Point& a1, const Point& b1, const Point& a2,
                                                      const Point& b2);
 
+/// The largest radius of a disc whose diameter is not larger than the length of the gap: half the length, rounded down
+/// exactly. Requires: the gap has a length. Cost: a few products of wide integers, which allocate nothing.
+[[nodiscard]] double largest_radius(const Gap& gap);
+
 /// The length of the gap, up to a few ulps. For output and for the order of a search only, never for decisions.
 [[nodiscard]] double length(const Gap& gap);
 

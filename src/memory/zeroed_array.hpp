@@ -34,6 +34,8 @@ class ZeroedArray {
     if (count > size_) [[unlikely]]
       grow(std::max(count, size_ + size_ / 2));
   }
+  /// The number of values for which there is room.
+  [[nodiscard]] std::size_t size() const { return size_; }
   /// Sets all values to zero bits.
   void clear() {
     if (size_ != 0) std::memset(static_cast<void*>(values_.get()), 0, size_ * sizeof(Value));

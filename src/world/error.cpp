@@ -36,6 +36,8 @@ std::string_view to_string(ErrorCode code) {
       return "world-gone";
     case ErrorCode::not_supported:
       return "not-supported";
+    case ErrorCode::no_bridges:
+      return "no-bridges";
     case ErrorCode::unreadable:
       return "unreadable";
     case ErrorCode::malformed:

@@ -6,10 +6,13 @@
 
 namespace waywright {
 
+std::optional<Error> find_size_error(double radius) {
+  if (radius >= 0.0 && std::isfinite(radius)) return std::nullopt;
+  return Error{ErrorCode::bad_radius, "the radius is negative or not finite", {}, 0};
+}
+
 std::optional<Error> find_radius_error(double radius) {
-  if (!(radius >= 0.0) || !std::isfinite(radius)) {
-    return Error{ErrorCode::bad_radius, "the radius is negative or not finite", {}, 0};
-  }
+  if (auto error = find_size_error(radius)) return error;
   if (radius > 0.0) {
     return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
   }

@@ -10,6 +10,8 @@ namespace waywright {
 
 // Each function returns the error in a path query, or nothing.
 [[nodiscard]] std::optional<Error> find_query_error(const Box& domain, bool keeps_abstraction, const PathQuery& query);
+/// Returns the error in the radius of a disc, or nothing. A disc may have any finite radius from 0 on.
+[[nodiscard]] std::optional<Error> find_size_error(double radius);
 [[nodiscard]] std::optional<Error> find_radius_error(double radius);
 [[nodiscard]] std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance);
 

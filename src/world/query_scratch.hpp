@@ -2,6 +2,8 @@
 
 #include "waywright/query_context.hpp"
 
+#include "clearance/near_walls.hpp"
+#include "clearance/widest_gap.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
 #include "nav/kept_cover.hpp"
@@ -14,6 +16,9 @@ struct QueryScratch {
   nav::KeptCover cover;
   constraint::ItemQueryScratch items;
   constraint::CanonicalOrder order;
+  clearance::NearWalls near_walls;
+  clearance::WidestGapFinder widest_gap_finder;
+  clearance::WidestGap widest_gap;
   path::Finder finder;
   path::PolylineWalk polyline_walk;
 };

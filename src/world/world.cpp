@@ -53,12 +53,14 @@ MemoryUse World::memory() const {
   impl_->touch_log->count_memory(use);
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
+  if (impl_->clearance) impl_->clearance->count_memory(use);
   return use;
 }
 
 void World::shrink_to_fit() {
   impl_->triangulation.shrink_to_fit();
   if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
+  if (impl_->clearance) impl_->clearance->shrink_to_fit(impl_->triangulation);
   impl_->change_log.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
   impl_->spare_context.release();
@@ -69,6 +71,7 @@ Validation World::validate() const {
   const base::FloatEnvironment environment;
   auto fault = impl_->triangulation.find_fault();
   if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
+  if (!fault && impl_->clearance) fault = impl_->clearance->find_fault(impl_->triangulation);
   if (!fault) return {};
   return {false, *std::move(fault)};
 }

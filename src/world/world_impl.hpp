@@ -7,6 +7,7 @@
 
 #include "waywright/world.hpp"
 
+#include "clearance/clearance.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
 #include "world/change_log.hpp"
@@ -18,6 +19,7 @@ namespace waywright {
 struct WAYWRIGHT_INTERNAL World::Impl {
   Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
     if (options.keep_abstraction) abstraction.emplace(triangulation);
+    if (options.keep_bridges) clearance = std::make_unique<clearance::Clearance>(triangulation);
   }
   ~Impl() { touch_log->note_world_gone(); }
 
@@ -36,6 +38,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
 
   constraint::ExactTriangulation triangulation;
   std::optional<nav::Abstraction> abstraction;
+  std::unique_ptr<clearance::Clearance> clearance;  ///< null if the world keeps no bridges
   std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
   ChangeLog change_log;
   constraint::Outline outline;  ///< scratch
@@ -48,12 +51,14 @@ class WAYWRIGHT_INTERNAL World::Operation {
  public:
   explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
     if (impl_.abstraction) impl_.abstraction->begin();
+    if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);
     impl_.change_log.begin();
   }
 
   void insert(const Shape& shape, ItemId id) {
     impl_.triangulation.insert(shape, id);
     if (shape.kind == ItemKind::polygon) note_inserted(id);
+    note_changed(id);
     impl_.note_item(shape.kind, shape.rings);
   }
   template <class Batch>
@@ -61,24 +66,29 @@ class WAYWRIGHT_INTERNAL World::Operation {
     impl_.triangulation.insert_all(batch, team);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (batch.kind(i) == ItemKind::polygon) note_inserted(batch.id(i));
+      note_changed(batch.id(i));
     }
     impl_.note_changes(batch);
   }
   void remove(ItemId id) {
     const std::uint32_t slot = impl_.triangulation.items().slot(id);
     impl_.note_removal(slot);
+    note_changed(id);
     if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
     impl_.triangulation.remove(id);
   }
   void commit() {
     impl_.touch_log->note_mesh(impl_.triangulation);
     impl_.change_log.reserve();
+    // If the abstraction then fails, the destructor of `clearance_operation_` undoes the update of the bridges.
+    if (impl_.clearance) impl_.clearance->update(impl_.triangulation);
     if (impl_.abstraction) {
       impl_.abstraction->update(impl_.triangulation);
       impl_.touch_log->note_abstraction(*impl_.abstraction);
     }
     // Nothing can fail from here on.
     operation_.commit();
+    if (clearance_operation_) clearance_operation_->commit();
     impl_.touch_log->commit();
     impl_.change_log.commit(impl_.touch_log->version());
   }
@@ -88,8 +98,13 @@ class WAYWRIGHT_INTERNAL World::Operation {
     if (impl_.abstraction) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
   }
 
+  void note_changed(ItemId id) {
+    if (impl_.clearance) impl_.clearance->note_changed(id);
+  }
+
   Impl& impl_;
   constraint::ExactTriangulation::UndoGuard operation_;
+  std::optional<clearance::Clearance::UndoGuard> clearance_operation_;
 };
 
 /// If the world has no items, the function builds a new triangulation and then replaces the old one. So the insertion
@@ -106,7 +121,11 @@ void World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team
   change_log.begin();
   note_changes(batch);
   change_log.reserve();
+  std::unique_ptr<clearance::Clearance> made_clearance;
+  if (clearance) made_clearance = std::make_unique<clearance::Clearance>(made);
   if (abstraction) abstraction = nav::Abstraction(made);
+  // Nothing can fail from here on.
+  clearance = std::move(made_clearance);
   triangulation = std::move(made);
   touch_log->note_everything();
   touch_log->commit();

@@ -13,8 +13,8 @@
 #include "support/random_changes.hpp"
 
 /// Runs a fixed set of scripts, always the same. Prints the hashes of the worlds after every step and, at the end,
-/// their meshes and some paths. The output must be equal byte for byte on every machine, with every compiler and at
-/// every optimisation level.
+/// their meshes, some paths, and answers about discs. The output must be equal byte for byte on every machine, with
+/// every compiler and at every optimisation level.
 namespace waywright::test {
 namespace {
 
@@ -33,6 +33,12 @@ std::string bits_of(double value) {
   return text;
 }
 
+void print_ids(const std::vector<ItemId>& ids) {
+  std::cout << " [";
+  for (const ItemId id : ids) std::cout << ' ' << id.value;
+  std::cout << " ]";
+}
+
 void print_path(const World& world, const PathQuery& query) {
   const Result<Path> path = world.find_path(query);
   std::cout << to_string(query.algorithm) << ' ';
@@ -46,7 +52,30 @@ void print_path(const World& world, const PathQuery& query) {
   std::cout << '\n';
 }
 
-/// Prints the answers of all algorithms for queries between points on a grid of 64 steps over the domain.
+/// Prints whether discs fit at an end, and the widest disc between two ends.
+void print_discs(const World& world, const Point& start, const Point& goal, double extent) {
+  for (const double radius : {0.0, 0x1p-5 * extent, 0x1p-3 * extent}) {
+    const Result<DiscFit> fit = world.fit_disc(start, radius);
+    std::cout << "disc";
+    if (!fit) std::cout << ' ' << to_string(fit.error().code);
+    if (fit) print_ids(fit->items);
+    std::cout << '\n';
+  }
+  const Result<WidestPath> widest = world.widest_path(start, goal);
+  std::cout << "widest ";
+  if (!widest) {
+    std::cout << to_string(widest.error().code) << '\n';
+    return;
+  }
+  std::cout << widest->is_connected << ' ' << widest->is_limited << ' ' << bits_of(widest->radius);
+  for (const Point& point : {widest->from, widest->to}) std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y);
+  print_ids(widest->from_items);
+  print_ids(widest->to_items);
+  std::cout << '\n';
+}
+
+/// Prints the answers of all algorithms, and of the queries about discs, for points on a grid of 64 steps over the
+/// domain.
 void print_paths(const World& world, const Box& domain, std::uint64_t seed) {
   Random random(seed);
   const auto between = [&](double low, double high) {
@@ -67,12 +96,13 @@ void print_paths(const World& world, const Box& domain, std::uint64_t seed) {
     print_path(
         world,
         {.start = start, .goal = goal, .algorithm = PathAlgorithm::ta, .budget = {.expansions = PathBudget::kNoLimit}});
+    print_discs(world, start, goal, domain.max.x - domain.min.x);
   }
 }
 
 bool print_world(Flavour flavour, std::uint64_t seed) {
   const ChangeScript script = random_changes(flavour, seed, kSteps, kLiveItems);
-  Result<World> world = World::create(script.domain);
+  Result<World> world = World::create(script.domain, {.keep_bridges = true});
   if (!world) return false;
   std::cout << "script " << to_string(flavour) << ' ' << seed << '\n';
   for (const Step& step : script.steps) {

@@ -131,6 +131,16 @@ TEST_P(Gaps, LengthAndEndAreNearTheRationals) {
   }
 }
 
+TEST_P(Gaps, LargestRadiusAgreesWithComparisons) {
+  for (int i = 0; i < kCalls && !HasFailure(); ++i) {
+    const Gap gap = source_.gap();
+    if (squared_length(gap) == 0) continue;
+    const double radius = exact::largest_radius(gap);
+    EXPECT_TRUE(exact::compare_to_diameter(gap, radius) >= 0);
+    EXPECT_TRUE(exact::compare_to_diameter(gap, std::nextafter(radius, 2 * radius)) < 0);
+  }
+}
+
 /// Points with the largest offsets of each size of the integers of fixed width.
 TEST(GapSizes, LargestOffsetsFit) {
   Random random(9);

@@ -136,7 +136,7 @@ inline std::string fault_of_step(World& world, LiveItems& live, const Step& step
 /// a new world. Returns the first fault.
 inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
-  Result<World> world = World::create(script.domain);
+  Result<World> world = World::create(script.domain, {.keep_bridges = true});
   if (!world) return world.error().message();
   LiveItems live(script.domain);
   for (std::size_t i = 0; i < script.steps.size(); ++i) {

@@ -24,7 +24,7 @@ std::size_t allocations_of(Call&& call) {
 }
 
 World world_of_things() {
-  World world = World::create({{0, 0}, {1000, 1000}}).value();
+  World world = World::create({{0, 0}, {1000, 1000}}, {.keep_bridges = true}).value();
   Random random(5);
   const auto between = [&](int low, int high) { return static_cast<double>(random.between(low, high)); };
   for (int i = 0; i < 120; ++i) {
@@ -47,6 +47,8 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   std::vector<ItemId> ids;
   std::vector<CrossedItem> crossed;
   std::vector<Item> items;
+  DiscFit fit;
+  WidestPath widest;
   Shape shape;
   MeshSnapshot snapshot;
   std::size_t answers = 0;
@@ -57,7 +59,9 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
       world.items_crossed(point, {1000 - point.y, point.x}, context, crossed).value();
       world.items_in({point - Point{20, 10}, point + Point{90, 60}}, context, in).value();
       world.items_in({{2000, 2000}, {3000, 3000}}, context, in).value();
-      answers += at.size() + crossed.size();
+      world.fit_disc(point, 5.0 + i, context, fit).value();
+      world.widest_path(point, {1000 - point.y, point.x}, context, widest).value();
+      answers += at.size() + crossed.size() + fit.items.size() + widest.to_items.size();
     }
     for (std::uint64_t id = 1; id <= world.item_count(); ++id) world.shape(id, shape).value();
     world.item_ids(ids);
@@ -75,6 +79,8 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
   QueryContext context;
   std::vector<ItemId> ids;
   std::vector<CrossedItem> crossed;
+  DiscFit fit;
+  WidestPath widest;
   std::vector<Item> items(3, {77, Shape::polygon({{1, 2}, {3, 4}})});
   Shape shape;
   MeshSnapshot snapshot;
@@ -88,6 +94,10 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
     ASSERT_EQ(crossed, world.items_crossed(point, other).value());
     world.items_in(box, context, ids).value();
     ASSERT_EQ(ids, world.items_in(box).value());
+    world.fit_disc(point, 5.0 + i, context, fit).value();
+    ASSERT_EQ(fit, world.fit_disc(point, 5.0 + i).value());
+    world.widest_path(point, other, context, widest).value();
+    ASSERT_EQ(widest, world.widest_path(point, other).value());
   }
   world.items_in({{2000, 2000}, {3000, 3000}}, context, ids).value();
   EXPECT_EQ(ids, std::vector<ItemId>());
@@ -127,8 +137,11 @@ TEST(AllocationFree, Refusals) {
   PathSearch search;
   Path path;
   std::vector<Path> paths;
+  const World without_bridges = World::create({{0, 0}, {10, 10}}).value();
   Location location;
   RayHit hit;
+  DiscFit fit;
+  WidestPath widest;
   std::vector<ItemId> ids;
   std::vector<CrossedItem> crossed;
   Shape shape;
@@ -153,6 +166,10 @@ TEST(AllocationFree, Refusals) {
     expect_refused(search.begin(world, queries[0]), ErrorCode::out_of_domain);
     expect_refused(world.locate({1, -1}, context, location), ErrorCode::out_of_domain);
     expect_refused(world.ray({1, 1}, {2000, 1}, hit), ErrorCode::out_of_domain);
+    expect_refused(world.fit_disc({1, -1}, 1, context, fit), ErrorCode::out_of_domain);
+    expect_refused(world.fit_disc({1, 1}, -1, context, fit), ErrorCode::bad_radius);
+    expect_refused(world.widest_path({1, 1}, {-1, 1}, context, widest), ErrorCode::out_of_domain);
+    expect_refused(without_bridges.widest_path({1, 1}, {2, 1}, context, widest), ErrorCode::no_bridges);
     expect_refused(world.items_at({1, kNan}, context, ids), ErrorCode::coordinate_range);
     expect_refused(world.items_crossed({1, 1}, {-1, 1}, context, crossed), ErrorCode::out_of_domain);
     expect_refused(world.items_in({{3, 3}, {2, 2}}, context, ids), ErrorCode::bad_domain);
@@ -160,7 +177,7 @@ TEST(AllocationFree, Refusals) {
     expect_refused(World::create({{1, 1}, {0, 0}}), ErrorCode::bad_domain);
     expect_refused(World::create({{1, 1}, {kNan, 0}}), ErrorCode::coordinate_range);
   });
-  EXPECT_EQ(refusals, 22U);
+  EXPECT_EQ(refusals, 26U);
   EXPECT_EQ(allocations, 0U);
   EXPECT_EQ(world.item_count(), before);
 }

@@ -48,14 +48,17 @@ void expect_all_counted(const World& world, std::ptrdiff_t bytes_before) {
 TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
   const std::vector<Point> points = random_points(kCount);
   const std::vector<Item> walls = random_walls(kCount / 10);
-  for (const bool keep_abstraction : {false, true}) {
+  for (const WorldOptions& options :
+       {WorldOptions{.keep_abstraction = false}, WorldOptions{}, WorldOptions{true, true}}) {
     const std::ptrdiff_t before = live_bytes();
-    World world = World::create(kBox, {keep_abstraction}).value();
+    World world = World::create(kBox, options).value();
     world.insert_points(points).value();
     expect_all_counted(world, before);
     world.insert_all(walls).value();
+    if (options.keep_bridges) world.shrink_to_fit();
     expect_all_counted(world, before);
     for (std::size_t i = 0; i < walls.size(); i += 2) world.remove(walls[i].id).value();
+    if (options.keep_bridges) world.shrink_to_fit();  // frees an array that the counting allocator does not see
     expect_all_counted(world, before);
   }
 }
@@ -99,6 +102,15 @@ TEST(MemoryUse, PathsTakeLessThanElevenBytesMore) {
   EXPECT_LE(world.memory().total(), 103 * kCount);
   world.insert_segment({0.5, 0.5}, {0.505, 0.505}).value();
   EXPECT_LE(world.memory().abstraction, 12 * kCount);
+}
+
+// There are two faces for each vertex, with three half-edges each. A half-edge takes eight bytes, a foot bridge twelve.
+TEST(MemoryUse, BridgesTakeAboutSixtyBytesForEachVertex) {
+  const std::vector<Item> walls = random_walls(kCount / 2);
+  World world = World::create(kBox, {.keep_bridges = true}).value();
+  world.insert_all(walls).value();
+  EXPECT_LE(world.memory().bridges, 64 * world.vertex_count());
+  EXPECT_GE(world.memory().bridges, 48 * world.vertex_count());
 }
 
 // The arrays of a context have room for each half-edge of the mesh. A world keeps one context, so a query without a

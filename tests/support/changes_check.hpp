@@ -40,6 +40,7 @@ struct ChangesReport {
 /// ones, validate() finds nothing, and a refused step has changed nothing. Checks from time to time and at the end: the
 /// dump, both hashes and the snapshot equal those of a new world that gets the live items in another order, and the
 /// dump is the one that the oracle expects. The seed determines everything that is random.
+/// If it is a multiple of 16, the world keeps its bridges.
 [[nodiscard]] ChangesReport check_changes(const ChangeScript& script, std::uint64_t seed,
                                           const Comparisons& comparisons = {});
 

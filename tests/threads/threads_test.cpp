@@ -16,6 +16,7 @@ namespace {
 struct Answers {
   std::vector<std::vector<Point>> paths;
   std::vector<std::vector<ItemId>> inside;
+  std::vector<WidestPath> widest;
 
   bool operator==(const Answers&) const = default;
 };
@@ -25,6 +26,8 @@ Answers ask(const World& world, const std::vector<Point>& points) {
   QueryContext context;
   Path path;
   Location location;
+  DiscFit fit;
+  WidestPath widest;
   for (std::size_t i = 1; i < points.size(); ++i) {
     world.locate(points[i], context, location).value();
     answers.inside.push_back(location.polygons);
@@ -32,6 +35,11 @@ Answers ask(const World& world, const std::vector<Point>& points) {
     answers.paths.push_back(path.points);
     answers.paths.push_back(world.find_path({points[i], points[i - 1]}).value().points);  // the world's own context
     answers.inside.push_back(world.items_in({points[i], points[i]}).value());
+    world.fit_disc(points[i], 500, context, fit).value();
+    answers.inside.push_back(fit.items);
+    world.widest_path(points[i - 1], points[i], context, widest).value();
+    answers.widest.push_back(widest);
+    answers.widest.push_back(world.widest_path(points[i], points[i - 1]).value());
   }
   return answers;
 }
@@ -39,7 +47,7 @@ Answers ask(const World& world, const std::vector<Point>& points) {
 // Made for the thread sanitizer: queries write to no memory that they share.
 TEST(Threads, AnyNumberMayQueryOneWorldAtOnce) {
   const Scene scene = random_scene(Flavour::small, 7, 60);
-  World world = World::create(scene.domain).value();
+  World world = World::create(scene.domain, {.keep_bridges = true}).value();
   for (const Item& item : scene.items) ASSERT_TRUE(world.insert(item.shape, item.id).ok());
   Random random(7);
   std::vector<Point> points;

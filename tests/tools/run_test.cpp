@@ -61,6 +61,21 @@ TEST(RunCommand, PrintsTheFirstWallOfARay) {
             "{\"line\":10,\"op\":\"ray\",\"hit\":true,\"at\":[5,10],\"items\":[0]}\n");
 }
 
+TEST(RunCommand, PrintsWhetherADiscFitsAndWhatStopsIt) {
+  const auto result =
+      run_script(kHead +
+                 "segment 9 3 1 3 4\nsegment 4 3 2 5 3\npoint 2 2 5\npolygon 7 4 6 6 9 6 9 9 6 9\n"
+                 "disc 1 3 1\ndisc 1 3 1.5\ndisc 2 2.5 1.25\ndisc 7.5 7.5 0\ndisc 6 7 0\ndisc 6 7 0.5\n");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out,
+            "{\"line\":7,\"op\":\"disc\",\"free\":true,\"items\":[]}\n"
+            "{\"line\":8,\"op\":\"disc\",\"free\":false,\"items\":[0]}\n"
+            "{\"line\":9,\"op\":\"disc\",\"free\":false,\"items\":[4,9]}\n"
+            "{\"line\":10,\"op\":\"disc\",\"free\":false,\"items\":[7]}\n"
+            "{\"line\":11,\"op\":\"disc\",\"free\":true,\"items\":[]}\n"
+            "{\"line\":12,\"op\":\"disc\",\"free\":false,\"items\":[7]}\n");
+}
+
 TEST(RunCommand, PrintsAPathInTheFormatsShape) {
   const auto result = run_script(kHead + "path 1 1 5 4 0 ta\n");
   EXPECT_EQ(result.out, R"({"line":3,"op":"path","found":true,"length":5,"pieces":[{"line":[1,1,5,4]}]})"
@@ -187,9 +202,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 2 1 0 ta tolerance nan", "path", "bad-distance"},
         Refusal{"clear 2 1 1 12 1", "clear", "out-of-domain"}, Refusal{"clear 1 nan 1", "clear", "coordinate-range"},
         Refusal{"ray 1 1 2 12", "ray", "out-of-domain"}, Refusal{"ray -1 1 2 2", "ray", "out-of-domain"},
-        Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"disc 1 1 2", "disc", "not-supported"},
-        Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
-        Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+        Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"disc 11 1 2", "disc", "out-of-domain"},
+        Refusal{"disc 1 nan 2", "disc", "coordinate-range"}, Refusal{"disc 1 1 -2", "disc", "bad-radius"},
+        Refusal{"disc 1 1 inf", "disc", "bad-radius"}, Refusal{"disc 1 1 nan", "disc", "bad-radius"},
+        Refusal{"nearest 1 1 0", "nearest", "not-supported"}, Refusal{"nearest 1 1 nan", "nearest", "bad-radius"},
+        Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
 
 // 2^-20 of the domain's largest coordinate is 0.0000095.
 TEST(RunCommand, MovesAnEndThatIsBlockedByRoundingAndSaysSo) {

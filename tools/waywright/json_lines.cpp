@@ -90,6 +90,12 @@ std::string json_line(const Request& request, const RayHit& hit) {
   return out + "]}";
 }
 
+std::string json_line(const Request& request, const DiscFit& fit) {
+  std::string out = opening(request) + fmt::format(R"(,"free":{},"items":[)", fit.fits);
+  append_ids(out, fit.items);
+  return out + "]}";
+}
+
 std::string json_line(const Request& request, bool is_clear) {
   return opening(request) + fmt::format(R"(,"clear":{}}})", is_clear);
 }
@@ -113,9 +119,9 @@ std::string json_line(const PredicateCounts& counts, const MemoryUse& memory) {
     return fmt::format(R"({{"doubles":{},"lattice":{},"integers":{}}})", stage.doubles, stage.lattice, stage.integers);
   };
   const std::string bytes = fmt::format(
-      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"spare":{}}})",
+      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"bridges":{},"spare":{}}})",
       memory.vertices, memory.crossings, memory.faces, memory.walls, memory.items, memory.sectors, memory.abstraction,
-      memory.spare);
+      memory.bridges, memory.spare);
   return fmt::format(R"({{"op":"stats","orientation":{},"in_circle":{},"order":{},"crossing":{},"memory":{}}})",
                      stages(counts.orientation), stages(counts.in_circle), stages(counts.order),
                      stages(counts.crossing), bytes);

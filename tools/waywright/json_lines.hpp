@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/path.hpp"
@@ -25,6 +26,7 @@ struct Request {
 [[nodiscard]] std::string json_line(const Request& request, const Location& location);
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
 [[nodiscard]] std::string json_line(const Request& request, const RayHit& hit);
+[[nodiscard]] std::string json_line(const Request& request, const DiscFit& fit);
 [[nodiscard]] std::string json_line(const Request& request, bool is_clear);
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);

@@ -15,7 +15,7 @@ namespace {
 
 Request request_of(const ScriptLine& operation) { return {to_string(operation), operation.line}; }
 
-bool has_radius(ScriptLineKind kind) { return kind == ScriptLineKind::disc || kind == ScriptLineKind::nearest; }
+bool has_radius(ScriptLineKind kind) { return kind == ScriptLineKind::nearest; }
 
 }  // namespace
 
@@ -41,6 +41,7 @@ Outcome Runner::carry_out(const ScriptLine& operation) {
     case ScriptLineKind::clear:
       return test_clear(operation);
     case ScriptLineKind::disc:
+      return fit_disc(operation);
     case ScriptLineKind::nearest:
       break;
   }
@@ -87,6 +88,13 @@ Outcome Runner::cast_ray(const ScriptLine& operation) {
   if (!cast.ok()) return refuse(operation, cast.error());
   output_.write_line(json_line(request_of(operation), hit_));
   if (overlay_ != nullptr) overlay_->rays.push_back({operation.from, operation.to, hit_});
+  return Outcome::done;
+}
+
+Outcome Runner::fit_disc(const ScriptLine& operation) {
+  const Result<void> tried = world_.fit_disc(operation.from, operation.radius, context_, fit_);
+  if (!tried.ok()) return refuse(operation, tried.error());
+  output_.write_line(json_line(request_of(operation), fit_));
   return Outcome::done;
 }
 

@@ -31,6 +31,7 @@ class Runner {
   Outcome replace(const ScriptLine& operation);
   Outcome locate(const ScriptLine& operation);
   Outcome cast_ray(const ScriptLine& operation);
+  Outcome fit_disc(const ScriptLine& operation);
   Outcome find_path(const ScriptLine& operation);
   Outcome test_clear(const ScriptLine& operation);
   Outcome check(const ScriptLine& operation);
@@ -44,6 +45,7 @@ class Runner {
   QueryContext context_;
   Location location_;
   RayHit hit_;
+  DiscFit fit_;
 };
 
 }  // namespace waywright::command

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/point.hpp"
+
+namespace waywright {
+
+/// @addtogroup world
+/// @{
+
+/// The answer of World::fit_disc: whether a disc fits at a position. If you reuse one object for many queries, it keeps
+/// its memory.
+///
+/// @code{.cpp}
+/// const DiscFit fit = world.fit_disc({30, 50}, 12).value();  // the house begins at x = 40
+/// const bool is_free = fit.fits;                             // == false
+/// const ItemId obstacle = fit.items.front();                 // == 1
+/// @endcode
+struct DiscFit {
+  bool fits = false;  ///< whether no item and no border of the domain stops the disc
+  /// The items that stop the disc, ascending: the items with a side that is nearer to the centre than the radius, and
+  /// the polygons whose interior contains the centre. The null id is the domain's border.
+  std::vector<ItemId> items;
+
+  friend bool operator==(const DiscFit&, const DiscFit&) = default;
+};
+
+/// The answer of World::widest_path: the largest disc that gets from a start to a goal, and the gap that stops every
+/// larger disc. If you reuse one object for many queries, it keeps its memory.
+///
+/// @code{.cpp}
+/// World rooms = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
+/// rooms.insert_segment({10, 0}, {10, 4}, 1).value();
+/// rooms.insert_segment({10, 7}, {10, 10}, 2).value();
+/// const WidestPath widest = rooms.widest_path({5, 5}, {15, 5}).value();
+/// const double radius = widest.radius;           // == 1.5
+/// const Point from = widest.from;                // == Point{10, 4}
+/// const ItemId above = widest.to_items.front();  // == 2
+/// @endcode
+struct WidestPath {
+  /// Whether the walls leave a connection at all. It is false, too, if an end lies on a wall, or in the interior of a
+  /// polygon. If it is false, all other members are empty.
+  bool is_connected = false;
+  /// Whether a gap between the ends limits the disc. If not, each disc that fits at both ends gets from one to the
+  /// other.
+  bool is_limited = false;
+  /// The largest radius of a disc that passes all gaps of the widest path: half the length of its narrowest gap,
+  /// rounded down. A disc with this radius or a smaller one gets from start to goal if it fits at both. A disc with the
+  /// next larger double as its radius does not. The radius is infinity if the ends are connected and no gap limits the
+  /// disc.
+  double radius = 0.0;
+  Point from;                      ///< the corner of an item, or of the domain, at which the gap starts
+  Point to;                        ///< where the gap ends, rounded: another corner, or a position inside a wall
+  std::vector<ItemId> from_items;  ///< the items with a side at `from`, ascending; the null id is the domain's border
+  std::vector<ItemId> to_items;    ///< the items with a side at `to`, ascending; the null id is the domain's border
+
+  friend bool operator==(const WidestPath&, const WidestPath&) = default;
+};
+
+/// @}
+
+}  // namespace waywright

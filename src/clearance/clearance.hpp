@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+#include "waywright/memory_use.hpp"
+
+#include "clearance/bridges.hpp"
+#include "constraint/exact_triangulation.hpp"
+
+namespace waywright::clearance {
+
+/// The bridges of a world's walls.
+///
+/// Bridges need a mesh in which each vertex is the end of a wall. A ring with one corner is *loose*: it has no side. A
+/// point and a segment of length zero have a loose ring. While no item of the world has a loose ring, the bridges
+/// belong to the triangulation of the world. If an item with a loose ring appears, the class makes a second
+/// triangulation, and the bridges belong to that one. It contains the walls alone: each item that has sides, under its
+/// id, without its loose rings. The second triangulation stays until shrink_to_fit() finds no loose ring.
+class Clearance {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  /// The bridges of a world. Pass the triangulation of the world, which may have been moved, to every function with a
+  /// parameter `world`.
+  explicit Clearance(const Triangulation& world);
+
+  /// The triangulation to which bridges() belongs.
+  [[nodiscard]] const Triangulation& walls(const Triangulation& world) const { return walls_ ? *walls_ : world; }
+  [[nodiscard]] const Bridges& bridges() const { return *bridges_; }
+
+  /// One operation, all or nothing. If the object is destroyed before commit(), for example because memory ran out, the
+  /// destructor undoes update(). Requires: no other operation is under way.
+  class UndoGuard {
+   public:
+    explicit UndoGuard(Clearance& clearance) : clearance_(clearance) { clearance_.begin(); }
+    ~UndoGuard() {
+      if (!is_committed_) clearance_.roll_back();
+    }
+    UndoGuard(const UndoGuard&) = delete;
+    UndoGuard& operator=(const UndoGuard&) = delete;
+
+    void commit() {
+      clearance_.commit();
+      is_committed_ = true;
+    }
+
+   private:
+    Clearance& clearance_;
+    bool is_committed_ = false;
+  };
+
+  /// Call it for each item that the operation inserts or removes.
+  void note_changed(ItemId id) { changed_.push_back(id); }
+  /// Updates the bridges, and the second triangulation if there is one, to the triangulation of the world. Requires:
+  /// the operation of that triangulation and an UndoGuard are open, and this is their only call of update(). Cost:
+  /// depends on what changed. The first loose ring costs as much as a new world.
+  void update(const Triangulation& world);
+
+  /// Returns the first fault, or nothing: the bridges must equal those of a rebuild, and the second triangulation must
+  /// equal one that is built from the live items. Cost: linear.
+  [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& world) const;
+
+  void count_memory(MemoryUse& use) const;
+  /// Frees spare memory, and the second triangulation if no item of the world has a loose ring. If memory runs out, the
+  /// bridges stay as they were. Requires: no operation is under way. Cost: linear if there is a second triangulation.
+  void shrink_to_fit(const Triangulation& world);
+
+ private:
+  void begin();
+  void commit();
+  void roll_back();
+
+  [[nodiscard]] bool is_any_changed_loose(const Triangulation& world) const;
+  void make_walls(const Triangulation& world);
+  void update_walls(const Triangulation& world);
+
+  std::unique_ptr<Triangulation> walls_;  ///< the second triangulation, or null
+  std::unique_ptr<Bridges> bridges_;
+
+  // Of the operation under way.
+  std::vector<ItemId> changed_;
+  std::optional<Triangulation::UndoGuard> walls_guard_;  ///< set if the operation changes the second triangulation
+  std::unique_ptr<Bridges> old_bridges_;  ///< the bridges of the world, if the operation made the second triangulation
+  bool are_bridges_changed_ = false;
+
+  // Scratch.
+  constraint::Outline outline_;
+  Shape shape_;
+};
+
+}  // namespace waywright::clearance

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "waywright/world.hpp"
+
+#include "base/float_environment.hpp"
+#include "world/path_query_error.hpp"
+#include "world/point_error.hpp"
+#include "world/query_scratch.hpp"
+#include "world/world_impl.hpp"
+
+// Queries about discs.
+
+namespace waywright {
+
+namespace {
+
+/// Appends the ids of items by slot.
+void append_ids(const constraint::ItemTable& items, std::span<const std::uint32_t> slots, std::vector<ItemId>& ids) {
+  for (const std::uint32_t slot : slots) ids.push_back(items.id(slot));
+}
+
+/// Sorts a list and removes repeated elements.
+void keep_one_of_each(std::vector<ItemId>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+}  // namespace
+
+Result<void> World::fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_point_error(domain(), centre, 0, "the centre")) return *std::move(error);
+  if (auto error = find_size_error(radius)) return *std::move(error);
+  const constraint::ExactTriangulation& triangulation = impl_->triangulation;
+  detail::QueryScratch& scratch = *context.scratch_;
+  fit.items.clear();
+  if (radius > 0.0) {
+    std::vector<std::uint32_t>& slots = scratch.items.slots;
+    slots.clear();
+    scratch.near_walls.find_items(triangulation, centre, radius, slots);
+    append_ids(triangulation.items(), slots, fit.items);
+  }
+  scratch.cover.use(impl_->kept_abstraction());
+  const locate::Located located = triangulation.triangulation().locate(centre);
+  append_ids(triangulation.items(), scratch.cover.strictly_covering(triangulation, located), fit.items);
+  keep_one_of_each(fit.items);
+  fit.fits = fit.items.empty();
+  return {};
+}
+
+Result<DiscFit> World::fit_disc(Point centre, double radius) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  DiscFit fit;
+  if (auto done = fit_disc(centre, radius, *context, fit); !done) return done.error();
+  return fit;
+}
+
+Result<void> World::widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_point_error(domain(), start, 0, "the start")) return *std::move(error);
+  if (auto error = find_point_error(domain(), goal, 1, "the goal")) return *std::move(error);
+  if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
+  const constraint::ExactTriangulation& triangulation = impl_->triangulation;
+  detail::QueryScratch& scratch = *context.scratch_;
+  scratch.cover.use(impl_->kept_abstraction());
+  const auto is_inside_polygon = [&](const Point& end) {
+    return scratch.cover.is_strictly_inside(triangulation, triangulation.triangulation().locate(end));
+  };
+  clearance::WidestGap& gap = scratch.widest_gap;
+  gap.clear();
+  const constraint::ExactTriangulation& walls = impl_->clearance->walls(triangulation);
+  if (!is_inside_polygon(start) && !is_inside_polygon(goal)) {
+    scratch.widest_gap_finder.find(walls, impl_->clearance->bridges(), scratch.near_walls, start, goal, gap);
+  }
+  widest.is_connected = gap.is_connected;
+  widest.is_limited = gap.is_limited;
+  const bool is_unlimited = gap.is_connected && !gap.is_limited;
+  widest.radius = is_unlimited ? std::numeric_limits<double>::infinity() : gap.radius;
+  widest.from = gap.from;
+  widest.to = gap.to;
+  widest.from_items.clear();
+  widest.to_items.clear();
+  append_ids(walls.items(), gap.from_items, widest.from_items);
+  append_ids(walls.items(), gap.to_items, widest.to_items);
+  keep_one_of_each(widest.from_items);
+  keep_one_of_each(widest.to_items);
+  return {};
+}
+
+Result<WidestPath> World::widest_path(Point start, Point goal) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  WidestPath widest;
+  if (auto done = widest_path(start, goal, *context, widest); !done) return done.error();
+  return widest;
+}
+
+}  // namespace waywright
