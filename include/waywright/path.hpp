@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "waywright/clearance.hpp"
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/point.hpp"
@@ -61,7 +62,10 @@ struct PathBudget {
 struct PathQuery {
   Point start;
   Point goal;
-  double radius = 0.0;  ///< the radius of the agent, 0 or more; this version supports only 0
+  /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
+  /// (WorldOptions::keep_bridges). The answer is then the shortest path for every algorithm, in Path::pieces. This
+  /// version does not move the ends of such a path, and PathSearch and find_paths_from do not support it.
+  double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
   bool wants_channel = false;  ///< whether the answer contains Path::channel
@@ -76,9 +80,9 @@ struct PathQuery {
 /// The outcome of a search. "No path" is an answer, not an error.
 enum class PathStatus : std::uint8_t {
   found,          ///< there is a path
-  start_blocked,  ///< the start lies strictly inside a polygon, and no free position is within the end tolerance
-  goal_blocked,   ///< the goal lies strictly inside a polygon, and no free position is within the end tolerance
-  no_path,        ///< neither end lies strictly inside a polygon, but no path connects them
+  start_blocked,  ///< the start lies strictly inside a polygon, or a wall is nearer than the radius; it was not moved
+  goal_blocked,   ///< the goal lies strictly inside a polygon, or a wall is nearer than the radius; it was not moved
+  no_path,        ///< no end is blocked, but no path connects them
 };
 
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
@@ -96,6 +100,30 @@ struct Portal {
   Point right;
 
   friend bool operator==(const Portal&, const Portal&) = default;
+};
+
+/// A piece of the path of a disc's centre: an element of Path::pieces.
+///
+/// @code{.cpp}
+/// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+/// yard.insert_segment({50, 0}, {50, 60}, 1).value();
+/// const Path around = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+/// const bool turns = around.pieces[1].kind == PathPiece::Kind::arc;  // == true
+/// const Point centre = around.pieces[1].centre;                      // == Point{50, 60}
+/// @endcode
+struct PathPiece {
+  /// The kind of a piece.
+  enum class Kind : std::uint8_t { line, arc };
+
+  Kind kind = Kind::line;
+  Point from;                ///< where the piece starts
+  Point to;                  ///< where it ends: the next piece starts there
+  Point centre;              ///< of an arc: a corner of an item, or of the domain
+  double radius = 0.0;       ///< of an arc: the radius of the agent
+  double start_angle = 0.0;  ///< of an arc: the angle from the centre to `from`, in radians
+  double end_angle = 0.0;    ///< of an arc: larger than `start_angle` if the arc turns left, otherwise smaller
+
+  friend bool operator==(const PathPiece&, const PathPiece&) = default;
 };
 
 /// A start or goal that the search moved: `from` is the point in the query, `to` is the point where the path starts or
@@ -148,17 +176,24 @@ enum class Precision : std::uint8_t {
 /// @endcode
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
-  double length = 0.0;                  ///< the Euclidean length; 0 unless found
-  double lower_bound = 0.0;             ///< no path is shorter; equals `length` if that is proven; 0 unless found
-  std::vector<Point> points;            ///< the start, the turns of the path, the goal; empty unless found
+  double length = 0.0;       ///< the Euclidean length; 0 unless found
+  double lower_bound = 0.0;  ///< no path is shorter; equals `length` if that is proven; 0 unless found
+  /// The start, the turns of the path, the goal. Empty unless found, and if the query has a radius above 0.
+  std::vector<Point> points;
+  /// The lines and arcs from the start to the goal, if the query has a radius above 0. Otherwise empty, and if start
+  /// and goal are equal. Each position on them keeps at least the radius from all walls, up to rounding errors.
+  std::vector<PathPiece> pieces;
   std::vector<Portal> channel;          ///< the edges that the path crosses, in order; empty unless found and wanted
   std::size_t expansions = 0;           ///< the number of triangles that the search entered
   std::chrono::nanoseconds time{0};     ///< the time that the search took; 0 unless wanted
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
-  /// The polygons in whose interior the blocked end lies, ascending. Empty unless the status is start_blocked or
-  /// goal_blocked.
+  /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
+  /// disc there, see DiscFit::items. Empty unless the status is start_blocked or goal_blocked.
   std::vector<ItemId> blockers;
+  /// The largest disc that gets from start to goal. Set if the query has a radius above 0, the status is no_path, and a
+  /// smaller disc gets through.
+  std::optional<WidestPath> widest;
 
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
   /// distance above the length gives the goal. NaN counts as 0.

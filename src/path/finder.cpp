@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "path/clear.hpp"
+
 namespace waywright::path {
 
 namespace {
@@ -17,19 +19,6 @@ constexpr std::size_t kManyGoals = 256;
 
 std::size_t saturating_add(std::size_t a, std::size_t b) {
   return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max() : a + b;
-}
-
-void clear(Path& path) {
-  path.status = PathStatus::no_path;
-  path.length = 0.0;
-  path.lower_bound = 0.0;
-  path.points.clear();
-  path.channel.clear();
-  path.expansions = 0;
-  path.time = {};
-  path.moved_start.reset();
-  path.moved_goal.reset();
-  path.blockers.clear();
 }
 
 }  // namespace

@@ -33,8 +33,11 @@ Result<void> World::fit_disc(Point centre, double radius, QueryContext& context,
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), centre, 0, "the centre")) return *std::move(error);
   if (auto error = find_size_error(radius)) return *std::move(error);
-  const constraint::ExactTriangulation& triangulation = impl_->triangulation;
-  detail::QueryScratch& scratch = *context.scratch_;
+  impl_->fit_disc(centre, radius, *context.scratch_, fit);
+  return {};
+}
+
+void World::Impl::fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const {
   fit.items.clear();
   if (radius > 0.0) {
     std::vector<std::uint32_t>& slots = scratch.items.slots;
@@ -42,12 +45,11 @@ Result<void> World::fit_disc(Point centre, double radius, QueryContext& context,
     scratch.near_walls.find_items(triangulation, centre, radius, slots);
     append_ids(triangulation.items(), slots, fit.items);
   }
-  scratch.cover.use(impl_->kept_abstraction());
+  scratch.cover.use(kept_abstraction());
   const locate::Located located = triangulation.triangulation().locate(centre);
   append_ids(triangulation.items(), scratch.cover.strictly_covering(triangulation, located), fit.items);
   keep_one_of_each(fit.items);
   fit.fits = fit.items.empty();
-  return {};
 }
 
 Result<DiscFit> World::fit_disc(Point centre, double radius) const {
@@ -62,17 +64,21 @@ Result<void> World::widest_path(Point start, Point goal, QueryContext& context, 
   if (auto error = find_point_error(domain(), start, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), goal, 1, "the goal")) return *std::move(error);
   if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
-  const constraint::ExactTriangulation& triangulation = impl_->triangulation;
-  detail::QueryScratch& scratch = *context.scratch_;
-  scratch.cover.use(impl_->kept_abstraction());
+  impl_->widest_path(start, goal, *context.scratch_, widest);
+  return {};
+}
+
+void World::Impl::widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch,
+                              WidestPath& widest) const {
+  scratch.cover.use(kept_abstraction());
   const auto is_inside_polygon = [&](const Point& end) {
     return scratch.cover.is_strictly_inside(triangulation, triangulation.triangulation().locate(end));
   };
-  clearance::WidestGap& gap = scratch.widest_gap;
+  auto& gap = scratch.widest_gap;
   gap.clear();
-  const constraint::ExactTriangulation& walls = impl_->clearance->walls(triangulation);
+  const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   if (!is_inside_polygon(start) && !is_inside_polygon(goal)) {
-    scratch.widest_gap_finder.find(walls, impl_->clearance->bridges(), scratch.near_walls, start, goal, gap);
+    scratch.widest_gap_finder.find(walls, clearance->bridges(), scratch.near_walls, start, goal, gap);
   }
   widest.is_connected = gap.is_connected;
   widest.is_limited = gap.is_limited;
@@ -86,7 +92,6 @@ Result<void> World::widest_path(Point start, Point goal, QueryContext& context, 
   append_ids(walls.items(), gap.to_items, widest.to_items);
   keep_one_of_each(widest.from_items);
   keep_one_of_each(widest.to_items);
-  return {};
 }
 
 Result<WidestPath> World::widest_path(Point start, Point goal) const {

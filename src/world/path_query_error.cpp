@@ -14,7 +14,8 @@ std::optional<Error> find_size_error(double radius) {
 std::optional<Error> find_radius_error(double radius) {
   if (auto error = find_size_error(radius)) return error;
   if (radius > 0.0) {
-    return Error{ErrorCode::not_supported, "paths for a radius above 0 are not supported yet", {}, 0};
+    return Error{
+        ErrorCode::not_supported, "this query does not support a radius above 0 yet; World::find_path does", {}, 0};
   }
   return std::nullopt;
 }
@@ -24,12 +25,16 @@ std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance
   return Error{ErrorCode::bad_distance, "the end tolerance is negative or not a number", {}, 0};
 }
 
-std::optional<Error> find_query_error(const Box& domain, bool keeps_abstraction, const PathQuery& query) {
+std::optional<Error> find_query_error(const Box& domain, const Kept& kept, const PathQuery& query) {
   if (auto error = find_point_error(domain, query.start, 0, "the start")) return error;
   if (auto error = find_point_error(domain, query.goal, 1, "the goal")) return error;
-  if (auto error = find_radius_error(query.radius)) return error;
+  if (auto error = find_size_error(query.radius)) return error;
   if (auto error = find_tolerance_error(query.end_tolerance)) return error;
-  if (query.algorithm == PathAlgorithm::tra && !keeps_abstraction) {
+  if (query.radius > 0.0) {
+    if (kept.has_bridges) return std::nullopt;
+    return Error{ErrorCode::no_bridges, "a path for a radius above 0 needs a world that keeps its bridges", {}, 0};
+  }
+  if (query.algorithm == PathAlgorithm::tra && !kept.has_abstraction) {
     return Error{ErrorCode::not_supported, "the path algorithm tra needs a world that keeps its abstraction", {}, 0};
   }
   return std::nullopt;

@@ -72,8 +72,8 @@ PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   const base::FloatEnvironment environment;
   cancel();
-  if (auto error = find_query_error(world.domain(), world.impl_->abstraction.has_value(), query))
-    return *std::move(error);
+  if (auto error = find_radius_error(query.radius)) return *std::move(error);
+  if (auto error = find_query_error(world.domain(), world.impl_->kept(), query)) return *std::move(error);
   impl_->query = query;
   impl_->restarts = 0;
   impl_->world = &*world.impl_;

@@ -22,16 +22,16 @@ constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
+void World::Impl::find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
+  if (query.radius > 0.0) return find_disc_path(query, scratch, path);
+  scratch.finder.begin(triangulation, kept_abstraction(), query, path);
+  scratch.finder.step(kToTheEnd, path);
+}
+
 Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
   const base::FloatEnvironment environment;
-  const Impl& impl = *impl_;
-  const nav::Abstraction* const abstraction = impl.kept_abstraction();
-  if (auto error = find_query_error(impl.triangulation.domain(), abstraction != nullptr, query)) {
-    return *std::move(error);
-  }
-  path::Finder& finder = context.scratch_->finder;
-  finder.begin(impl.triangulation, abstraction, query, path);
-  finder.step(kToTheEnd, path);
+  if (auto error = find_query_error(domain(), impl_->kept(), query)) return *std::move(error);
+  impl_->find_path(query, *context.scratch_, path);
   return {};
 }
 
@@ -47,7 +47,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
                                std::vector<Path>& paths, JobSystem* jobs) const {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (auto error = find_query_error(domain(), impl_->abstraction.has_value(), queries[i])) {
+    if (auto error = find_query_error(domain(), impl_->kept(), queries[i])) {
       error->index = i;
       error->words.list = "query";
       return *std::move(error);
@@ -57,9 +57,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   paths.resize(queries.size());
   const threads::ThreadTeam team(std::clamp(queries.size(), std::size_t{1}, contexts.size()), {}, jobs);
   team.for_each_index(queries.size(), [&](std::size_t thread, std::size_t i) {
-    path::Finder& finder = contexts[thread].scratch_->finder;
-    finder.begin(impl_->triangulation, impl_->kept_abstraction(), queries[i], paths[i]);
-    finder.step(kToTheEnd, paths[i]);
+    impl_->find_path(queries[i], *contexts[thread].scratch_, paths[i]);
   });
   return {};
 }

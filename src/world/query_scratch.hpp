@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "waywright/clearance.hpp"
 #include "waywright/query_context.hpp"
 
 #include "clearance/near_walls.hpp"
@@ -7,6 +10,7 @@
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
 #include "nav/kept_cover.hpp"
+#include "path/disc_optimal.hpp"
 #include "path/finder.hpp"
 #include "path/polyline_walk.hpp"
 
@@ -20,6 +24,9 @@ struct QueryScratch {
   clearance::WidestGapFinder widest_gap_finder;
   clearance::WidestGap widest_gap;
   path::Finder finder;
+  path::DiscOptimal disc_search;
+  std::vector<path::DiscPiece> disc_pieces;
+  DiscFit fit;
   path::PolylineWalk polyline_walk;
 };
 

@@ -11,6 +11,7 @@
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
 #include "world/change_log.hpp"
+#include "world/path_query_error.hpp"
 #include "world/spare_context.hpp"
 #include "world/touch_log.hpp"
 
@@ -33,6 +34,13 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   template <class Rings>
   void note_item(ItemKind kind, const Rings& rings);
   void note_removal(std::uint32_t slot);
+  /// What the world keeps for path queries.
+  [[nodiscard]] Kept kept() const { return {abstraction.has_value(), clearance != nullptr}; }
+  // The queries behind the functions of World with these names. Requires: the query has no error.
+  void find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  void find_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
+  void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 

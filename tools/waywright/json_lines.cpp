@@ -1,7 +1,10 @@
 #include "json_lines.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -57,6 +60,43 @@ std::string json_line(const Request& request, const Location& location) {
   return out + "]}";
 }
 
+namespace {
+
+/// Appends the lines and arcs of the path of a disc.
+void append_pieces(std::string& out, std::span<const PathPiece> pieces) {
+  const char* separator = "";
+  for (const PathPiece& piece : pieces) {
+    out += std::exchange(separator, ",");
+    if (piece.kind == PathPiece::Kind::line) {
+      out += R"({"line":[)";
+      append_point(out, piece.from);
+      out += ',';
+      append_point(out, piece.to);
+      out += "]}";
+      continue;
+    }
+    out += R"({"arc":[)";
+    append_point(out, piece.centre);
+    out += fmt::format(",{},{},{}]}}", piece.radius, without_sign_of_zero(piece.start_angle),
+                       without_sign_of_zero(piece.end_angle));
+  }
+}
+
+void append_widest(std::string& out, const WidestPath& widest) {
+  out += fmt::format(R"(,"widest":{{"radius":{},"gap":[[)", widest.radius);
+  append_point(out, widest.from);
+  out += "],[";
+  append_point(out, widest.to);
+  out += R"(]],"items":[)";
+  std::vector<ItemId> items;
+  std::set_union(widest.from_items.begin(), widest.from_items.end(), widest.to_items.begin(), widest.to_items.end(),
+                 std::back_inserter(items));
+  append_ids(out, items);
+  out += "]}";
+}
+
+}  // namespace
+
 std::string json_line(const Request& request, const Path& path) {
   if (path.status != PathStatus::found) {
     std::string out = opening(request) + fmt::format(R"(,"found":false,"reason":"{}")", to_string(path.status));
@@ -65,6 +105,7 @@ std::string json_line(const Request& request, const Path& path) {
       append_ids(out, path.blockers);
       out += ']';
     }
+    if (path.widest && path.widest->is_limited) append_widest(out, *path.widest);
     return out + '}';
   }
   std::string out = opening(request) + fmt::format(R"(,"found":true,"length":{},"pieces":[)", path.length);
@@ -75,6 +116,7 @@ std::string json_line(const Request& request, const Path& path) {
     append_point(out, path.points[i]);
     out += "]}";
   }
+  append_pieces(out, path.pieces);
   out += ']';
   append_moved(out, "moved_start", path.moved_start);
   append_moved(out, "moved_goal", path.moved_goal);

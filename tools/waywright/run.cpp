@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -23,7 +24,11 @@ namespace waywright::command {
 namespace {
 
 World create_world(const Script& script, const std::string& name) {
-  Result<World> world = World::create(script.domain);
+  // Only paths of discs need the bridges, which make changes slower.
+  const bool has_discs = std::any_of(script.lines.begin(), script.lines.end(), [](const ScriptLine& line) {
+    return line.kind == ScriptLineKind::path && line.radius > 0.0;
+  });
+  Result<World> world = World::create(script.domain, {.keep_bridges = has_discs});
   if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", name, script.domain_line, world.error().message()));
   return std::move(world).value();
 }
