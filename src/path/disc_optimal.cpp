@@ -378,7 +378,11 @@ void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) const {
       piece.side = arc(next, after.direction) == 0.0 ? 0 : next.contact.side;
       piece.end_direction = after.direction;
     }
-    pieces.push_back(piece);
+    if (pieces.size() > count && direction == pieces.back().direction) {
+      pieces.back().from = piece.from;  // the line goes straight on past the contact
+    } else {
+      pieces.push_back(piece);
+    }
     if (arc(root, direction) == 0.0 && root.before != kNone) {
       pieces.back().from = touching_point(root.contact, root.direction, map_->radius) + map_->origin;
     }

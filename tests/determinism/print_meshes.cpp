@@ -61,6 +61,17 @@ void print_discs(const World& world, const Point& start, const Point& goal, doub
     if (fit) print_ids(fit->items);
     std::cout << '\n';
   }
+  for (const double radius : {0x1p-10 * extent, 0x1p-6 * extent, 0x1p-4 * extent}) {
+    const Result<Path> path = world.find_path({.start = start, .goal = goal, .radius = radius});
+    if (!path) continue;
+    std::cout << "disc path " << to_string(path->status) << ' ' << bits_of(path->length);
+    for (const PathPiece& piece : path->pieces) {
+      for (const double number :
+           {piece.from.x, piece.from.y, piece.to.x, piece.to.y, piece.start_angle, piece.end_angle})
+        std::cout << ' ' << bits_of(number);
+    }
+    std::cout << '\n';
+  }
   const Result<WidestPath> widest = world.widest_path(start, goal);
   std::cout << "widest ";
   if (!widest) {

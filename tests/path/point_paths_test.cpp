@@ -216,7 +216,7 @@ TEST(PathQueries, RefuseWhatCannotBeDone) {
   EXPECT_EQ(code({{0, 0}, {std::nan(""), 1}}), ErrorCode::coordinate_range);
   EXPECT_EQ(code({{0, 0}, {1, 1}, -1.0}), ErrorCode::bad_radius);
   EXPECT_EQ(code({{0, 0}, {1, 1}, std::nan("")}), ErrorCode::bad_radius);
-  EXPECT_EQ(code({{0, 0}, {1, 1}, 1.0}), ErrorCode::not_supported);
+  EXPECT_EQ(code({{0, 0}, {1, 1}, 1.0}), ErrorCode::no_bridges);
   EXPECT_EQ(bare.find_path({{0, 0}, {1, 1}, 0.0, PathAlgorithm::tra}).error().code, ErrorCode::not_supported);
 }
 

@@ -61,6 +61,19 @@ TEST(RunCommand, PrintsTheFirstWallOfARay) {
             "{\"line\":10,\"op\":\"ray\",\"hit\":true,\"at\":[5,10],\"items\":[0]}\n");
 }
 
+TEST(RunCommand, PrintsPathsOfDiscsAsLinesAndArcsOrTheGapThatStopsThem) {
+  const std::string walls = kHead + "segment 4 5 0 5 4\nsegment 9 5 6 5 10\n";
+  const auto result = run_script(walls + "path 1 5 9 5 1\npath 4.5 1 9 5 1\npath 2 5 8 5 1.5\n");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out,
+            "{\"line\":5,\"op\":\"path\",\"found\":true,\"length\":8,\"pieces\":[{\"line\":[1,5,9,5]}]}\n"
+            "{\"line\":6,\"op\":\"path\",\"found\":false,\"reason\":\"start-blocked\",\"items\":[4]}\n"
+            "{\"line\":7,\"op\":\"path\",\"found\":false,\"reason\":\"no-path\",\"widest\":{\"radius\":1,"
+            "\"gap\":[[5,4],[5,6]],\"items\":[4,9]}}\n");
+  const auto turning = run_script(walls + "path 2 4 8 4 0.5\n");
+  EXPECT_NE(turning.out.find("{\"arc\":[5,4,0.5,"), std::string::npos) << turning.out;
+}
+
 TEST(RunCommand, PrintsWhetherADiscFitsAndWhatStopsIt) {
   const auto result =
       run_script(kHead +
@@ -197,8 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 20 1 0", "path", "out-of-domain"}, Refusal{"path -1 1 2 1 0 ta", "path", "out-of-domain"},
         Refusal{"path 1 1 2 1e300 0", "path", "coordinate-range"}, Refusal{"path 1 1 2 1 -1", "path", "bad-radius"},
         Refusal{"path 1 1 2 1 inf", "path", "bad-radius"}, Refusal{"path 1 1 2 1 nan ta", "path", "bad-radius"},
-        Refusal{"path 1 1 2 1 0.5", "path", "not-supported"}, Refusal{"remove 9", "remove", "unknown-id"},
-        Refusal{"path 1 1 2 1 0 tolerance -1", "path", "bad-distance"},
+        Refusal{"remove 9", "remove", "unknown-id"}, Refusal{"path 1 1 2 1 0 tolerance -1", "path", "bad-distance"},
         Refusal{"path 1 1 2 1 0 ta tolerance nan", "path", "bad-distance"},
         Refusal{"clear 2 1 1 12 1", "clear", "out-of-domain"}, Refusal{"clear 1 nan 1", "clear", "coordinate-range"},
         Refusal{"ray 1 1 2 12", "ray", "out-of-domain"}, Refusal{"ray -1 1 2 2", "ray", "out-of-domain"},

@@ -1,0 +1,126 @@
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/case_count.hpp"
+#include "support/disc_oracle.hpp"
+#include "support/disc_scenes.hpp"
+
+namespace waywright::test {
+namespace {
+
+World world_with_bridges(const Box& domain) { return World::create(domain, {.keep_bridges = true}).value(); }
+
+/// A wall from the bottom and one from the top, with a gap from y = 60 to y = 70.
+World two_walls() {
+  World world = world_with_bridges({{0, 0}, {100, 100}});
+  world.insert_segment({50, 0}, {50, 60}, 1).value();
+  world.insert_segment({50, 70}, {50, 100}, 2).value();
+  return world;
+}
+
+std::vector<disc::Piece> pieces_of(const Path& path) {
+  std::vector<disc::Piece> result;
+  for (const PathPiece& piece : path.pieces) {
+    result.push_back(piece.kind == PathPiece::Kind::line
+                         ? disc::Piece::line(piece.from, piece.to)
+                         : disc::Piece::arc(piece.centre, piece.radius, piece.start_angle, piece.end_angle));
+  }
+  return result;
+}
+
+TEST(DiscPaths, PassAGapOfExactlyTheirDiameter) {
+  const World world = two_walls();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  ASSERT_EQ(path.status, PathStatus::found);
+  ASSERT_EQ(path.pieces.size(), 3U);
+  EXPECT_EQ(path.pieces[1].centre, (Point{50, 60}));
+  EXPECT_EQ(path.pieces[1].radius, 5);
+  EXPECT_GT(path.pieces[1].start_angle, path.pieces[1].end_angle);
+  EXPECT_TRUE(path.points.empty());
+}
+
+TEST(DiscPaths, SayWhichGapIsTooNarrowByOneUlp) {
+  const World world = two_walls();
+  const double radius = std::nextafter(5.0, 6.0);
+  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = radius}).value();
+  ASSERT_EQ(path.status, PathStatus::no_path);
+  ASSERT_TRUE(path.widest.has_value());
+  EXPECT_EQ(path.widest->radius, 5.0);
+  EXPECT_EQ(path.widest->from_items, (std::vector<ItemId>{1}));
+  EXPECT_EQ(path.widest->to_items, (std::vector<ItemId>{2}));
+}
+
+TEST(DiscPaths, NameTheItemsThatBlockAnEnd) {
+  const World world = two_walls();
+  const Path start = world.find_path({.start = {48, 50}, .goal = {80, 50}, .radius = 5}).value();
+  EXPECT_EQ(start.status, PathStatus::start_blocked);
+  EXPECT_EQ(start.blockers, (std::vector<ItemId>{1}));
+  const Path goal = world.find_path({.start = {20, 50}, .goal = {80, 97}, .radius = 5}).value();
+  EXPECT_EQ(goal.status, PathStatus::goal_blocked);
+  EXPECT_EQ(goal.blockers, (std::vector<ItemId>{ItemId{}}));
+}
+
+TEST(DiscPaths, NeedBridges) {
+  const World world = World::create({{0, 0}, {100, 100}}).value();
+  const auto refused = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::no_bridges);
+}
+
+TEST(DiscPaths, HaveNoPiecesIfStartAndGoalAreEqual) {
+  const World world = two_walls();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {20, 50}, .radius = 5}).value();
+  EXPECT_EQ(path.status, PathStatus::found);
+  EXPECT_EQ(path.length, 0.0);
+  EXPECT_TRUE(path.pieces.empty());
+}
+
+TEST(DiscPaths, DoNotDependOnPoints) {
+  World world = two_walls();
+  const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 4.5};
+  const Path before = world.find_path(query).value();
+  for (int i = 1; i < 10; ++i) world.insert_point({50, 60.0 + i}).value();
+  world.insert_point({50, 30}).value();
+  const Path after = world.find_path(query).value();
+  EXPECT_EQ(before.pieces, after.pieces);
+  EXPECT_EQ(before.length, after.length);
+}
+
+// As the radius grows, lengths never shrink, and the path ends at the radius that widest_path() gives.
+TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
+  Random random(11);
+  for (std::uint64_t i = 0; i < (case_count() + 3) / 4; ++i) {
+    const disc::NamedScene scene = disc::random_scene(random, disc::SceneKind::mixture);
+    World world = world_with_bridges(scene.domain);
+    for (const auto& [a, b] : scene.walls.segments) world.insert_segment(a, b).value();
+    const disc::Walls walls = walls_of(scene);
+    for (const auto& [start, goal] : scene.queries) {
+      SCOPED_TRACE(to_string(start) + " to " + to_string(goal) + " in scene " + std::to_string(i));
+      const double widest = world.widest_path(start, goal).value().radius;
+      double length = 0.0;
+      for (double radius = scene.radii[0] / 8; radius < scene.radii[3]; radius *= 1.25) {
+        const Path path = world.find_path({.start = start, .goal = goal, .radius = radius}).value();
+        if (path.status == PathStatus::start_blocked || path.status == PathStatus::goal_blocked) break;
+        ASSERT_EQ(path.status == PathStatus::found, radius <= widest) << "radius " << radius;
+        if (path.status != PathStatus::found) break;
+        ASSERT_GE(path.length, length * (1 - 1e-12)) << "radius " << radius;
+        length = path.length;
+        const disc::PathReport report = disc::check_path(walls, start, goal, radius, pieces_of(path));
+        ASSERT_EQ(report.fault, "") << "radius " << radius;
+        ASSERT_NEAR(report.length, length, 1e-9 * length) << "radius " << radius;
+        const Path back = world.find_path({.start = goal, .goal = start, .radius = radius}).value();
+        ASSERT_NEAR(back.length, length, 1e-12 * length) << "radius " << radius;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace waywright::test
