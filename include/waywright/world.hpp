@@ -152,10 +152,10 @@ struct WorldOptions {
   /// enter far more triangles, and the world does not support PathAlgorithm::tra.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
-  /// say how wide the gaps are, for discs of any radius. World::widest_path needs them. An operation then takes several
-  /// times as long, because it also updates the bridges near its changes. A world takes about 60 bytes more for each
-  /// vertex. If an item is a point or has a ring with only one corner, the world keeps a second mesh, of the walls
-  /// alone, and each operation changes both meshes.
+  /// say how wide the gaps are, for discs of any radius. World::widest_path needs them, and World::find_path needs them
+  /// for agents with a radius above 0. An operation then takes several times as long, because it also updates the
+  /// bridges near its changes. A world takes about 60 bytes more for each vertex. If an item is a point or has a ring
+  /// with only one corner, the world keeps a second mesh, of the walls alone, and each operation changes both meshes.
   bool keep_bridges = false;
 };
 
@@ -445,7 +445,11 @@ class WAYWRIGHT_API World {
   ///   search then moves it across the wall, if this connects start and goal. This requires a world that keeps its
   ///   abstraction.
   ///
-  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported.
+  /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. The search
+  /// then moves no end.
+  ///
+  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported; no_bridges, if the radius is
+  /// above 0 and the world does not keep its bridges (WorldOptions::keep_bridges).
   /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
   /// `context` and `path` have been used for a search of the same size before. If walls separate the ends and the world
   /// keeps its abstraction, the search enters no triangle.
