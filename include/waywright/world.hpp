@@ -535,7 +535,8 @@ class WAYWRIGHT_API World {
   /// if it inserts and removes more items, all further items share the last box.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
-  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
+  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending. A path
+  /// for a radius above 0 counts as affected by every operation after version `since`.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the number of operations that the world has carried out. It grows by one with each operation that

@@ -128,7 +128,8 @@ bool World::is_affected(std::span<const Point> points, std::uint64_t since) cons
 void World::find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const {
   affected.clear();
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (is_affected(paths[i].points, since)) affected.push_back(i);
+    const bool is_old_disc_path = !paths[i].pieces.empty() && version() > since;
+    if (is_old_disc_path || is_affected(paths[i].points, since)) affected.push_back(i);
   }
 }
 

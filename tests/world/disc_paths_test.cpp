@@ -93,6 +93,18 @@ TEST(DiscPaths, DoNotDependOnPoints) {
   EXPECT_EQ(before.length, after.length);
 }
 
+TEST(DiscPaths, AreAffectedByEveryOperation) {
+  World world = two_walls();
+  const std::vector<Path> paths{world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 4}).value()};
+  const std::uint64_t version = world.version();
+  std::vector<std::size_t> affected;
+  world.find_affected(paths, version, affected);
+  EXPECT_TRUE(affected.empty());
+  world.insert_segment({53, 62}, {53, 63}).value();
+  world.find_affected(paths, version, affected);
+  EXPECT_EQ(affected, (std::vector<std::size_t>{0}));
+}
+
 // As the radius grows, lengths never shrink, and the path ends at the radius that widest_path() gives.
 TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
   Random random(11);
