@@ -47,7 +47,7 @@ struct BridgeScratch {
 /// are less than 180 degrees, and a bridge needs 90 degrees on its left and on its right.
 ///
 /// Source: the bridges are the Gabriel edges (Gabriel and Sokal 1969) of the walls. Edelsbrunner, *The union of balls
-/// and its dual shape*, 1995, explains what they say about discs.
+/// and its dual shape*, 1995, explains which discs can pass them.
 class BridgeFinder {
  public:
   using Triangulation = constraint::ExactTriangulation;
