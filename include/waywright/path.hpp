@@ -177,7 +177,7 @@ enum class Precision : std::uint8_t {
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
   double length = 0.0;       ///< the Euclidean length; 0 unless found
-  double lower_bound = 0.0;  ///< no path is shorter; equals `length` if that is proven; 0 unless found
+  double lower_bound = 0.0;  ///< no path is shorter; equal to `length` if the path is proven shortest; 0 unless found
   /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0.
   std::vector<Point> points;
   /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, if

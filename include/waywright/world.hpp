@@ -447,12 +447,13 @@ class WAYWRIGHT_API World {
   ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
   /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep
-  /// its bridges. Cost: the location of both ends, and the triangles that the search enters (Path::expansions).
-  /// Allocates nothing if `context` and `path` have been used for a search of the same size before, except for
-  /// Path::widest. If walls separate the ends and the world keeps its abstraction, the search for a point agent enters
-  /// no triangle. Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017
-  /// (`optimal`); Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md
-  /// describes the differences.
+  /// its bridges.
+  /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
+  /// `context` and `path` have been used for a search of the same size before, except for Path::widest. If walls
+  /// separate the ends and the world keeps its abstraction, the search for a point agent enters no triangle.
+  /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
+  /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md describes the
+  /// differences.
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;

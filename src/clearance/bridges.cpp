@@ -130,7 +130,8 @@ void Bridges::collect_touched(const Triangulation& triangulation) {
   });
 }
 
-/// Removes all bridges along the edges of touched faces, from their corners, and to walls on their border.
+/// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
+/// an edge of such a face.
 void Bridges::clear_touched() {
   for (const Face f : touched_) clear_face(f);
 }

@@ -19,7 +19,7 @@ struct CellEdge {
 
   Kind kind = Kind::wall;
   mesh::HalfEdge h = mesh::kNoHalfEdge;
-  std::uint32_t foot = Bridges::kNone;  ///< of a foot bridge; of a wall: where the piece starts, or kNone at its origin
+  std::uint32_t foot = Bridges::kNone;  ///< foot bridge: its foot; wall: where the piece starts, or kNone at the origin
 
   [[nodiscard]] bool is_gate() const { return kind != Kind::wall; }
   friend bool operator==(const CellEdge&, const CellEdge&) = default;

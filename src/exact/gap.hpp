@@ -28,7 +28,7 @@ struct Gap {
 };
 
 namespace detail {
-/// Runs the stages that follow the filter of dot(), one after the other.
+/// These functions run the stages that follow the filter of dot(), one after the other.
 [[nodiscard]] Sign finer_dot(const Point& p, const Point& q, const Point& a, const Point& b);
 [[nodiscard]] Sign finer_dot(const Point& p, const Crossing& q, const Point& a, const Point& b);
 

@@ -72,8 +72,9 @@ class DiscOptimal {
     int side = 0;  ///< of a contact: 1 if the path turns left around it, -1 if right
     std::uint32_t root;
     mesh::Vertex vertex = mesh::kNoVertex;  ///< of a contact
-    clearance::CellEdge edge;  ///< window: the gate as an edge of the cell beyond; contact: starts at the vertex, has
-                               ///< the position of the contact in its cell
+    /// Of a window: the gate, as an edge of the cell beyond it. Of a contact: an edge that starts at the vertex and
+    /// whose cell contains the position of the contact.
+    clearance::CellEdge edge;
     clearance::CellEdge cell;  ///< the cell in which the straight line leaves the root
     Point right;               ///< window: its right bound; contact, goal: the direction of the line, as in `left`
     Point left;
