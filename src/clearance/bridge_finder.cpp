@@ -87,9 +87,8 @@ Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
 }
 
 /// Returns whether the foot lies strictly inside the wall, and the gap leaves the face of `corner` through the edge
-/// from x to y that is opposite to the corner's origin w. The wall has w on its left. Consider
-/// the line of the gap: the wall's origin and x lie left of it, and the wall's target and y right of it, or the
-/// reverse.
+/// from x to y that is opposite to the corner's origin w. The wall has w on its left. Consider the line of the gap: the
+/// wall's origin and x lie left of it, and the wall's target and y right of it, or the reverse.
 bool BridgeFinder::has_foot_on(const Gap& gap, HalfEdge corner, HalfEdge wall) const {
   const Sign sign = side_of_foot(gap, mesh_.origin(wall));
   return sign != Sign::zero && side_of_foot(gap, mesh_.target(wall)) == -sign &&

@@ -174,7 +174,7 @@ std::optional<CellEdge> NearWalls::find_cell_at(const Triangulation& triangulati
   const Sign before = exact::dot(point, geometry.exact(number(from)), line.from, line.to);
   const Sign after = exact::dot(point, geometry.exact(number(to)), line.from, line.to);
   if (before == Sign::negative && after == Sign::positive) {
-    // The search may have come around the end of the wall. Then the point lies in front of the wall's other face.
+    // The search may have come around the end of the wall. Then the point lies right of the half-edge.
     const bool is_on_left = geometry.orientation(exact::Geometry::view(line.from), exact::Geometry::view(line.to),
                                                  exact::Geometry::view(point)) == Sign::positive;
     return cell_at_wall(triangulation, bridges, point, is_on_left ? wall : triangulation.topology().twin(wall));
