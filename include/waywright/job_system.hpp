@@ -41,9 +41,9 @@ class WAYWRIGHT_API JobSystem {
   /// Calls job(i) once for each i below `count`, and returns when all these calls have returned.
   ///
   /// Your run() may make the calls on any thread (the calling thread, too), in any order, at the same time or one after
-  /// the other. No job waits for another job. It may also omit calls, for example because no thread is idle. The
-  /// library then makes these calls itself after run() has returned. After run() has returned or thrown, it must not
-  /// make any further call.
+  /// the other. No job waits for another job. Your run() may also omit calls, for example because no thread is idle.
+  /// The library then makes these calls itself after run() has returned. After run() has returned or thrown, it must
+  /// not make any further call.
   ///
   /// The library calls run() on the thread that called the library, several times in one operation, and with a `count`
   /// of 2 or more. If several threads use the library with the same job system at once, they call run() at once.

@@ -177,15 +177,21 @@ enum class Precision : std::uint8_t {
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
   double length = 0.0;       ///< the Euclidean length; 0 unless found
-  double lower_bound = 0.0;  ///< no path is shorter; equals `length` if that is proven; 0 unless found
-  /// The start, the turns of the path, the goal. Empty unless found, and if the query has a radius above 0.
+  double lower_bound = 0.0;  ///< no path is shorter; equal to `length` if the path is proven shortest; 0 unless found
+  /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0.
   std::vector<Point> points;
-  /// The lines and arcs from the start to the goal, if the query has a radius above 0. Otherwise empty, and if start
-  /// and goal are equal. Each position on them keeps at least the radius from all walls, up to rounding errors.
+  /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, if
+  /// there is no path, or if start and goal are equal. Each position on them keeps at least the radius from all walls,
+  /// up to rounding errors.
   std::vector<PathPiece> pieces;
-  std::vector<Portal> channel;          ///< the edges that the path crosses, in order; empty unless found and wanted
-  std::size_t expansions = 0;           ///< the number of triangles that the search entered
-  std::chrono::nanoseconds time{0};     ///< the time that the search took; 0 unless wanted
+  /// The edges that the path crosses, in order. Empty if there is no path, if PathQuery::wants_channel is false, or if
+  /// the query has a radius above 0.
+  std::vector<Portal> channel;
+  /// The number of triangles that the search entered. If the query has a radius above 0, the number of steps of the
+  /// search.
+  std::size_t expansions = 0;
+  /// The time that the search took. 0 if PathQuery::wants_time is false, or if the query has a radius above 0.
+  std::chrono::nanoseconds time{0};
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
   /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
@@ -235,8 +241,8 @@ struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;
   double radius = 0.0;                    ///< the radius of the agent, 0 or more; this version supports only 0
-  bool wants_points = false;              ///< whether the answers have points, or only status and length
-  std::optional<double> end_tolerance{};  ///< as PathQuery::end_tolerance, for the start and for each goal
+  bool wants_points = false;              ///< whether the answers have points; if not, only status and length
+  std::optional<double> end_tolerance{};  ///< like PathQuery::end_tolerance, for the start and for each goal
 };
 
 /// @}

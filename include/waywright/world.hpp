@@ -152,10 +152,10 @@ struct WorldOptions {
   /// enter far more triangles, and the world does not support PathAlgorithm::tra.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
-  /// say how wide the gaps are, for discs of any radius. World::widest_path needs them, and World::find_path needs them
-  /// for agents with a radius above 0. An operation then takes several times as long, because it also updates the
-  /// bridges near its changes. A world takes about 60 bytes more for each vertex. If an item is a point or has a ring
-  /// with only one corner, the world keeps a second mesh, of the walls alone, and each operation changes both meshes.
+  /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
+  /// them. An operation then takes several times as long, because it also updates the bridges near its changes. A world
+  /// takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one corner, the world
+  /// keeps a second mesh, of the walls alone, and each operation changes both meshes.
   bool keep_bridges = false;
 };
 
@@ -448,11 +448,12 @@ class WAYWRIGHT_API World {
   /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. The search
   /// then moves no end.
   ///
-  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance, not_supported; no_bridges, if the radius is
-  /// above 0 and the world does not keep its bridges (WorldOptions::keep_bridges).
+  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
+  /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep
+  /// its bridges.
   /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
-  /// `context` and `path` have been used for a search of the same size before. If walls separate the ends and the world
-  /// keeps its abstraction, the search enters no triangle.
+  /// `context` and `path` have been used for a search of the same size before, except for Path::widest. If walls
+  /// separate the ends and the world keeps its abstraction, the search for a point agent enters no triangle.
   /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
   /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md describes the
   /// differences.
@@ -532,7 +533,7 @@ class WAYWRIGHT_API World {
   /// version `since` has inserted or removed. A replacement counts as a removal and an insertion. If the result is
   /// false and the polyline was clear at that version, it is still clear. The world keeps at least the last 2,048
   /// boxes. If it no longer has all boxes since that version, the result is true. An operation has at most 256 boxes:
-  /// if it inserts and removes more items, all further items share the last box.
+  /// if it inserts and removes more than 256 items, the remaining items share the last box.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending. A path

@@ -42,7 +42,7 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
 // of the bridge becomes a half-plane that contains no vertices, so x and y lie on its near side. Hence the ray from w
 // along the bridge meets the line through x and y before it meets the image of the foot: the foot lies inside the
 // circle through w, x and y. That circle contains no visible vertex. So only walls that cross it can have the foot, and
-// the search follows only edges that cross it. It follows them as far as rays from w cross them, as sight does.
+// the search crosses only edges that cross the circle and that are visible from w.
 HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   const Vertex w = mesh_.origin(corner);
   if (!is_explicit(w)) return mesh::kNoHalfEdge;
@@ -87,8 +87,8 @@ Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
 }
 
 /// Returns whether the foot lies strictly inside the wall, and the gap leaves the face of `corner` through the edge
-/// from x to y that is opposite to the corner's origin w. The wall has w on its left. So the wall's origin and x lie on
-/// one side of the perpendicular through w, and the wall's target and y on the other.
+/// from x to y that is opposite to the corner's origin w. The wall has w on its left. Consider the line of the gap: the
+/// wall's origin and x lie left of it, and the wall's target and y right of it, or the reverse.
 bool BridgeFinder::has_foot_on(const Gap& gap, HalfEdge corner, HalfEdge wall) const {
   const Sign sign = side_of_foot(gap, mesh_.origin(wall));
   return sign != Sign::zero && side_of_foot(gap, mesh_.target(wall)) == -sign &&

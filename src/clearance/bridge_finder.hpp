@@ -47,7 +47,7 @@ struct BridgeScratch {
 /// are less than 180 degrees, and a bridge needs 90 degrees on its left and on its right.
 ///
 /// Source: the bridges are the Gabriel edges (Gabriel and Sokal 1969) of the walls. Edelsbrunner, *The union of balls
-/// and its dual shape*, 1995, explains what they say about discs.
+/// and its dual shape*, 1995, explains what the bridges say about discs.
 class BridgeFinder {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -89,7 +89,8 @@ class BridgeFinder {
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const { return geometry_.is_explicit(number(v)); }
   /// The largest difference between a coordinate of a constructed vertex and the rounded coordinate.
   [[nodiscard]] static double largest_rounding(const Box& domain);
-  /// Where `v` lies along the line of a gap that ends at a foot: the sign of its distance from the perpendicular.
+  /// Says where `v` lies relative to a gap that ends at a foot on the line from a to b: positive if `v` is farther
+  /// along this line than the foot, zero if it lies on the line of the gap, negative otherwise.
   [[nodiscard]] exact::Sign side_of_foot(const exact::Gap& gap, mesh::Vertex v) const;
   [[nodiscard]] bool has_foot_on(const exact::Gap& gap, mesh::HalfEdge corner, mesh::HalfEdge wall) const;
   [[nodiscard]] bool is_blocked_by(const exact::Gap& gap, mesh::HalfEdge wall) const;

@@ -130,7 +130,8 @@ void Bridges::collect_touched(const Triangulation& triangulation) {
   });
 }
 
-/// Removes all bridges along the edges of touched faces, from their corners, and to walls on their border.
+/// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
+/// an edge of such a face.
 void Bridges::clear_touched() {
   for (const Face f : touched_) clear_face(f);
 }
@@ -258,7 +259,7 @@ void Bridges::remove_foot(std::uint32_t foot) {
   free_foot(foot);
 }
 
-// write() comes first: it may run out of memory.
+// Calls write() before push(), because write() may run out of memory.
 void Bridges::free_foot(std::uint32_t foot) {
   feet_.write(foot, {mesh::kNoHalfEdge, mesh::kNoHalfEdge, free_feet_.first()});
   (void)free_feet_.push(foot);
@@ -282,7 +283,7 @@ std::optional<std::string> Bridges::find_fault(const Triangulation& triangulatio
   };
   for (std::uint32_t i = 0; i < 3 * triangulation.topology().face_slots(); ++i) {
     const HalfEdge h{i};
-    // If an operation was undone, the mesh may have more slots than the bridges have. They are free.
+    // If an operation was undone, the mesh may have more slots than the bridges have. These additional slots are free.
     if (!triangulation.triangulation().is_in_box(mesh::face(h))) continue;
     if (is_bridge(h) != rebuilt.is_bridge(h)) return fault_at("the bridge", i);
     if (wall_at(*this, h) != wall_at(rebuilt, h)) return fault_at("the foot bridge", i);

@@ -19,7 +19,8 @@ namespace waywright::clearance {
 /// All bridges of a mesh. BridgeFinder says what a bridge is.
 ///
 /// A disc of radius r gets from one free position to another exactly if no walls and no bridges shorter than 2 r
-/// separate the two. So the bridges say for every radius where a disc fits, and the class stores nothing for a radius.
+/// separate the two. So the bridges say for every radius where a disc can pass. The class stores no data for any
+/// particular radius.
 ///
 /// A bridge between two vertices is an edge of the mesh. A bridge to the inside of a wall is a *foot bridge*: it starts
 /// at a corner of a face, crosses free edges and ends at its foot. Each wall has a list of the foot bridges that end on
@@ -58,7 +59,7 @@ class Bridges {
   /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open. If memory
   /// runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
   void update(const Triangulation& triangulation);
-  /// Undoes the last update(). Requires: neither commit() nor roll_back() was called since. Allocates nothing.
+  /// Undoes the last update(). Requires: since then, neither commit() nor roll_back() was called. Allocates nothing.
   void roll_back();
   /// Frees memory that only roll_back() needs.
   void commit() { before_rebuild_.reset(); }

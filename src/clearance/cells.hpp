@@ -19,24 +19,24 @@ struct CellEdge {
 
   Kind kind = Kind::wall;
   mesh::HalfEdge h = mesh::kNoHalfEdge;
-  std::uint32_t foot = Bridges::kNone;  ///< of a foot bridge; of a wall: where the piece starts, or kNone at its origin
+  std::uint32_t foot = Bridges::kNone;  ///< foot bridge: its foot; wall: where the piece starts, or kNone at the origin
 
   [[nodiscard]] bool is_gate() const { return kind != Kind::wall; }
   friend bool operator==(const CellEdge&, const CellEdge&) = default;
 };
 
 /// The cells into which walls and bridges divide the domain. A *cell* is a face of the planar graph of walls and
-/// bridges. A disc goes from one cell to the next across a bridge (a *gate*), and it can if its diameter is not larger
-/// than the length of the bridge.
+/// bridges. A disc goes from one cell to the next across a bridge (a *gate*). It can cross the gate if its diameter is
+/// not larger than the length of the bridge.
 ///
 /// Two facts make cells the right pieces for discs:
 /// - The wall that is nearest to a position lies on the border of the position's cell: a straight line to the nearest
 ///   wall crosses no bridge. So a disc in a cell touches only walls of this cell.
-/// - Two positions of one cell at which a disc is free are connected for this disc, if the disc fits through any gate
-///   between them at all: within a cell, the distance to the walls has one maximum.
+/// - If a disc is free at two positions of one cell, these positions are connected for this disc: within a cell, the
+///   distance to the walls has one maximum.
 ///
-/// A cell is not stored. next() follows its border, and another call of across() leads to the cell beyond a gate.
-/// Cost of next(): the degree of the vertex at the end of the edge.
+/// A cell is not stored. next() follows its border, and across() leads to the cell beyond a gate. Cost of next(): the
+/// degree of the vertex at the end of the edge.
 class Cells {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -46,7 +46,7 @@ class Cells {
 
   /// The next edge on the border of the same cell.
   [[nodiscard]] CellEdge next(const CellEdge& edge) const;
-  /// The same bridge as an edge of the cell on its other side. Requires: the edge is a gate.
+  /// The same bridge as an edge of the cell beyond it. Requires: the edge is a gate.
   [[nodiscard]] CellEdge across(const CellEdge& gate) const;
   /// The vertex at which the edge starts, or kNoVertex if it starts at a foot.
   [[nodiscard]] mesh::Vertex origin(const CellEdge& edge) const;
@@ -54,9 +54,9 @@ class Cells {
   [[nodiscard]] exact::Gap gap(const CellEdge& gate) const;
   /// The position of a foot, in doubles. It depends only on the geometry of the mesh.
   [[nodiscard]] Point position_of_foot(std::uint32_t foot) const;
-  /// The bridge as a gap that depends only on the geometry of the mesh, in whichever direction the gate leads: a bridge
-  /// between two vertices starts at the first of them in (x, y) order. A foot bridge ends on the first side that lies
-  /// on its wall.
+  /// The bridge as a gap that depends only on the geometry of the mesh, not on the direction of the gate. A bridge
+  /// between two vertices starts at the first of them in (x, y) order. A foot bridge ends on the line of the first
+  /// side, in the order of positions, that lies on its wall.
   [[nodiscard]] exact::Gap canonical_gap(const CellEdge& gate) const;
   /// A number that is different for each gate in each of its two directions. All numbers are below key_count().
   [[nodiscard]] std::uint32_t key(const CellEdge& gate) const;

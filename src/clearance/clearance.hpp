@@ -58,7 +58,7 @@ class Clearance {
   /// Call it for each item that the operation inserts or removes.
   void note_changed(ItemId id) { changed_.push_back(id); }
   /// Updates the bridges, and the second triangulation if there is one, to the triangulation of the world. Requires:
-  /// the operation of that triangulation and an UndoGuard are open, and this is their only call of update(). Cost:
+  /// the operation of that triangulation and an UndoGuard are open, and the operation calls update() only once. Cost:
   /// depends on what changed. The first loose ring costs as much as a new world.
   void update(const Triangulation& world);
 

@@ -10,7 +10,8 @@
 namespace waywright::clearance {
 
 /// A disc in doubles, a little larger than the exact disc that it stands for. A search that visits the faces around a
-/// bridge leaves out what this disc does not touch. It decides nothing else: exact predicates decide about bridges.
+/// bridge leaves out edges that this disc does not touch. The disc decides nothing else: exact predicates decide
+/// whether a gap is a bridge.
 ///
 /// All positions are relative to `origin`, a vertex on the circle, so that a small disc far from (0, 0) keeps its
 /// precision.

@@ -116,7 +116,7 @@ void NearWalls::find_items(const Triangulation& triangulation, const Point& poin
   });
 }
 
-/// Collects the walls that may be nearest to the point, seen from there.
+/// Collects in `candidates_` the walls that may be nearest to the point.
 void NearWalls::find_candidates(const Triangulation& triangulation, const Point& point) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const Distances distances(triangulation, point);
@@ -163,8 +163,8 @@ std::optional<CellEdge> NearWalls::find_cell(const Triangulation& triangulation,
   return std::nullopt;
 }
 
-/// Returns an edge of the cell that contains the point if the position of the wall's side that is nearest to the point
-/// lies on this wall, which is a piece of the side.
+/// The wall is a piece of a side. Let q be the position on this side that is nearest to the point. If q lies on the
+/// wall, returns an edge of the cell that contains the point. Otherwise returns nothing.
 std::optional<CellEdge> NearWalls::find_cell_at(const Triangulation& triangulation, const Bridges& bridges,
                                                 const Point& point, HalfEdge wall) const {
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -174,7 +174,7 @@ std::optional<CellEdge> NearWalls::find_cell_at(const Triangulation& triangulati
   const Sign before = exact::dot(point, geometry.exact(number(from)), line.from, line.to);
   const Sign after = exact::dot(point, geometry.exact(number(to)), line.from, line.to);
   if (before == Sign::negative && after == Sign::positive) {
-    // The search may have come around the end of the wall and have seen it from behind.
+    // The search may have come around the end of the wall. Then the point lies right of the half-edge.
     const bool is_on_left = geometry.orientation(exact::Geometry::view(line.from), exact::Geometry::view(line.to),
                                                  exact::Geometry::view(point)) == Sign::positive;
     return cell_at_wall(triangulation, bridges, point, is_on_left ? wall : triangulation.topology().twin(wall));

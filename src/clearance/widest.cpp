@@ -10,8 +10,9 @@ namespace waywright::clearance {
 
 namespace {
 
-/// Compares the lengths of two gates exactly. Doubles decide if they differ by more than their errors. Positions decide
-/// between gates of equal length, so that the answer does not depend on the order in which the search sees them.
+/// Compares the lengths of two gates exactly. Doubles decide if the lengths differ by more than the rounding errors.
+/// Positions decide between gates of equal length, so that the answer does not depend on the order in which the search
+/// sees them.
 bool is_shorter(const Cells& cells, const CellEdge& p, double p_length, const CellEdge& q, double q_length) {
   constexpr double kRoundingMargin = 0x1p-40;
   if (std::abs(p_length - q_length) > kRoundingMargin * std::max(p_length, q_length)) return p_length < q_length;

@@ -77,7 +77,8 @@ auto answer_of(const Sites<Coordinate, kCount>& sites, [[maybe_unused]] const Ra
   }
 }
 
-/// Between these bounds, the filter can compute with a radius as with a value of degree 2: it is a multiple of 2^-304.
+/// A radius that is 0, or at least this large, is a multiple of 2^-304. So the filter can treat it as a value of degree
+/// 2.
 inline constexpr double kSmallestFilterRadius = 0x1p-250;
 template <class Formula, std::size_t kCount>
 WAYWRIGHT_ALWAYS_INLINE auto in_doubles(const std::array<Point, kCount>& points, double radius)
@@ -93,7 +94,7 @@ template <class Formula, std::size_t kCount>
 using AnswerOf = decltype(answer_of<Formula>(Sites<Integer, kCount>{}, Integer{}));
 
 /// The bits of an offset in each size of the integers of fixed width. With the first size, the formulas compute
-/// products of four offsets in 64 bits. With the second size, these are products of two offsets.
+/// products of four offsets in 64 bits. With the second size, they compute products of two offsets in 64 bits.
 inline constexpr int kSmallOffsetBits = 13;
 inline constexpr int kNarrowOffsetBits = 29;
 inline constexpr int kWideOffsetBits = 60;
@@ -105,11 +106,13 @@ struct SizedQuestion {
   SizedInteger<kBits> radius;
 };
 
-/// Answers without a search for the lattice if all numbers are multiples of kUnit, and less than 2^kBits units from one
-/// another. These are by far the most common numbers of which many distances are equal.
+/// Answers without a search for the lattice if two conditions hold: all numbers are multiples of one unit (1, or 2^-10
+/// in a formula with a radius), and all offsets are below 2^kBits units. If many distances in a world are equal, its
+/// coordinates are nearly always such numbers.
 template <class Formula, std::size_t kCount>
 AnswerOf<Formula, kCount> in_known_units(const std::array<Point, kCount>& points, double radius) {
-  // Formulas with a radius multiply at most four offsets, so that they have more bits for the units.
+  // Formulas with a radius multiply at most four offsets. So each offset can have more bits, and the unit can be
+  // smaller.
   constexpr int kBits = Formula::kHasRadius ? kNarrowOffsetBits : kSmallOffsetBits;
   constexpr double kUnitsPerOne = Formula::kHasRadius ? 0x1p10 : 1.0;
   constexpr double kLimit = std::int64_t{1} << kBits;

@@ -28,7 +28,7 @@ struct Gap {
 };
 
 namespace detail {
-/// Run the stages after the filter of dot(), one after the other.
+/// These functions run the stages that follow the filter of dot(), one after the other.
 [[nodiscard]] Sign finer_dot(const Point& p, const Point& q, const Point& a, const Point& b);
 [[nodiscard]] Sign finer_dot(const Point& p, const Crossing& q, const Point& a, const Point& b);
 
@@ -89,7 +89,7 @@ template <class Coordinate>
 template <class Answer>
 struct StageAnswers {
   std::optional<Answer> doubles;
-  std::optional<Answer> whole;   ///< small whole numbers, without a search for the lattice
+  std::optional<Answer> whole;   ///< small multiples of 1 (with a radius: of 2^-10), without a search for the lattice
   std::optional<Answer> small;   ///< offsets below 2^13 in units of the lattice
   std::optional<Answer> narrow;  ///< offsets below 2^29
   std::optional<Answer> wide;    ///< offsets below 2^60

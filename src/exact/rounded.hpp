@@ -14,10 +14,10 @@
 // Let a formula consist of differences of coordinates, sums, differences and products. Multiplied out, it is a sum of
 // monomials. A computed difference of coordinates is the exact one times (1 + e) with |e| <= u. Each later operation
 // multiplies every monomial of its result by one more such factor. So the computed value is the sum of the exact
-// monomials, each times a product of at most k factors (1 + e). The template parameter kRoundings is such a k:
-//   a difference of coordinates: 1;
-//   a product: the sum of those of both factors, and 1;
-//   a sum or difference: the larger one of those of both terms, and 1.
+// monomials, each times a product of at most k factors (1 + e). The template parameter kRoundings is this k:
+//   for a difference of coordinates: 1;
+//   for a product: the sum of the k of both factors, plus 1;
+//   for a sum or difference: the larger k of its two terms, plus 1.
 // Let m be the sum of the magnitudes of the monomials. Then the error is at most ((1 + u)^k - 1) m. The member
 // `magnitude` is m, computed by the same operations, so that it is at least (1 - u)^k m. So the error is at most
 //   ((1 + u)^k - 1) / (1 - u)^k magnitude <= (k + 2 k^2 u) u magnitude for k <= 1000,
@@ -32,11 +32,11 @@
 // code trusts the sign of such a value only if it exceeds the bound by 2^-1000.
 //
 // Crossings. The stored coordinate of a crossing is the exact one times (1 + e) with |e| <= u, because it is rounded to
-// nearest (and not subnormal, see below). Its difference from a coordinate multiplies it by one more factor: so k is 2,
-// and there are two monomials, the exact coordinates. For the degree, an exact coordinate of a crossing is a fraction
-// (homogeneous.hpp). Its numerator is 0 or at least 2^-456, because it is a sum of products of three multiples of
-// 2^-152. Its denominator is a cross product of two differences, at most 2^203. So the coordinate is 0 or at least
-// 2^-659, the stored one is a multiple of 2^-711, and the difference has degree 5.
+// nearest (and not subnormal, see below). The subtraction of a coordinate multiplies it by one more factor. So k is 2,
+// and the difference has two monomials: the two exact coordinates. For the degree, an exact coordinate of a crossing is
+// a fraction (homogeneous.hpp). Its numerator is 0 or at least 2^-456, because it is a sum of products of three
+// multiples of 2^-152. Its denominator is a cross product of two differences, at most 2^203. So the coordinate is 0 or
+// at least 2^-659, the stored one is a multiple of 2^-711, and the difference has degree 5.
 //
 // Overflow. Differences of coordinates in range are at most 2^101, so values of degree 8 with a few terms are less than
 // 2^900. A coordinate of a crossing is less than 2^610: it is a + t b / w, with a coordinate a, a cross product t and a

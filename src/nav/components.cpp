@@ -226,8 +226,8 @@ void Components::add_piece(std::uint32_t search, Id component) {
   remainders_.push_back({component, searches_[search].group, end - begin, true, begin, end});
 }
 
-// Makes one component of each set of connected groups and the remainders that they connect. The component takes the id
-// of the largest rest of an old component among them, if there is one.
+// Makes one component of each set of connected groups and the remainders that they connect. Some of these remainders
+// are the rest of an old component (Remainder). If there are any, the component takes the id of the largest rest.
 void Components::assign_components(const mesh::TriangleMesh& mesh) {
   for (const Remainder& remainder : remainders_) {
     Group& group = groups_[root_of(group_sets_, remainder.group)];

@@ -7,7 +7,7 @@
 
 namespace waywright::path {
 
-/// What a search for the paths of a disc reads of a world: its walls, their bridges, and the radius.
+/// The input of a search for the path of a disc: the walls of a world, their bridges, and the radius of the disc.
 struct DiscMap {
   const constraint::ExactTriangulation& walls;
   clearance::Cells cells;
@@ -15,7 +15,7 @@ struct DiscMap {
   Point origin;  ///< all positions of a search are relative to this point, so that they are precise far from (0, 0)
 };
 
-/// The border of one cell, with positions in doubles. The first edge is the one that was asked for.
+/// The border of one cell, with positions in doubles. The first edge is the argument of load().
 class CellView {
  public:
   struct Edge {
@@ -25,7 +25,7 @@ class CellView {
     bool is_passable = false;  ///< whether it is a gate through which the disc fits: decided exactly
   };
 
-  /// Reads the border of the cell of `first`. Uses the memory of the last cell again.
+  /// Reads the border of the cell of `first`. Reuses the memory of the previous cell.
   void load(const DiscMap& map, const clearance::CellEdge& first);
 
   [[nodiscard]] std::size_t size() const { return edges_.size(); }

@@ -11,11 +11,11 @@ using mesh::Vertex;
 
 namespace {
 
-/// Directions that differ by less than this count as equal where the search decides what it looks at. Larger views only
-/// cost time. If a disc just fits between two vertices, the tangent between their circles has a length of about the
-/// square root of the rounding error, so its direction is uncertain by 2^-26.
+/// Two directions that differ by less than this count as equal when the search decides which corners and gates are in
+/// view. If a view is too wide, this only costs time. If a disc just fits between two vertices, the tangent between
+/// their circles has a length of about the square root of the rounding error, so its direction is uncertain by 2^-26.
 constexpr double kSameDirection = 0x1p-23;
-/// A line may come nearer to a wall than the radius by this share of it, which rounding explains.
+/// Allows for rounding: a line may be nearer to a wall than the radius, by at most this fraction of the radius.
 constexpr double kNearness = 0x1p-34;
 
 double squared_distance(const Point& p, const Point& a, const Point& b) {
@@ -91,7 +91,7 @@ void DiscOptimal::expand_contact(const Node& node) {
   turn(reached.root, node.edge);
 }
 
-/// Returns whether an earlier path reaches the contact and continues to the node's direction, and is not longer.
+/// Returns whether an earlier path to the contact can also turn to the node's direction, and is then not longer.
 bool DiscOptimal::is_dominated(const Node& node, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
@@ -104,8 +104,8 @@ bool DiscOptimal::is_dominated(const Node& node, std::uint32_t first) const {
   return false;
 }
 
-/// Looks from a root into the cells around its vertex, one after the other as the path turns there, until a wall or a
-/// gate that is too narrow stops it, or until the path has turned back.
+/// Looks from a root into the cells around its vertex, one after the other, in the order in which the path turns
+/// through them. Stops at a wall, at a gate that is too narrow, or when the path has turned by 180 degrees.
 void DiscOptimal::turn(std::uint32_t root, const CellEdge& first) {
   const int side = roots_[root].contact.side;
   const Point arrival = roots_[root].direction;
@@ -155,8 +155,8 @@ bool DiscOptimal::is_behind(std::size_t gate, const Point& position) const {
   return cross(view_.to(gate) - view_.from(gate), position - view_.from(gate)) < 0.0;
 }
 
-/// Returns whether the direction points from a corner of the cell into the cell. Where a wall ends in the cell, every
-/// direction does.
+/// Returns whether the direction points from a corner of the cell into the cell. If the corner is the end of a wall
+/// inside the cell, every direction points into the cell.
 bool DiscOptimal::is_in_corner(std::size_t corner, const Point& direction) const {
   const std::size_t before = corner == 0 ? view_.size() - 1 : corner - 1;
   const CellEdge& out = view_[corner].edge;
@@ -168,7 +168,7 @@ bool DiscOptimal::is_in_corner(std::size_t corner, const Point& direction) const
   return order <= end + kSameDirection || order >= 4.0 - kSameDirection;
 }
 
-/// Returns whether a corner of the cell stands in the way of a line from a root.
+/// Returns whether a corner of the cell is too near to a line from a root.
 bool DiscOptimal::is_obstructed(const Root& root, const Point& direction, double length, Vertex target) const {
   const double least = map_->radius * (1.0 - kNearness);
   for (std::size_t i = 0; i < view_.size(); ++i) {
@@ -225,8 +225,9 @@ void DiscOptimal::look_through_gates(const View& view) {
   }
 }
 
-/// Offers the window of a gate of the cell: the directions in view in which lines cross it where the disc is free, and
-/// pass the corners of the cell on their left and on their right.
+/// Offers the window of a gate of the cell. The window contains the directions in view in which a line crosses the gate
+/// at a position where the disc is free. On its way to the gate, the line leaves the corners before the gate on its
+/// right and the corners after the gate on its left.
 void DiscOptimal::look_through(const View& view, std::size_t gate) {
   const Root& root = roots_[view.root];
   const Point along = unit(view_.to(gate) - view_.from(gate));
@@ -251,8 +252,8 @@ void DiscOptimal::look_through(const View& view, std::size_t gate) {
   if (cross(right, left) >= -kSameDirection) offer(view, gate, right, left);
 }
 
-/// Moves a bound of a window inwards, so that lines to the gate pass a corner, if they pass it in this cell. A corner
-/// that would close the whole window is left out: a line may pass such a corner before the other bound becomes valid.
+/// Moves a bound of a window inwards, so that lines to the gate do not come too near to a corner of this cell. Ignores
+/// a corner that would close the whole window: a line may pass this corner before the other bound becomes valid.
 void DiscOptimal::close_in(const View& view, std::size_t gate, std::size_t corner, int side, const Point& other,
                            Point& bound) const {
   const std::size_t i = corner == view_.size() ? 0 : corner;
@@ -267,8 +268,9 @@ void DiscOptimal::close_in(const View& view, std::size_t gate, std::size_t corne
   bound = line->direction;
 }
 
-/// Does the same as the end of look_through() for the start, which does not say on which side of a line a corner lies:
-/// each corner from `corner` on takes the directions in which it stands in the way out of the window.
+/// Replaces the last steps of look_through() if the root is the start. From the start, a line may pass each corner on
+/// the left or on the right. So each corner from number `corner` on removes from the window the directions in which the
+/// corner is too near to the line. This can divide the window into two.
 void DiscOptimal::clip_at_start(const View& view, std::size_t gate, std::size_t corner, const Point& right,
                                 const Point& left) {
   const Root& root = roots_[view.root];
@@ -289,7 +291,7 @@ void DiscOptimal::clip_at_start(const View& view, std::size_t gate, std::size_t 
 }
 
 /// Returns whether a line in the given direction, from the root of the view, crosses the gate on its way out of the
-/// cell. Without this test, a window that is too wide could lead around a vertex for ever.
+/// cell. Without this test, a window that is too wide could make the search go around a vertex without end.
 bool DiscOptimal::crosses(const View& view, std::size_t gate, const Point& direction) const {
   const double size = waywright::length(direction);
   if (size < kSameDirection) return true;
@@ -316,7 +318,7 @@ void DiscOptimal::offer(const View& view, std::size_t gate, const Point& right, 
 }
 
 /// Walks from cell to cell along a straight line. Returns whether the disc is free everywhere on it. The line starts in
-/// `cell`. Walls at the two vertices do not count as near.
+/// `cell`. Ignores the walls that end at the two vertices.
 bool DiscOptimal::is_clear(const CellEdge& cell, const Point& from, const Point& to, Vertex from_vertex,
                            Vertex to_vertex) {
   const double radius = map_->radius * (1.0 - kNearness);

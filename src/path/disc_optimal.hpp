@@ -24,14 +24,15 @@ struct DiscPiece {
 };
 
 /// Finds the shortest path of a disc by A* over windows and contacts. The path is a sequence of straight lines and of
-/// arcs around wall vertices; each line touches the arcs at its ends. A *contact* is a vertex together with the side on
-/// which the path turns around it. A *window* is a gate, and the directions in which straight lines from a contact (or
-/// from the start) cross it.
+/// arcs around wall vertices; each line touches the arcs at its ends. A *contact* is a vertex together with the
+/// direction in which the path turns around it: left or right. A *window* is a gate together with the directions in
+/// which straight lines from a contact (or from the start) cross the gate.
 ///
 /// The search works on the cells of clearance::Cells. A disc in a cell touches only walls of this cell. So each step
-/// looks at one cell: which corners can the lines of a window touch there, and through which gates can they leave? A
-/// gate that is too narrow is closed; exact predicates decide this. All other numbers are doubles. They may let a
-/// window be too wide. So before a contact is used, the line to it is tested against all cells that it crosses.
+/// looks at one cell. It finds the corners around which the lines of a window can turn there, and the gates through
+/// which they can leave. Exact predicates decide whether a gate is wide enough for the disc. All other computations are
+/// in doubles. Their rounding errors may make a window too wide. So before the search uses a contact, it tests the line
+/// to the contact against all cells that the line crosses.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya), for a
 /// point on a convex mesh. Differences: roots are circles, windows are sets of directions, and cells replace convex
@@ -68,13 +69,14 @@ class DiscOptimal {
 
   struct Node {
     Kind kind;
-    int side = 0;  ///< of a contact
+    int side = 0;  ///< of a contact: 1 if the path turns left around it, -1 if right
     std::uint32_t root;
     mesh::Vertex vertex = mesh::kNoVertex;  ///< of a contact
-    clearance::CellEdge edge;  ///< window: the gate as an edge of the cell beyond; contact: starts at the vertex, has
-                               ///< the position of the contact in its cell
+    /// Of a window: the gate, as an edge of the cell beyond it. Of a contact: an edge that starts at the vertex and
+    /// whose cell contains the position of the contact.
+    clearance::CellEdge edge;
     clearance::CellEdge cell;  ///< the cell in which the straight line leaves the root
-    Point right;               ///< window: the bounds; otherwise: the direction of the line, twice
+    Point right;               ///< window: its right bound; contact, goal: the direction of the line, as in `left`
     Point left;
     double length = 0.0;  ///< contact, goal: of the path
   };
@@ -108,8 +110,8 @@ class DiscOptimal {
   void clip_at_start(const View& view, std::size_t gate, std::size_t corner, const Point& right, const Point& left);
   void close_in(const View& view, std::size_t gate, std::size_t corner, int side, const Point& other,
                 Point& bound) const;
-  /// The length of the arc at a root after which the path leaves it in a direction. A turn to the wrong side is a
-  /// rounding error and counts as none.
+  /// The length of the arc at a root after which the path leaves it in a direction. A turn in the wrong direction is a
+  /// rounding error and counts as no turn.
   [[nodiscard]] double arc(const Root& root, const Point& direction) const;
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
     return root.length + arc(root, direction);

@@ -8,9 +8,9 @@
 
 #include "base/ieee.hpp"
 
-// Lengths in doubles. They serve only two purposes: to choose between paths, and to bound searches. Exact predicates
-// decide whether a position lies left or right of a line. The code uses the square root because it is correctly rounded
-// on every machine, unlike std::hypot.
+// Lengths in doubles. They serve only two purposes: to choose between paths, and to compute bounds for searches. Exact
+// predicates decide whether a position lies left or right of a line. The code uses the square root because it is
+// correctly rounded on every machine, unlike std::hypot.
 
 namespace waywright::path {
 

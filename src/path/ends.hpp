@@ -46,8 +46,9 @@ class Ends {
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_location() const { return start_location_; }
-  /// The open faces around the end, each by a half-edge. constraint::Cover::open_faces() describes which half-edge, and
-  /// the order of the faces. Requires: find_status_without_search() returned nothing.
+  /// The open faces around the start, and those around the goal. A half-edge stands for each face.
+  /// constraint::Cover::open_faces() describes which half-edge, and the order of the faces. Requires:
+  /// find_status_without_search() returned nothing.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
   [[nodiscard]] const std::vector<mesh::HalfEdge>& goal_faces() const { return goal_faces_; }
   /// Returns whether a polygon now covers one of the faces around an end. Requires: find_status_without_search()

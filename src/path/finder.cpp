@@ -51,9 +51,9 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   }
 }
 
-/// Records that the search has looked at the faces that were read to find the ends. In three cases these faces are not
-/// known one by one, and the function records that the search has looked at every face: the search is already done; an
-/// end was moved; the algorithm is `tra`, which records no faces.
+/// Records that the search has looked at the faces that were read to find the ends. In three cases the function does
+/// not know each of these faces. It then records that the search has looked at every face: the search is already done;
+/// an end was moved; the algorithm is `tra`, which records no faces.
 void Finder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();

@@ -235,7 +235,8 @@ void PolylineWalk::add_arrived(const State& state) {
 /// Reaches the origin of `outgoing` through the face of `outgoing`. The segment ends there or continues from there.
 void PolylineWalk::reach_vertex(HalfEdge outgoing) {
   const HalfEdge wedge = first_of_wedge(outgoing);
-  // The agent reaches the vertices in their order on the line, and each at most once from each side of the line.
+  // The agent reaches the vertices in their order on the line. It reaches each of them at most once from
+  // the left of the line and at most once from the right.
   const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));
   if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
@@ -244,8 +245,8 @@ void PolylineWalk::reach_vertex(HalfEdge outgoing) {
   waiting_.push_back({LocatedKind::vertex, wedge, location});
 }
 
-/// Names the wedge between walls that contains the face of `outgoing` by its first half-edge, counter-clockwise. A
-/// vertex without walls has one wedge; its name is the half-edge with the smallest number.
+/// Returns the name of the wedge between walls that contains the face of `outgoing`: the first half-edge of the wedge,
+/// counter-clockwise. A vertex without walls has one wedge; its name is the half-edge with the smallest number.
 HalfEdge PolylineWalk::first_of_wedge(HalfEdge outgoing) const {
   HalfEdge least = outgoing;
   HalfEdge h = outgoing;

@@ -13,9 +13,9 @@
 
 namespace waywright::path {
 
-/// A circle that a path touches, with the side on which the path leaves it behind: `side` is 1 if the path turns left
-/// around it (the circle's centre is on the left), -1 if it turns right. A point at which a path starts or ends has the
-/// side 0 and counts as a circle of radius 0.
+/// A circle that a path touches. `side` is 1 if the path turns left around it (the circle's centre is on the left), and
+/// -1 if it turns right. If a path starts or ends at a point, the point counts as a circle of radius 0, and its `side`
+/// is 0.
 struct Contact {
   Point centre;
   int side = 0;

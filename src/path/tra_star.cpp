@@ -78,7 +78,7 @@ void TraStar::climb_from_goal(Face goal) {
   }
 }
 
-/// Sets the mark kGoalElsewhere at those faces above the goal from which a passage up leads to the goal, too. These are
+/// Sets the mark kGoalOutside at those faces above the goal from which a passage up leads to the goal, too. These are
 /// the faces whose component has goal faces that do not lie below them:
 /// - a top (the last face of a chain), if its component has a second top;
 /// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face that is marked

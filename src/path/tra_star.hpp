@@ -16,8 +16,8 @@
 namespace waywright::path {
 
 /// Triangulation reduction A* for a point agent: A* over the faces where the search has a choice. The search has no
-/// choice on its path out of a dead end, on its path into the dead end that contains the goal, and in a corridor. It
-/// never enters any other dead end. The path is the taut string through the first channel that reaches the goal.
+/// choice while it leaves a dead end, while it enters the dead end that contains the goal, and in a corridor. It never
+/// enters any other dead end. The path is the taut string through the first channel that reaches the goal.
 ///
 /// The search is fast, and its paths are good. There are two reasons why a path is not always the shortest one. The
 /// search orders the channels by an approximate length in doubles, which it updates as a channel grows. And it makes

@@ -85,8 +85,8 @@ Point direction(double angle) {
   return {cosine, angle * sine};
 }
 
-/// Returns the direction of i / n of a full turn, from an angle within an eighth of a turn by reflection and quarter
-/// turns.
+/// Returns the direction after i / n of a full turn. Computes it for an angle of at most an eighth of a turn, and then
+/// reflects it and rotates it by quarter turns.
 Point direction(std::size_t i, std::size_t n) {
   const std::size_t eighth = 8 * i / n;
   const std::size_t rest = 8 * i % n;

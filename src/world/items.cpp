@@ -10,7 +10,7 @@ namespace waywright {
 
 namespace {
 
-/// Fills `shape` with the shape of a live item. An existing `shape` lends its memory.
+/// Fills `shape` with the shape of a live item. Reuses the memory of `shape`.
 void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();

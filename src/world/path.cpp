@@ -20,16 +20,16 @@ namespace {
 
 using exact::Sign;
 
-/// Returns the coordinate in the given precision that is nearest to `value`. Numbers outside the range of coordinates
-/// become its ends, NaN becomes 0.
+/// Returns the coordinate in the given precision that is nearest to `value`. A number beyond the largest coordinate
+/// becomes the largest coordinate with the same sign. A number too near to 0, or NaN, becomes 0.
 double fitted(double value, Precision precision) {
   if (precision == Precision::float32) value = static_cast<double>(static_cast<float>(value));
   if (is_in_range(value)) return value;
   return std::abs(value) > kLargestCoordinate ? std::copysign(kLargestCoordinate, value) : 0.0;
 }
 
-/// Returns the next such coordinate: above `value` if `direction` is positive, below `value` if it is negative. Returns
-/// `value` itself if `direction` is 0.
+/// Returns the coordinate next to `value` in the given precision: above `value` if `direction` is positive, below
+/// `value` if it is negative. Returns `value` itself if `direction` is 0.
 double next_coordinate(double value, double direction, Precision precision) {
   if (direction == 0.0) return value;
   return precision == Precision::float32 ? exact::next_coordinate<float>(value, direction)
@@ -63,8 +63,9 @@ Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
   return {};
 }
 
-/// A path turns around walls. So near a turn, the walls that it touches lie on the side to which it turns. Returns the
-/// other side: positive is left of the segment, zero means that nothing is known.
+/// A path turns around walls. So near a left turn, the walls that it touches lie to the left of the path, and near a
+/// right turn to the right. Returns where no wall is expected: positive means left of the segment, negative means right
+/// of it, zero means that nothing is known.
 Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& point) {
   const Turn before = turn_before(points, segment);
   const Turn after = turn_after(points, segment);
@@ -84,9 +85,10 @@ double moved_coordinate(double value, double direction, double step, Precision p
   return (moved - value) * direction > 0.0 ? moved : next_coordinate(value, direction, precision);
 }
 
-/// Returns a point near `point` that does not lie on the wrong side of the line from `a` to `b`. The first step is as
-/// long as the rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of
-/// neighbouring doubles.
+/// Returns a point near `point` that lies on the line from `a` to `b`, or to the left of it if `side` is positive, or
+/// to the right of it if `side` is negative. Returns `point` if `side` is zero. The first step is as long as the
+/// rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of neighbouring
+/// doubles.
 Point on_free_side(const Point& a, const Point& b, const Point& point, Sign side, Precision precision) {
   const auto is_allowed = [&](const Point& p) {
     const Sign own = side_of(a, b, p);

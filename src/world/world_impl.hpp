@@ -88,7 +88,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   void commit() {
     impl_.touch_log->note_mesh(impl_.triangulation);
     impl_.change_log.reserve();
-    // If the abstraction then fails, the destructor of `clearance_operation_` undoes the update of the bridges.
+    // If the abstraction cannot be updated, the destructor of `clearance_operation_` undoes the update of the bridges.
     if (impl_.clearance) impl_.clearance->update(impl_.triangulation);
     if (impl_.abstraction) {
       impl_.abstraction->update(impl_.triangulation);
