@@ -153,7 +153,7 @@ bool has_walls(const Shape& shape) {
 class RandomScenes : public testing::TestWithParam<Flavour> {};
 
 TEST_P(RandomScenes, HaveTheBridgesOfTheDefinition) {
-  for (std::uint64_t seed = 0; seed < (case_count() + 1) / 2; ++seed) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 3) / 4; ++seed) {
     const Scene scene = random_scene(GetParam(), seed, 1 + seed % 9);
     Walls walls(scene.domain);
     for (const Item& item : scene.items) {
@@ -165,7 +165,7 @@ TEST_P(RandomScenes, HaveTheBridgesOfTheDefinition) {
 }
 
 TEST_P(RandomScenes, KeepTheBridgesOfARebuildAfterEveryChange) {
-  for (std::uint64_t seed = 0; seed < (case_count() + 4) / 5; ++seed) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 9) / 10; ++seed) {
     const Scene scene = random_scene(GetParam(), 1000 + seed, 4 + 4 * (seed % 8));
     Random random(seed);
     Walls walls(scene.domain);

@@ -103,7 +103,7 @@ void check_scene(const NamedScene& scene) {
 }
 
 TEST(DiscPaths, AreRightInTrapScenes) {
-  for (std::uint64_t seed = 0; seed < (case_count() + 49) / 50; ++seed) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
     for (const NamedScene& scene : disc::trap_scenes(seed)) {
       check_scene(scene);
       if (testing::Test::HasFatalFailure()) return;
@@ -115,7 +115,7 @@ class RandomWalls : public testing::TestWithParam<disc::SceneKind> {};
 
 TEST_P(RandomWalls, HaveTheShortestPathsOfDiscs) {
   Random random(3);
-  for (std::uint64_t i = 0; i < (case_count() + 4) / 5; ++i) {
+  for (std::uint64_t i = 0; i < (case_count() + 9) / 10; ++i) {
     check_scene(disc::random_scene(random, GetParam()));
     if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
   }
