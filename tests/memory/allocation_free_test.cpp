@@ -74,14 +74,14 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
 }
 
 TEST(AllocationFree, WalksOfDiscs) {
-  World world = world_of_things();
+  World world = World::create({{0, 0}, {1000, 1000}}, {.keep_bridges = true}).value();
+  for (int i = 1; i < 10; ++i) world.insert_segment({100.0 * i, 100}, {100.0 * i + 30, 900}).value();
   const std::uint64_t version = world.version();
   std::vector<Path> paths;
-  for (int i = 0; i < 60; ++i) {
-    const Point point{15.5 * i + 20, 900 - 14.25 * i};
-    paths.push_back(world.find_path({.start = point, .goal = {500, 1000 - point.y}, .radius = 0.05}).value());
+  for (int i = 1; i < 30; ++i) {
+    paths.push_back(world.find_path({.start = {50, 30.0 * i + 20}, .goal = {980, 500}, .radius = 0.5 * i}).value());
   }
-  world.insert_segment({400, 400}, {600, 600}).value();
+  world.insert_segment({400, 450}, {600, 550}).value();
   std::vector<Point> line;
   std::vector<std::size_t> affected;
   std::size_t positions = 0;
