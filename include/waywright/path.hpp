@@ -239,12 +239,12 @@ struct WAYWRIGHT_API Path {
   /// Cost: linear in the turns.
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
 
-  /// Returns the path as points, for programs that know no arcs. Consecutive points differ. For a point agent, the
-  /// result is `points`. For a disc, the points are the ends of all pieces and, on each arc, as few points between its
-  /// ends as the tolerance allows. All points lie on the path, up to rounding errors. No position on the straight
-  /// segments between them is farther than `tolerance` from the path. So no wall is nearer to them than the radius
-  /// minus the tolerance. A tolerance above half the radius counts as half the radius, so that the segments never touch
-  /// a wall. If the path is not found, the result is empty.
+  /// Returns the path as points, for programs that know no arcs. For a point agent, the result is `points`. For a disc,
+  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows. A
+  /// point that equals the one before it is left out. All points lie on the path, up to rounding errors. No position on
+  /// the straight segments between them is farther than `tolerance` from the path. So no wall is nearer to them than
+  /// the radius minus the tolerance. A tolerance above half the radius counts as half the radius, so that the segments
+  /// never touch a wall. If the path is not found, the result is empty.
   ///
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

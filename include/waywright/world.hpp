@@ -540,10 +540,10 @@ class WAYWRIGHT_API World {
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Returns whether a path is affected by the operations after version `since`. For a point agent, this is
   /// is_affected() of Path::points. For a disc, the function returns whether one of the same bounding boxes comes so
-  /// near to Path::pieces that the disc may touch it. Near an arc, it can be true, too, if the distance is larger than
-  /// Path::radius by up to a 32nd. If the result is false and the path was valid for its radius at that version, it is
-  /// still valid. A gap that an operation makes narrower elsewhere does not affect the path, because the disc does not
-  /// pass it.
+  /// near to Path::pieces that the disc may touch it. The result can also be true if the distance is larger than
+  /// Path::radius: near an arc by up to a 32nd of the radius, elsewhere by rounding errors. If the result is false and
+  /// the path was valid for its radius at that version, it is still valid. A gap that an operation makes narrower
+  /// elsewhere does not affect the path, because the disc does not pass it.
   ///
   /// In both cases, a path that is not affected need not be the shortest one any more, if an operation has removed
   /// items. A path that was not found is never affected: search again for it.

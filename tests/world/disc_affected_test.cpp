@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "waywright/world.hpp"
 
+#include "path/pieces.hpp"
 #include "support/case_count.hpp"
 #include "support/disc_oracle.hpp"
 #include "support/disc_paths.hpp"
@@ -38,6 +40,33 @@ TEST(AffectedDiscPaths, AreNearAnItem) {
   EXPECT_FALSE(is_affected_by(Shape::point({50, 50}))) << "a point is no wall";
   EXPECT_TRUE(is_affected_by(Shape::segment({50, 40}, {50, 60})));
   EXPECT_TRUE(is_affected_by(Shape::rectangle({{1, 1}, {99, 99}}))) << "the path is in its interior";
+}
+
+TEST(AffectedDiscPaths, EndAtTheirGoal) {
+  World world = empty_world();
+  const Path path = world.find_path({.start = {20, 20}, .goal = {50, 50}, .radius = 5}).value();
+  const std::uint64_t version = world.version();
+  world.insert_segment({53.6, 53.6}, {60, 60}).value();
+  EXPECT_FALSE(world.is_affected(path, version)) << "the line of the path leads to it";
+  world.insert_segment({53.5, 53.5}, {60, 60}).value();
+  EXPECT_TRUE(world.is_affected(path, version));
+}
+
+// A line of a path is as far as the radius from the corner around which the path turns next, up to rounding errors.
+TEST(AffectedDiscPaths, TouchTheirCorners) {
+  std::size_t lines = 0;
+  disc::for_each_path([&](const disc::NamedScene&, const disc::Walls&, const Path& path) {
+    for (std::size_t i = 1; i < path.pieces.size(); ++i) {
+      const std::span two(path.pieces.data() + i - 1, 2);
+      for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        const Point corner = two[1 - k].centre;
+        if (two[k].kind != PathPiece::Kind::line || two[1 - k].kind != PathPiece::Kind::arc) continue;
+        ++lines;
+        ASSERT_TRUE(path::may_touch(two.subspan(k, 1), path.radius, {corner, corner})) << "piece " << i - 1 + k;
+      }
+    }
+  });
+  EXPECT_GT(lines, 100U);
 }
 
 TEST(AffectedDiscPaths, CountReplacementsAndRemovals) {
