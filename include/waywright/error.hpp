@@ -26,7 +26,7 @@ enum class ErrorCode : std::uint8_t {
   id_in_use,         ///< a live item has this id already
   unknown_id,        ///< no live item has this id
   bad_radius,        ///< a radius that is negative or not finite
-  bad_distance,      ///< a distance that is negative or not a number
+  bad_distance,      ///< a distance that is negative, not a number, or too small
   bad_id,            ///< an id above 2^63 - 1, for example an id made from a negative number
   bad_domain,        ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,       ///< a polyline or ring without points, a polygon without rings

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "waywright/clearance.hpp"
+#include "waywright/error.hpp"
 #include "waywright/export.hpp"
 #include "waywright/id.hpp"
 #include "waywright/point.hpp"
@@ -149,11 +150,13 @@ struct MovedEnd {
 /// const Point end = position.at;  // == goal
 /// @endcode
 struct PathPosition {
-  Point at;                 ///< the point at this position
-  Point heading;            ///< the direction of the path there, of length 1; (0, 0) on a path of one point
-  std::size_t segment = 0;  ///< the position lies between points[segment] and points[segment + 1] of the path
-  double before = 0.0;      ///< the length of the path from its start to points[segment]
-  double distance = 0.0;    ///< the length of the path from its start to this position
+  Point at;       ///< the point at this position
+  Point heading;  ///< the direction of the path there, of length 1; (0, 0) on a path of length 0
+  /// The position lies between points[segment] and points[segment + 1] of the path or, if the path has pieces, on
+  /// pieces[segment].
+  std::size_t segment = 0;
+  double before = 0.0;    ///< the length of the path from its start to the start of this segment or piece
+  double distance = 0.0;  ///< the length of the path from its start to this position
 };
 
 /// The type in which a program keeps coordinates.
@@ -178,19 +181,20 @@ struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
   double length = 0.0;       ///< the Euclidean length; 0 unless found
   double lower_bound = 0.0;  ///< no path is shorter; equal to `length` if the path is proven shortest; 0 unless found
+  double radius = 0.0;       ///< the radius of the agent, as in the query
   /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0.
   std::vector<Point> points;
-  /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, if
-  /// there is no path, or if start and goal are equal. Each position on them keeps at least the radius from all walls,
-  /// up to rounding errors.
+  /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, or if
+  /// there is no path. If start and goal are equal, there is one line of length 0. Each position on the pieces keeps at
+  /// least the radius from all walls, up to rounding errors.
   std::vector<PathPiece> pieces;
   /// The edges that the path crosses, in order. Empty if there is no path, if PathQuery::wants_channel is false, or if
-  /// the query has a radius above 0.
+  /// the query has a radius above 0: the search for discs does not look at single edges.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the number of steps of the
   /// search.
   std::size_t expansions = 0;
-  /// The time that the search took. 0 if PathQuery::wants_time is false, or if the query has a radius above 0.
+  /// The time that the search took. 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
@@ -213,21 +217,50 @@ struct WAYWRIGHT_API Path {
   ///
   /// The coordinates are doubles or floats, as `precision` says. With Precision::float32 the result can lie outside the
   /// domain, if the border of the domain has a coordinate that no `float` can express.
-  /// Requires: `points` is not empty.
+  ///
+  /// On the path of a disc, the function rounds to nearest. The distance from the position to all walls is at least the
+  /// radius, minus the rounding error: with Precision::float64 a few units in the last place of the largest coordinate
+  /// or of the radius, with Precision::float32 one unit in the last place of a `float`. So a disc that touches a wall
+  /// may not fit exactly at the position, see World::fit_disc. The heading has no jumps, because the lines touch the
+  /// arcs.
+  /// Requires: the path is found.
   /// Cost: linear in the turns before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
   /// result is rounded as for at(). NaN counts as 0.
-  /// Requires: this path returned `from`. `points` is not empty, and has not changed since then.
+  /// Requires: the path is found. It returned `from`, and has not changed since then.
   /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
   /// Returns the position on the path that is nearest to `point`. If several positions are equally near, the function
   /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The result
   /// is rounded as for at().
-  /// Requires: `points` is not empty.
+  /// Requires: the path is found.
   /// Cost: linear in the turns.
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
+
+  /// Returns the path as points, for programs that know no arcs. For a point agent, the result is `points`. For a disc,
+  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows. A
+  /// point that equals the one before it is left out. All points lie on the path, up to rounding errors. No position on
+  /// the straight segments between them is farther than `tolerance` from the path. So no wall is nearer to them than
+  /// the radius minus the tolerance. A tolerance above half the radius counts as half the radius, so that the segments
+  /// never touch a wall. If the path is not found, the result is empty.
+  ///
+  /// @code{.cpp}
+  /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  /// yard.insert_segment({50, 0}, {50, 60}, 1).value();
+  /// const Path around = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  /// const std::size_t coarse = around.polyline(1.0).value().size();   // == 4
+  /// const std::size_t fine = around.polyline(0.05).value().size();    // == 7
+  /// @endcode
+  ///
+  /// Errors: bad_distance, if `tolerance` is negative, not a number, or below 2^-20 times the radius (a whole circle
+  /// has 2,275 segments at this tolerance).
+  /// Cost: linear in the points of the result.
+  [[nodiscard]] Result<std::vector<Point>> polyline(double tolerance) const;
+  /// Writes the points to `line`. Allocates nothing once `line` is large enough.
+  /// @copydetails polyline(double) const
+  [[nodiscard]] Result<void> polyline(double tolerance, std::vector<Point>& line) const;
 };
 
 /// A query for the shortest paths from one start to many goals, for World::find_paths_from.

@@ -502,10 +502,12 @@ class WAYWRIGHT_API World {
   /// const std::uint64_t before = world.version();
   /// world.insert(house).value();
   /// for (Unit& unit : units) {
-  ///   if (!world.is_affected(unit.path.points, before)) continue;
+  ///   if (!world.is_affected(unit.path, before)) continue;
   ///   if (!world.is_clear(unit.path.points, context).value()) unit.path = world.find_path(unit.query).value();
   /// }
   /// @endcode
+  ///
+  /// is_clear() is for point agents. For an affected path of a disc, call find_path() again.
   /// @{
 
   /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The agent may touch
@@ -536,8 +538,28 @@ class WAYWRIGHT_API World {
   /// if it inserts and removes more than 256 items, the remaining items share the last box.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
-  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending. A path
-  /// for a radius above 0 counts as affected by every operation after version `since`.
+  /// Returns whether a path is affected by the operations after version `since`. For a point agent, this is
+  /// is_affected() of Path::points. For a disc, the function returns whether one of the same bounding boxes comes so
+  /// near to Path::pieces that the disc may touch it. The result can also be true if the distance is larger than
+  /// Path::radius: near an arc by up to a 32nd of the radius, elsewhere by rounding errors. If the result is false and
+  /// the path was valid for its radius at that version, it is still valid. A gap that an operation makes narrower
+  /// elsewhere does not affect the path, because the disc does not pass it.
+  ///
+  /// In both cases, a path that is not affected need not be the shortest one any more, if an operation has removed
+  /// items. A path that was not found is never affected: search again for it.
+  ///
+  /// @code{.cpp}
+  /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  /// Path path = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  /// const std::uint64_t before = yard.version();
+  /// yard.insert_segment({40, 56}, {60, 56}).value();
+  /// const bool is_far = yard.is_affected(path, before);  // == false
+  /// yard.insert_segment({40, 54}, {60, 54}).value();
+  /// const bool is_near = yard.is_affected(path, before);  // == true
+  /// @endcode
+  /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
+  [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
+  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the number of operations that the world has carried out. It grows by one with each operation that

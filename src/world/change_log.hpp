@@ -4,14 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "constraint/box_test.hpp"
 #include "memory/count.hpp"
 
 namespace waywright {
@@ -47,13 +45,14 @@ class ChangeLog {
     for (const Box& box : boxes_) entries_.push_back({version, box});
   }
 
-  /// Returns whether the polyline meets the box of an item that was inserted or removed after version `since` of the
-  /// world. Also returns true if the log no longer has all boxes since that version.
-  [[nodiscard]] bool meets(std::span<const Point> points, std::uint64_t since) const {
+  /// Returns whether `concerns(box)` is true for the box of an item that was inserted or removed after version `since`
+  /// of the world. Also returns true if the log no longer has all boxes since that version.
+  template <class Concerns>
+  [[nodiscard]] bool has_box(std::uint64_t since, const Concerns& concerns) const {
     if (since < complete_since_) return true;
     const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
     const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
-    return std::any_of(first, entries_.end(), [&](const Entry& entry) { return meets(points, entry.box); });
+    return std::any_of(first, entries_.end(), [&](const Entry& entry) { return concerns(entry.box); });
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
@@ -73,15 +72,6 @@ class ChangeLog {
     std::uint64_t version;
     Box box;
   };
-
-  [[nodiscard]] static bool meets(std::span<const Point> points, const Box& box) {
-    const constraint::BoxTest test(box);
-    if (points.size() == 1) return test.contains(points.front());
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      if (test.meets(exact::explicit_point(points[i - 1]), exact::explicit_point(points[i]))) return true;
-    }
-    return false;
-  }
 
   void remove_oldest() {
     const auto kept = entries_.end() - static_cast<std::ptrdiff_t>(std::min(kKept, entries_.size()));

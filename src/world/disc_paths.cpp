@@ -3,6 +3,7 @@
 #include "waywright/world.hpp"
 
 #include "path/clear.hpp"
+#include "path/pieces.hpp"
 #include "path/tangent.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
@@ -13,15 +14,20 @@ namespace waywright {
 
 namespace {
 
-/// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends.
+/// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends. Leaves out a line
+/// without length, and an arc that turns by less than a double can express.
 void append(const path::DiscPiece& piece, double radius, const Point& next, std::vector<PathPiece>& pieces) {
   if (!(piece.from == piece.to)) pieces.push_back({PathPiece::Kind::line, piece.from, piece.to, {}, 0.0, 0.0, 0.0});
   if (piece.side == 0) return;
   const Point spoke{piece.side * piece.direction.y, -piece.side * piece.direction.x};
   const double start_angle = path::angle_of(spoke);
-  const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.side);
-  pieces.push_back(
-      {PathPiece::Kind::arc, piece.to, next, piece.centre, radius, start_angle, start_angle + piece.side * turn});
+  const double end_angle =
+      start_angle + piece.side * path::turning_angle(piece.direction, piece.end_direction, piece.side);
+  if (end_angle != start_angle) {
+    pieces.push_back({PathPiece::Kind::arc, piece.to, next, piece.centre, radius, start_angle, end_angle});
+  } else if (!pieces.empty()) {
+    pieces.back().to = next;
+  }
 }
 
 }  // namespace
@@ -51,13 +57,17 @@ void World::Impl::find_disc_path(const PathQuery& query, detail::QueryScratch& s
     return;
   }
   path.status = PathStatus::found;
-  path.length = path.lower_bound = search.length();
   scratch.disc_pieces.clear();
   search.write_path(scratch.disc_pieces);
   for (std::size_t i = 0; i < scratch.disc_pieces.size(); ++i) {
     const bool is_last = i + 1 == scratch.disc_pieces.size();
     append(scratch.disc_pieces[i], query.radius, is_last ? query.goal : scratch.disc_pieces[i + 1].from, path.pieces);
   }
+  if (path.pieces.empty()) path.pieces.push_back({PathPiece::Kind::line, query.start, query.goal, {}, 0.0, 0.0, 0.0});
+  path.pieces.front().from = query.start;
+  path.pieces.back().to = query.goal;
+  // The length of the rounded pieces, as Path::at computes it.
+  path.length = path.lower_bound = path::length_of(path.pieces);
 }
 
 }  // namespace waywright

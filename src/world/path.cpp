@@ -13,6 +13,7 @@
 #include "exact/next_coordinate.hpp"
 #include "exact/predicates.hpp"
 #include "path/distance.hpp"
+#include "path/pieces.hpp"
 
 namespace waywright {
 
@@ -107,10 +108,47 @@ Point on_free_side(const Point& a, const Point& b, const Point& point, Sign side
   }
 }
 
-/// Returns the position at distance `along` from the start of a segment. `length` is the length of the segment,
-/// `before` that of the path up to its start.
-PathPosition position_on(const std::vector<Point>& points, std::size_t segment, double before, double along,
-                         double length, Precision precision) {
+/// Where a position lies: `along` from the start of a segment or piece of a path.
+struct Stop {
+  std::size_t segment = 0;
+  double before = 0.0;  ///< the length of the path up to the start of the segment
+  double along = 0.0;
+  double length = 0.0;  ///< of the segment
+};
+
+/// Returns where the position at distance `total` from the start lies. Starts to count at the segment of `from` if the
+/// position does not lie before it.
+Stop find_stop(const std::vector<Point>& points, const PathPosition& from, double total) {
+  const bool goes_on = total >= from.before && from.segment + 1 < points.size();
+  std::size_t segment = goes_on ? from.segment : 0;
+  double before = goes_on ? from.before : 0.0;
+  for (;; ++segment) {
+    const double length = waywright::distance(points[segment], points[segment + 1]);
+    if (total - before < length || segment + 2 == points.size()) {
+      return {segment, before, std::min(total - before, length), length};
+    }
+    before += length;
+  }
+}
+
+/// If rounding makes the distance of the position equal to that of the end of the path, returns the end of the path.
+Stop find_stop(const std::vector<PathPiece>& pieces, const PathPosition& from, double total) {
+  const bool goes_on = total >= from.before && from.segment < pieces.size();
+  std::size_t segment = goes_on ? from.segment : 0;
+  double before = goes_on ? from.before : 0.0;
+  for (;; ++segment) {
+    const double length = path::length_of(pieces[segment]);
+    const double end = before + length;
+    if (total < end || segment + 1 == pieces.size()) {
+      const double along = std::min(total - before, length);
+      return {segment, before, before + along < end ? along : length, length};
+    }
+    before = end;
+  }
+}
+
+PathPosition position_on(const std::vector<Point>& points, const Stop& stop, Precision precision) {
+  const auto [segment, before, along, length] = stop;
   const Point& a = points[segment];
   const Point& b = points[segment + 1];
   PathPosition position{{}, {}, segment, before, before + along};
@@ -128,6 +166,53 @@ PathPosition position_on(const std::vector<Point>& points, std::size_t segment, 
   return position;
 }
 
+PathPosition position_on(const std::vector<PathPiece>& pieces, const Stop& stop, Precision precision) {
+  const Point at = path::position_at(pieces[stop.segment], stop.along);
+  return {{fitted(at.x, precision), fitted(at.y, precision)},
+          path::heading_at(pieces, stop.segment, stop.along),
+          stop.segment,
+          stop.before,
+          stop.before + stop.along};
+}
+
+Stop nearest_stop(const std::vector<Point>& points, const Point& point) {
+  Stop best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point direction{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
+    const double length = waywright::distance(points[i], points[i + 1]);
+    const Point foot = path::foot(point, points[i], direction);
+    const double ahead = (foot.x - points[i].x) * direction.x + (foot.y - points[i].y) * direction.y;
+    const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), length);
+    const double share = length > 0.0 ? along / length : 0.0;
+    const double distance =
+        waywright::distance(point, {points[i].x + share * direction.x, points[i].y + share * direction.y});
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = {i, before, along, length};
+    }
+    before += length;
+  }
+  return best;
+}
+
+Stop nearest_stop(const std::vector<PathPiece>& pieces, const Point& point) {
+  Stop best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  double before = 0.0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const path::NearestOnPiece nearest = path::nearest_on(pieces[i], point);
+    const double length = path::length_of(pieces[i]);
+    if (nearest.distance < best_distance) {
+      best_distance = nearest.distance;
+      best = {i, before, nearest.along, length};
+    }
+    before += length;
+  }
+  return best;
+}
+
 /// The only position on a path of one point.
 PathPosition only_position(const Point& point, Precision precision) {
   return {{fitted(point.x, precision), fitted(point.y, precision)}, {}, 0, 0.0, 0.0};
@@ -139,51 +224,37 @@ PathPosition Path::at(double distance, Precision precision) const { return advan
 
 PathPosition Path::advance(const PathPosition& from, double step, Precision precision) const {
   const base::FloatEnvironment environment;
-  WAYWRIGHT_ASSERT(!points.empty(), "Path::at and Path::advance: the path has no points");
+  WAYWRIGHT_ASSERT(!points.empty() || !pieces.empty(), "Path::at and Path::advance: the path has no points");
   const double asked = from.distance + (std::isnan(step) ? 0.0 : step);
   const double total = asked > 0.0 ? asked : 0.0;  // NaN gives 0
-  const bool goes_on = total >= from.before && from.segment + 1 < points.size();
-  std::size_t segment = goes_on ? from.segment : 0;
-  double before = goes_on ? from.before : 0.0;
+  if (!pieces.empty()) return position_on(pieces, find_stop(pieces, from, total), precision);
   if (points.size() == 1) return only_position(points.front(), precision);
-  for (;;) {
-    const double segment_length = waywright::distance(points[segment], points[segment + 1]);
-    if (total - before < segment_length || segment + 2 == points.size()) {
-      return position_on(points, segment, before, std::min(total - before, segment_length), segment_length, precision);
-    }
-    before += segment_length;
-    ++segment;
-  }
+  return position_on(points, find_stop(points, from, total), precision);
 }
 
 PathPosition Path::nearest(const Point& point, Precision precision) const {
   const base::FloatEnvironment environment;
-  WAYWRIGHT_ASSERT(!points.empty(), "Path::nearest: the path has no points");
+  WAYWRIGHT_ASSERT(!points.empty() || !pieces.empty(), "Path::nearest: the path has no points");
+  if (!pieces.empty()) return position_on(pieces, nearest_stop(pieces, point), precision);
   if (points.size() == 1) return only_position(points.front(), precision);
-  double best_distance = std::numeric_limits<double>::infinity();
-  double best_along = 0.0;
-  double best_before = 0.0;
-  std::size_t best_segment = 0;
-  double before = 0.0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Point direction{points[i + 1].x - points[i].x, points[i + 1].y - points[i].y};
-    const double segment_length = waywright::distance(points[i], points[i + 1]);
-    const Point foot = path::foot(point, points[i], direction);
-    const double ahead = (foot.x - points[i].x) * direction.x + (foot.y - points[i].y) * direction.y;
-    const double along = ahead <= 0.0 ? 0.0 : std::min(waywright::distance(points[i], foot), segment_length);
-    const double share = segment_length > 0.0 ? along / segment_length : 0.0;
-    const double distance =
-        waywright::distance(point, {points[i].x + share * direction.x, points[i].y + share * direction.y});
-    if (distance < best_distance) {
-      best_distance = distance;
-      best_along = along;
-      best_before = before;
-      best_segment = i;
-    }
-    before += segment_length;
+  return position_on(points, nearest_stop(points, point), precision);
+}
+
+Result<void> Path::polyline(double tolerance, std::vector<Point>& line) const {
+  const base::FloatEnvironment environment;
+  if (!(tolerance >= radius * path::kSmallestTolerance)) {
+    return Error{
+        ErrorCode::bad_distance, "the tolerance is negative, not a number, or below 2^-20 times the radius", {}, 0};
   }
-  const double segment_length = waywright::distance(points[best_segment], points[best_segment + 1]);
-  return position_on(points, best_segment, best_before, best_along, segment_length, precision);
+  line.assign(points.begin(), points.end());
+  path::append_polyline(pieces, tolerance, line);
+  return {};
+}
+
+Result<std::vector<Point>> Path::polyline(double tolerance) const {
+  std::vector<Point> line;
+  if (auto done = polyline(tolerance, line); !done) return done.error();
+  return line;
 }
 
 }  // namespace waywright

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <limits>
 #include <utility>
 
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
+#include "constraint/box_test.hpp"
+#include "path/pieces.hpp"
 #include "threads/thread_team.hpp"
 #include "world/path_query_error.hpp"
 #include "world/point_error.hpp"
@@ -18,12 +21,29 @@ namespace waywright {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+
+bool meets(std::span<const Point> points, const Box& box) {
+  const constraint::BoxTest test(box);
+  if (points.size() == 1) return test.contains(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (test.meets(exact::explicit_point(points[i - 1]), exact::explicit_point(points[i]))) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 void World::Impl::find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  if (query.radius > 0.0) return find_disc_path(query, scratch, path);
+  if (query.radius > 0.0) {
+    const Clock::time_point begun = query.wants_time ? Clock::now() : Clock::time_point{};
+    find_disc_path(query, scratch, path);
+    path.radius = query.radius;
+    if (query.wants_time) path.time = Clock::now() - begun;
+    return;
+  }
   scratch.finder.begin(triangulation, kept_abstraction(), query, path);
   scratch.finder.step(kToTheEnd, path);
 }
@@ -122,14 +142,20 @@ Result<bool> World::is_clear(const Point& from, const Point& to) const {
 
 bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
   const base::FloatEnvironment environment;
-  return !points.empty() && impl_->change_log.meets(points, since);
+  return !points.empty() && impl_->change_log.has_box(since, [&](const Box& box) { return meets(points, box); });
+}
+
+bool World::is_affected(const Path& path, std::uint64_t since) const {
+  const base::FloatEnvironment environment;
+  if (path.pieces.empty()) return is_affected(path.points, since);
+  return impl_->change_log.has_box(since,
+                                   [&](const Box& box) { return path::may_touch(path.pieces, path.radius, box); });
 }
 
 void World::find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const {
   affected.clear();
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const bool is_old_disc_path = !paths[i].pieces.empty() && version() > since;
-    if (is_old_disc_path || is_affected(paths[i].points, since)) affected.push_back(i);
+    if (is_affected(paths[i], since)) affected.push_back(i);
   }
 }
 

@@ -52,6 +52,22 @@ void print_path(const World& world, const PathQuery& query) {
   std::cout << '\n';
 }
 
+/// Prints positions on the path of a disc, and the path as points.
+void print_walk(const Path& path, double tolerance) {
+  if (path.status != PathStatus::found) return;
+  for (int i = 0; i <= 16; ++i) {
+    const PathPosition position = path.at(path.length * i / 16);
+    const PathPosition nearest = path.nearest(position.at + tolerance * position.heading);
+    for (const Point& point : {position.at, position.heading, nearest.at}) {
+      std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y);
+    }
+  }
+  for (const Point& point : path.polyline(tolerance).value()) {
+    std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y);
+  }
+  std::cout << '\n';
+}
+
 /// Prints whether discs fit at an end, and the widest disc between two ends.
 void print_discs(const World& world, const Point& start, const Point& goal, double extent) {
   for (const double radius : {0.0, 0x1p-5 * extent, 0x1p-3 * extent}) {
@@ -71,6 +87,7 @@ void print_discs(const World& world, const Point& start, const Point& goal, doub
         std::cout << ' ' << bits_of(number);
     }
     std::cout << '\n';
+    print_walk(*path, 0x1p-9 * extent);
   }
   const Result<WidestPath> widest = world.widest_path(start, goal);
   std::cout << "widest ";

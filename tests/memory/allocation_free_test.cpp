@@ -73,6 +73,34 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   EXPECT_EQ(allocations_of(ask_all), 0U);
 }
 
+TEST(AllocationFree, WalksOfDiscs) {
+  World world = World::create({{0, 0}, {1000, 1000}}, {.keep_bridges = true}).value();
+  for (int i = 1; i < 10; ++i) world.insert_segment({100.0 * i, 100}, {100.0 * i + 30, 900}).value();
+  const std::uint64_t version = world.version();
+  std::vector<Path> paths;
+  for (int i = 1; i < 30; ++i) {
+    paths.push_back(world.find_path({.start = {50, 30.0 * i + 20}, .goal = {980, 500}, .radius = 0.5 * i}).value());
+  }
+  world.insert_segment({400, 450}, {600, 550}).value();
+  std::vector<Point> line;
+  std::vector<std::size_t> affected;
+  std::size_t positions = 0;
+  const auto walk_all = [&] {
+    for (const Path& path : paths) {
+      if (path.status != PathStatus::found) continue;
+      PathPosition position = path.at(0);
+      for (; position.distance < path.length; ++positions) position = path.advance(position, path.length / 20);
+      position = path.nearest(position.at);
+      path.polyline(0.01, line).value();
+      positions += line.size();
+    }
+    world.find_affected(paths, version, affected);
+  };
+  walk_all();
+  EXPECT_GT(positions, 1000U);
+  EXPECT_EQ(allocations_of(walk_all), 0U);
+}
+
 // Both forms of a query give the same answer, whatever the reused objects contained before.
 TEST(AllocationFree, FormsOfAQueryAgree) {
   const World world = world_of_things();
@@ -144,6 +172,7 @@ TEST(AllocationFree, Refusals) {
   WidestPath widest;
   std::vector<ItemId> ids;
   std::vector<CrossedItem> crossed;
+  std::vector<Point> line;
   Shape shape;
   std::size_t refusals = 0;
   const auto expect_refused = [&](const auto& result, ErrorCode code) {
@@ -168,6 +197,7 @@ TEST(AllocationFree, Refusals) {
     expect_refused(world.ray({1, 1}, {2000, 1}, hit), ErrorCode::out_of_domain);
     expect_refused(world.fit_disc({1, -1}, 1, context, fit), ErrorCode::out_of_domain);
     expect_refused(world.fit_disc({1, 1}, -1, context, fit), ErrorCode::bad_radius);
+    expect_refused(path.polyline(-1, line), ErrorCode::bad_distance);
     expect_refused(world.widest_path({1, 1}, {-1, 1}, context, widest), ErrorCode::out_of_domain);
     expect_refused(without_bridges.widest_path({1, 1}, {2, 1}, context, widest), ErrorCode::no_bridges);
     expect_refused(world.items_at({1, kNan}, context, ids), ErrorCode::coordinate_range);
@@ -177,7 +207,7 @@ TEST(AllocationFree, Refusals) {
     expect_refused(World::create({{1, 1}, {0, 0}}), ErrorCode::bad_domain);
     expect_refused(World::create({{1, 1}, {kNan, 0}}), ErrorCode::coordinate_range);
   });
-  EXPECT_EQ(refusals, 26U);
+  EXPECT_EQ(refusals, 27U);
   EXPECT_EQ(allocations, 0U);
   EXPECT_EQ(world.item_count(), before);
 }

@@ -1,3 +1,5 @@
+#include "support/disc_paths.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,16 +25,6 @@ World two_walls() {
   world.insert_segment({50, 0}, {50, 60}, 1).value();
   world.insert_segment({50, 70}, {50, 100}, 2).value();
   return world;
-}
-
-std::vector<disc::Piece> pieces_of(const Path& path) {
-  std::vector<disc::Piece> result;
-  for (const PathPiece& piece : path.pieces) {
-    result.push_back(piece.kind == PathPiece::Kind::line
-                         ? disc::Piece::line(piece.from, piece.to)
-                         : disc::Piece::arc(piece.centre, piece.radius, piece.start_angle, piece.end_angle));
-  }
-  return result;
 }
 
 TEST(DiscPaths, PassAGapOfExactlyTheirDiameter) {
@@ -74,12 +66,24 @@ TEST(DiscPaths, NeedBridges) {
   EXPECT_EQ(refused.error().code, ErrorCode::no_bridges);
 }
 
-TEST(DiscPaths, HaveNoPiecesIfStartAndGoalAreEqual) {
+TEST(DiscPaths, AreOneLineWithoutLengthIfStartAndGoalAreEqual) {
   const World world = two_walls();
   const Path path = world.find_path({.start = {20, 50}, .goal = {20, 50}, .radius = 5}).value();
   EXPECT_EQ(path.status, PathStatus::found);
   EXPECT_EQ(path.length, 0.0);
-  EXPECT_TRUE(path.pieces.empty());
+  ASSERT_EQ(path.pieces.size(), 1U);
+  EXPECT_EQ(path.pieces[0].from, (Point{20, 50}));
+  EXPECT_EQ(path.pieces[0].to, (Point{20, 50}));
+}
+
+TEST(DiscPaths, SayHowLongTheSearchTookIfAsked) {
+  const World world = two_walls();
+  PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 4.5};
+  EXPECT_EQ(world.find_path(query).value().time.count(), 0);
+  query.wants_time = true;
+  EXPECT_GT(world.find_path(query).value().time.count(), 0);
+  query.radius = 6;
+  EXPECT_GT(world.find_path(query).value().time.count(), 0) << "no path";
 }
 
 TEST(DiscPaths, DoNotDependOnPoints) {
@@ -91,18 +95,6 @@ TEST(DiscPaths, DoNotDependOnPoints) {
   const Path after = world.find_path(query).value();
   EXPECT_EQ(before.pieces, after.pieces);
   EXPECT_EQ(before.length, after.length);
-}
-
-TEST(DiscPaths, AreAffectedByEveryOperation) {
-  World world = two_walls();
-  const std::vector<Path> paths{world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 4}).value()};
-  const std::uint64_t version = world.version();
-  std::vector<std::size_t> affected;
-  world.find_affected(paths, version, affected);
-  EXPECT_TRUE(affected.empty());
-  world.insert_segment({53, 62}, {53, 63}).value();
-  world.find_affected(paths, version, affected);
-  EXPECT_EQ(affected, (std::vector<std::size_t>{0}));
 }
 
 // As the radius grows, lengths never shrink, and the path ends at the radius that widest_path() gives.
@@ -124,7 +116,7 @@ TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
         if (path.status != PathStatus::found) break;
         ASSERT_GE(path.length, length * (1 - 1e-12)) << "radius " << radius;
         length = path.length;
-        const disc::PathReport report = disc::check_path(walls, start, goal, radius, pieces_of(path));
+        const disc::PathReport report = disc::check_path(walls, start, goal, radius, disc::pieces_of(path));
         ASSERT_EQ(report.fault, "") << "radius " << radius;
         ASSERT_NEAR(report.length, length, 1e-9 * length) << "radius " << radius;
         const Path back = world.find_path({.start = goal, .goal = start, .radius = radius}).value();

@@ -293,6 +293,25 @@ TEST_P(FloatEnvironment, ChangesNoWalkAlongAPath) {
   }
 }
 
+TEST_P(FloatEnvironment, ChangesNoWalkOfADisc) {
+  World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  world.insert_segment({50.3, 0}, {51.7, 60.1}).value();
+  world.insert_segment({70.3, 100}, {71.7, 40.7}).value();
+  const std::uint64_t version = world.version();
+  const Path path = world.find_path({.start = {20.1, 50.3}, .goal = {90, 50}, .radius = 5.3}).value();
+  ASSERT_GE(path.pieces.size(), 5U);
+  for (std::size_t i = 0; i <= 64; ++i) {
+    const double distance = path.length * (static_cast<double>(i) / 64.0);
+    const PathPosition plainly = path.at(distance);
+    ASSERT_EQ(bits_of(in([&] { return path.at(distance); })), bits_of(plainly));
+    const Point beside{plainly.at.x + 0.1, plainly.at.y - 0.3};
+    ASSERT_EQ(bits_of(in([&] { return path.nearest(beside); })), bits_of(path.nearest(beside)));
+  }
+  EXPECT_EQ(in([&] { return path.polyline(0.1); }).value(), path.polyline(0.1).value());
+  world.insert_segment({30, 30}, {40, 40}).value();
+  EXPECT_EQ(in([&] { return world.is_affected(path, version); }), world.is_affected(path, version));
+}
+
 TEST_P(FloatEnvironment, ChangesNoPointsText) {
   EXPECT_EQ(in([] { return to_string(Point{-0.0, 0x1p-1050}); }), to_string(Point{-0.0, 0x1p-1050}));
 }

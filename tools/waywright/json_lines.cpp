@@ -116,7 +116,7 @@ std::string json_line(const Request& request, const Path& path) {
     append_point(out, path.points[i]);
     out += "]}";
   }
-  append_pieces(out, path.pieces);
+  if (path.length > 0.0) append_pieces(out, path.pieces);
   out += ']';
   append_moved(out, "moved_start", path.moved_start);
   append_moved(out, "moved_goal", path.moved_goal);
