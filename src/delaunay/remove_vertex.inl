@@ -115,9 +115,13 @@ void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, s
 }
 
 /// Triangulates the polygon whose border is the hole's sides and the base, which runs from its last vertex to its
-/// first.
+/// first. Cost: expected linear. The simple method for small holes takes quadratic time at worst.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
+  if (hole_sides_.size() > kLargeHole) {
+    large_hole_.triangulate(geometry_, std::span(hole_positions_).first(hole_sides_.size() + 1), triangles_);
+    return mesh_.refill(hole_sides_, triangles_);
+  }
   triangles_.clear();
   triangles_.push_back(triangle_over(0, static_cast<std::uint32_t>(hole_sides_.size())));
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
