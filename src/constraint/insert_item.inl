@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/ring_corners.hpp"
 #include "constraint/scattered_order.hpp"
@@ -89,7 +91,8 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 // edge that the side crosses.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
-  const Side side = items_.side(slot);
+  Side side = items_.side(slot);
+  if (topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   mesh::Vertex u = side.from;
   Step step = leave_corner(u, side);
   for (;;) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/scattered_order.hpp"
@@ -47,7 +48,8 @@ void ConstrainedTriangulation<Geometry>::remove_unneeded() {
 
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
-  const Side& side = items_.side(slot);
+  Side side = items_.side(slot);
+  if (topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   for (mesh::Vertex u = side.from; u != side.to;) {
     const mesh::HalfEdge h = edge_of_side(u, slot);
     u = topology().target(h);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "delaunay/tie_rule.hpp"
@@ -39,6 +40,7 @@ const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh
   mesh::HalfEdge right = left;
   prefetch(mesh_.target(right));
   do {
+    if (star_.spokes.size() == kManySpokes && has_crossing(star_.spokes)) break;
     star_.spokes.push_back(left);
     prefetch(mesh_.apex(left));
     prefetch_face_beyond(next(left));
@@ -54,6 +56,12 @@ const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh
     if (mesh_.is_fixed(star_.spokes[i])) star_.fixed.push_back(i);
   }
   return star_;
+}
+
+/// Whether more than two of the spokes are fixed.
+template <class Geometry>
+bool Triangulation<Geometry>::has_crossing(const std::vector<mesh::HalfEdge>& spokes) const {
+  return std::count_if(spokes.begin(), spokes.end(), [&](mesh::HalfEdge h) { return mesh_.is_fixed(h); }) > 2;
 }
 
 template <class Geometry>

@@ -69,8 +69,11 @@ class TriangleMesh {
   [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
   [[nodiscard]] bool is_fixed(HalfEdge h) const { return (corners_[number(h)].twin & kFixed) != 0; }
   [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
-  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: the degree of `from`.
+  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: O(1) plus the smaller degree of the two.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
+  /// Whether `u` has many edges, and more than `v`. Cost: O(1), or proportional to the number of edges of the vertex
+  /// with fewer edges.
+  [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const;
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
@@ -203,6 +206,10 @@ class TriangleMesh {
   }
 
  private:
+  static constexpr std::size_t kFewEdges = 16;
+
+  [[nodiscard]] HalfEdge find_in_turn(Vertex from, Vertex to) const;
+
   static constexpr std::uint32_t kFixed = 0x80000000;
   static constexpr std::uint32_t kFree = 0x80000000;
 
