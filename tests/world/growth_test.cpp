@@ -200,5 +200,68 @@ TEST(Growth, ManyScales) {
   insert_and_remove(world, shuffled, order, 40);
 }
 
+/// Returns a polygon of random points near a centre: rings may cross themselves, each other and other items.
+Shape random_polygon(std::uint64_t& state, const Point& centre, double size, std::size_t rings) {
+  const auto below = [&](std::uint32_t count) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<std::uint32_t>(state >> 33) % count;
+  };
+  Rings made;
+  for (std::size_t i = 0; i < rings; ++i) {
+    std::vector<Point> ring;
+    for (std::size_t corners = 3 + below(4); corners > 0; --corners) {
+      const double x = (static_cast<double>(below(41)) - 20.0) / 20.0;
+      const double y = (static_cast<double>(below(41)) - 20.0) / 20.0;
+      ring.push_back({centre.x + size * x, centre.y + size * y});
+    }
+    made.push_back(ring);
+  }
+  return Shape::polygon(std::move(made), below(3) == 0 ? FillRule::nonzero : FillRule::even_odd);
+}
+
+// Polygons around polygons of all kinds, some of them crossed: a polygon that is inserted around others covers all
+// components inside it, and only those. validate() compares the covers with those of a rebuilt world.
+TEST(Growth, PolygonsAroundOthers) {
+  std::uint64_t state = 5;
+  for (int scene = 0; scene < 30; ++scene) {
+    std::vector<Shape> shapes;
+    for (std::size_t i = 0; i < 12; ++i) {
+      const Point centre{-300.0 + 50.0 * static_cast<double>(state >> 40 & 15),
+                         -300.0 + 50.0 * static_cast<double>(state >> 50 & 15)};
+      shapes.push_back(random_polygon(state, centre, i % 4 == 0 ? 300 : 60, 1 + (i % 5 == 0 ? 1 : 0)));
+    }
+    shapes.push_back(Shape::polyline({{10, 0}, {0, 10}, {-10, 0}, {0, -10}, {10, 0}}));
+    shapes.push_back(Shape::polygon({circle(700, 12), circle(650, 12)}));
+    shapes.push_back(Shape::polygon(circle(750, 9)));
+    shapes.push_back(Shape::polygon(circle(600, 7)));
+    shapes.push_back(random_polygon(state, {0, 0}, 800, 1));
+    std::vector<Shape> shuffled;
+    for (const std::size_t i : mixed(shapes.size() + static_cast<std::size_t>(scene % 3))) {
+      if (i < shapes.size()) shuffled.push_back(shapes[i]);
+    }
+    World world = World::create(kDomain).value();
+    ASSERT_NO_FATAL_FAILURE(insert_and_remove(world, scene % 2 == 0 ? shapes : shuffled, mixed(shapes.size()), 1))
+        << "scene " << scene;
+  }
+}
+
+// Two horseshoes enclose a gap that no face outside them reaches.
+TEST(Growth, APolygonAroundAGapBetweenOthers) {
+  const Shape left = Shape::polygon({{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 8}, {6, 8}, {6, 10}, {0, 10}}});
+  const Shape right = Shape::polygon({{{10, 0}, {5, 0}, {5, 2}, {8, 2}, {8, 8}, {5, 8}, {5, 10}, {10, 10}}});
+  const Shape eight = Shape::polygon({{{20, 0}, {24, 4}, {20, 4}, {24, 0}, {28, 8}, {16, 8}}});
+  for (const bool has_item_in_gap : {false, true}) {
+    World world = World::create(kDomain).value();
+    std::vector<Shape> shapes = {left, right, eight};
+    if (has_item_in_gap) shapes.push_back(square({5, 5}, 1));
+    shapes.push_back(square({10, 5}, 40));
+    shapes.push_back(square({10, 5}, 50));
+    std::vector<std::size_t> removal(shapes.size());
+    for (std::size_t i = 0; i < removal.size(); ++i) removal[i] = removal.size() - 1 - i;
+    std::swap(removal[0], removal[1]);
+    ASSERT_NO_FATAL_FAILURE(insert_and_remove(world, shapes, removal, 1));
+  }
+}
+
 }  // namespace
 }  // namespace waywright::test
