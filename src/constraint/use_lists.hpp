@@ -45,6 +45,11 @@ class UseLists {
     return list == single(user);
   }
 
+  /// Whether the list has many users. Cost: O(1).
+  [[nodiscard]] bool has_many(Uses list) const {
+    return is_node(list) && is_node(node_of(list).less) && is_node(node_of(list).greater);
+  }
+
   /// Empties the undo log.
   void begin();
   /// Undoes all changes since begin(). Allocates nothing.

@@ -134,8 +134,9 @@ void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
 
 void TriangleMesh::set_label(HalfEdge h, Label new_label) {
   if (new_label != 0) make_room_for_label(h, twin(h));
-  log(ChangeKind::set_label_of_twin, number(twin(h)));
-  log(ChangeKind::set_label, number(h), label(h));
+  const bool stays_fixed = new_label != 0 && is_fixed(h);
+  log(stays_fixed ? ChangeKind::relabel_twin : ChangeKind::set_label_of_twin, number(twin(h)));
+  log(stays_fixed ? ChangeKind::relabel : ChangeKind::set_label, number(h), label(h));
   write_label(h, new_label);
 }
 

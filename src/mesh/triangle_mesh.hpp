@@ -37,7 +37,12 @@ class TriangleMesh {
  public:
   /// What a change since begin() did to a face or vertex. A face or vertex that several changes touched is listed
   /// several times, in the order of the changes.
-  enum class Touch : std::uint8_t { made, rebuilt, freed };
+  enum class Touch : std::uint8_t {
+    made,
+    rebuilt,
+    freed,
+    relabelled  ///< one of its fixed edges got another label, and stayed fixed
+  };
 
   /// A stored half-edge.
   struct Corner {
@@ -172,6 +177,10 @@ class TriangleMesh {
         case ChangeKind::set_label_of_twin:
           visit(face(HalfEdge{change.index}), Touch::rebuilt);
           break;
+        case ChangeKind::relabel:
+        case ChangeKind::relabel_twin:
+          visit(face(HalfEdge{change.index}), Touch::relabelled);
+          break;
         case ChangeKind::add_vertex:
         case ChangeKind::free_vertex:
         case ChangeKind::rebuild_label:
@@ -224,14 +233,16 @@ class TriangleMesh {
     flip,
     set_label,
     set_label_of_twin,
+    relabel,  ///< set_label for an edge that was fixed and stays fixed
+    relabel_twin,
     rebuild_label,
   };
   /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;
-    /// For set_label and rebuild_label: the old label. For rebuild_face: the position in `saved_faces_`. For split_edge
-    /// and flip: the twin of `index`.
+    /// For set_label, relabel and rebuild_label: the old label. For rebuild_face: the position in `saved_faces_`. For
+    /// split_edge and flip: the twin of `index`.
     std::uint32_t saved;
   };
   using SavedFace = std::array<Corner, 3>;

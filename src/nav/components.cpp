@@ -346,7 +346,8 @@ void Components::count_memory(MemoryUse& use) const {
   records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_,
-                      stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_);
+                      stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_,
+                      edges_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
@@ -356,7 +357,7 @@ void Components::shrink_to_fit() {
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
   memory::release(faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_, stack_,
-                  flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_);
+                  flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_, edges_);
 }
 
 }  // namespace waywright::nav

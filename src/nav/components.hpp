@@ -242,6 +242,7 @@ class Components {
   constraint::SlotSet is_enclosed_;
   std::vector<std::uint32_t> enclosed_;  ///< the elements of `is_enclosed_`
   std::vector<Covered> covered_;
+  std::vector<std::pair<mesh::HalfEdge, std::int32_t>> edges_;  ///< see WindingOfSides in cover_polygon.cpp
 };
 
 }  // namespace waywright::nav

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "constraint/turns.hpp"
 #include "nav/components.hpp"
@@ -70,6 +72,56 @@ void follow_side(const constraint::ExactTriangulation& triangulation, std::uint3
   }
 }
 
+/// The winding numbers of a polygon. If many sides lie on an edge, the class does not look for the polygon's sides
+/// among them: it collects all edges of the polygon once, in `edges`.
+template <class Winding>
+class WindingOfSides {
+ public:
+  /// An edge, as the lower of its two half-edges, and the change of the winding number across this half-edge.
+  using Edge = std::pair<HalfEdge, std::int32_t>;
+
+  WindingOfSides(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::vector<Edge>& edges)
+      : triangulation_(triangulation), winding_(winding), edges_(edges) {
+    edges_.clear();
+  }
+
+  [[nodiscard]] static bool covers(std::int32_t turns) { return Winding::covers(turns); }
+  [[nodiscard]] bool changes_across(HalfEdge h) const { return covers(across(h)); }
+  [[nodiscard]] std::int32_t across(HalfEdge h) const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    if (!triangulation_.uses().has_many(mesh.label(h))) return winding_.across(h);
+    if (edges_.empty()) collect();
+    const HalfEdge lower = std::min(h, mesh.twin(h));
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), lower,
+                                     [](const Edge& edge, HalfEdge half) { return edge.first < half; });
+    if (at == edges_.end() || at->first != lower) return 0;
+    return lower == h ? at->second : -at->second;
+  }
+
+ private:
+  void collect() const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    triangulation_.items().for_each_side(winding_.polygon(), [&](std::uint32_t slot) {
+      follow_side(triangulation_, slot, [&](HalfEdge h) {
+        const HalfEdge t = mesh.twin(h);
+        edges_.push_back({std::min(h, t), h < t ? 1 : -1});
+      });
+    });
+    std::sort(edges_.begin(), edges_.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges_.size();) {
+      Edge edge{edges_[i].first, 0};
+      for (; i < edges_.size() && edges_[i].first == edge.first; ++i) edge.second += edges_[i].second;
+      edges_[kept++] = edge;
+    }
+    edges_.resize(kept);
+  }
+
+  const constraint::ExactTriangulation& triangulation_;
+  const Winding& winding_;
+  std::vector<Edge>& edges_;
+};
+
 }  // namespace
 
 /// Adds the polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
@@ -86,7 +138,8 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
   tested_.clear();
   is_enclosed_.clear();
   knows_touching_ = false;
-  constraint::with_winding(triangulation, polygon, [&](const auto& winding) {
+  constraint::with_winding(triangulation, polygon, [&](const auto& winding_of_all) {
+    const WindingOfSides winding(triangulation, winding_of_all, edges_);
     visit_boundary(triangulation, winding);
     cover_at_boundary_ = flooded_.empty() ? CoverTree::kEmpty : records_[flooded_.front()].cover;
     flood(triangulation, winding);
@@ -115,9 +168,17 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
   may_enclose_ = outline_.ring_ends.size() == 1;
   std::size_t ring_begin = 0;
   std::size_t sides_begin = 0;
+  std::span<const mesh::Vertex> last_ring;
   for (const std::uint32_t ring_end : outline_.ring_ends) {
     const std::size_t count = ring_end - ring_begin;
-    const std::size_t first = first_corner(triangulation, {outline_.corners.data() + ring_begin, count});
+    const std::span<const mesh::Vertex> ring(outline_.corners.data() + ring_begin, count);
+    if (std::equal(ring.begin(), ring.end(), last_ring.begin(), last_ring.end())) {
+      ring_begin = ring_end;
+      sides_begin += count > 1 ? count : 0;
+      continue;  // there are the same faces along both rings
+    }
+    last_ring = ring;
+    const std::size_t first = first_corner(triangulation, ring);
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
     // To the right of `h` there is no face between sides of this ring: its first corner is the origin of `h`. So with a
     // single ring the winding number there is 0. With several rings, this ring may lie inside another one.
