@@ -44,6 +44,7 @@ class Abstraction::Guard {
 Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
 
 void Abstraction::begin() {
+  has_new_walls_ = false;
   inserted_.clear();
   removed_.clear();
 }
@@ -63,7 +64,7 @@ void Abstraction::update(const Triangulation& triangulation) {
     components_.update_in_open_space(mesh, changed_, made_);
     core_.update_in_open_space(mesh, changed_, made_);
   } else {
-    components_.update(triangulation, {changed_, made_, removed_, inserted_});
+    components_.update(triangulation, {changed_, made_, removed_, inserted_, has_new_walls_});
     core_.update(mesh, changed_, made_);
   }
   guard.done();

@@ -27,7 +27,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   remove_changed_faces(changes.changed);
   find_groups(mesh, changes.made);
   remove_from_covers(changes);
-  find_remainders(mesh);
+  find_remainders(mesh, changes.has_new_walls);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon, changes.inserted);
@@ -116,7 +116,9 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   });
 }
 
-void Components::find_remainders(const mesh::TriangleMesh& mesh) {
+/// Finds what is left of the old components. If none of them can be divided, all groups with a contact to one component
+/// are connected, and no search is necessary.
+void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided) {
   remainders_.clear();
   piece_faces_.clear();
   const auto count = static_cast<std::uint32_t>(contacts_.size());
@@ -124,6 +126,7 @@ void Components::find_remainders(const mesh::TriangleMesh& mesh) {
     const Contact& first = contacts_[begin];
     bool is_in_one = true;
     for (; end < count && contacts_[end].component == first.component; ++end) {
+      if (!may_be_divided) unite(group_sets_, contacts_[end].group, first.group);
       is_in_one = is_in_one && root_of(group_sets_, contacts_[end].group) == root_of(group_sets_, first.group);
     }
     if (is_in_one) {

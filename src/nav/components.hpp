@@ -57,6 +57,8 @@ class Components {
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
+    /// Whether the operation inserted items with sides. If not, no component is divided.
+    bool has_new_walls;
   };
   /// Updates the components to the triangulation. Logs every old value before it changes it.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
@@ -140,7 +142,7 @@ class Components {
   void make_room(const mesh::TriangleMesh& mesh);
   void remove_changed_faces(std::span<const mesh::Face> changed);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
-  void find_remainders(const mesh::TriangleMesh& mesh);
+  void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
   void start_searches(std::span<const Contact> contacts);
   [[nodiscard]] std::uint32_t search_until_one_is_left(const mesh::TriangleMesh& mesh);
