@@ -123,6 +123,8 @@ class ConstrainedTriangulation {
   void begin_records();
   void roll_back();
   void set_corner_uses(mesh::Vertex v, Uses uses);
+  /// Whether many items have a corner at `v`.
+  [[nodiscard]] bool is_hub(mesh::Vertex v) const { return uses_.has_many(corner_uses_[number(v)]); }
   /// Prefetches the memory that says which items have a corner at `v`.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_corner_uses(mesh::Vertex v) const {
     base::prefetch_to_write(&corner_uses_[number(v)]);

@@ -92,7 +92,7 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   Side side = items_.side(slot);
-  if (topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
+  if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   mesh::Vertex u = side.from;
   Step step = leave_corner(u, side);
   for (;;) {

@@ -49,7 +49,7 @@ void ConstrainedTriangulation<Geometry>::remove_unneeded() {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
   Side side = items_.side(slot);
-  if (topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
+  if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   for (mesh::Vertex u = side.from; u != side.to;) {
     const mesh::HalfEdge h = edge_of_side(u, slot);
     u = topology().target(h);
