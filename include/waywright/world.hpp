@@ -224,7 +224,10 @@ class WAYWRIGHT_API World {
   /// Returns the id. If the function refuses a point, Error::index is the index of this point in the shape, counted
   /// from 0 over all rings.
   /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large.
-  /// Cost: for each point, its location; for each side, the triangles that it crosses.
+  /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
+  /// O(log n) for each item that shares a position or an edge with this one. With the abstraction: for a polygon, also
+  /// the triangles inside it that no polygon within it covers; and if the walls divide an area, the triangles of the
+  /// smaller piece.
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
@@ -243,7 +246,8 @@ class WAYWRIGHT_API World {
 
   /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
   /// Errors: unknown_id, bad_id.
-  /// Cost: the triangles that the item touches. It does not depend on the size of the world.
+  /// Cost: the triangles that the item touches. It does not depend on the size of the world, except with the
+  /// abstraction: if the removal connects two areas, also the triangles of the smaller one.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 

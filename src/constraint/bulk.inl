@@ -6,6 +6,7 @@
 
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/ring_corners.hpp"
+#include "constraint/scattered_order.hpp"
 
 // Inserts many items at once. First it inserts the corners along a curve, so that each is near the previous corner, and
 // its neighbours are near it in memory. Then it inserts the sides, whose ends are known, in the order of their items'
@@ -93,17 +94,37 @@ template <class Geometry>
 template <class Batch>
 void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, team);
-  std::vector<mesh::Vertex> vertices;
-  vertices.reserve(sorted.points.size());
-  for (const Point& point : sorted.points) {
-    vertices.push_back(insert_vertex(triangulation_.insert(point)));
-    if (vertices.size() % kItemsBetweenReports == 0) team.report(vertices.size());
-  }
+  const std::vector<mesh::Vertex> vertices = insert_sorted(sorted.points, team);
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
   items_.add_hash(hash_of_batch(batch));
   insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
     if (items % kItemsBetweenReports == 0) team.report(sorted.ranks.size() + items);
   });
+}
+
+/// Makes a vertex at each point, first in their order. If this is costly, it inserts the others in scattered order.
+template <class Geometry>
+std::vector<mesh::Vertex> ConstrainedTriangulation<Geometry>::insert_sorted(std::span<const Point> points,
+                                                                            const threads::ThreadTeam& team) {
+  std::vector<mesh::Vertex> vertices;
+  vertices.reserve(points.size());
+  CostWatch watch(kUsualTests);
+  while (vertices.size() < points.size() && !watch.is_costly()) {
+    const auto inserted = triangulation_.insert(points[vertices.size()]);
+    watch.add(inserted.tested_edges);
+    vertices.push_back(insert_vertex(inserted));
+    if (vertices.size() % kItemsBetweenReports == 0) team.report(vertices.size());
+  }
+  if (vertices.size() == points.size()) return vertices;
+  std::size_t done = vertices.size();
+  order_.clear();
+  append_scattered(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(points.size()), true, order_);
+  vertices.resize(points.size());
+  for (const std::uint32_t i : order_) {
+    vertices[i] = insert_vertex(triangulation_.insert(points[i]));
+    if (++done % kItemsBetweenReports == 0) team.report(done);
+  }
+  return vertices;
 }
 
 template <class Geometry>

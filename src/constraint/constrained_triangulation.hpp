@@ -103,6 +103,8 @@ class ConstrainedTriangulation {
 
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
+  static constexpr std::size_t kUsualTests = 32;  ///< edges to test for a new vertex: three times the usual number
+  static constexpr std::size_t kUsualDegree = 18;
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
   /// The first four sides are those of the domain.
@@ -121,6 +123,8 @@ class ConstrainedTriangulation {
   void begin_records();
   void roll_back();
   void set_corner_uses(mesh::Vertex v, Uses uses);
+  /// Whether many items have a corner at `v`.
+  [[nodiscard]] bool is_hub(mesh::Vertex v) const { return uses_.has_many(corner_uses_[number(v)]); }
   /// Prefetches the memory that says which items have a corner at `v`.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_corner_uses(mesh::Vertex v) const {
     base::prefetch_to_write(&corner_uses_[number(v)]);
@@ -135,11 +139,13 @@ class ConstrainedTriangulation {
   template <class Batch, class VertexOf, class AfterRecord>
   [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
                                                        VertexOf&& vertex_of, AfterRecord&& after_record);
+  [[nodiscard]] std::vector<mesh::Vertex> insert_sorted(std::span<const Point> points, const threads::ThreadTeam& team);
   template <class AfterItem>
   void insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item);
 
   [[nodiscard]] ItemHash::Words hash_of(std::uint32_t slot, const Outline& outline) const;
-  void insert_ring(std::span<const Point> ring, std::uint32_t slot);
+  void insert_corners(const Rings& rings, std::uint32_t slot);
+  void insert_late_corners(std::uint32_t slot);
   void add_corner(mesh::Vertex v, std::uint32_t item);
   void end_ring();
   /// Sets the corners of an item, which are in `outline_`, and its sides, and adds its hash.
@@ -170,8 +176,9 @@ class ConstrainedTriangulation {
   void split_uses(mesh::HalfEdge half);
   void remove_side(std::uint32_t slot);
   void remove_corner_use(mesh::Vertex v, std::uint32_t item);
-  /// Removes `v` if neither a corner nor a crossing needs it.
-  void remove_if_unneeded(mesh::Vertex v);
+  void remove_unneeded();
+  /// Removes `v` if neither a corner nor a crossing needs it. Returns the number of its edges, or 0 if it stays.
+  std::size_t remove_if_unneeded(mesh::Vertex v);
   /// The edge on which `side` leaves `u`. Requires: there is such an edge, and the list of the edge on which `side`
   /// reached `u` no longer contains `side`.
   [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;
@@ -189,7 +196,15 @@ class ConstrainedTriangulation {
   Triangulation triangulation_;
   memory::JournaledArray<Uses> corner_uses_;  ///< by vertex: the items with a corner there
 
+  /// A corner of the item that the operation inserts. Its vertex is not made yet.
+  struct LateCorner {
+    Point point;
+    std::uint32_t index;  ///< in `outline_`
+  };
+
   // Scratch.
+  std::vector<LateCorner> late_corners_;
+  std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::Vertex> touched_;
   Outline outline_;  ///< of the item that the operation inserts or removes

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <utility>
+
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/ring_corners.hpp"
+#include "constraint/scattered_order.hpp"
 
 namespace waywright::constraint {
 
@@ -10,8 +13,7 @@ namespace waywright::constraint {
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
   const std::uint32_t slot = items_.add_item(id, shape.kind, shape.fill);
-  outline_.clear();
-  for (const PointSpan& ring : shape.rings) insert_ring(ring, slot);
+  insert_corners(shape.rings, slot);
   end_item(slot);
   items_.for_each_side(slot, [&](std::uint32_t side) { insert_side(side); });
 }
@@ -27,12 +29,38 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
   return hash.words();
 }
 
-/// Inserts the corners of a ring. Its sides come later.
+/// Inserts the corners of all rings, first in their order. If this is costly, it inserts the others in scattered order.
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::insert_ring(std::span<const Point> ring, std::uint32_t slot) {
-  for_each_corner(ring, items_.kind(slot) == ItemKind::polygon,
-                  [&](const Point& point) { add_corner(insert_vertex(triangulation_.insert(point)), slot); });
-  end_ring();
+void ConstrainedTriangulation<Geometry>::insert_corners(const Rings& rings, std::uint32_t slot) {
+  outline_.clear();
+  late_corners_.clear();
+  CostWatch watch(kUsualTests);
+  for (const PointSpan& ring : rings) {
+    for_each_corner(ring, items_.kind(slot) == ItemKind::polygon, [&](const Point& point) {
+      if (watch.is_costly()) [[unlikely]] {
+        late_corners_.push_back({point, static_cast<std::uint32_t>(outline_.corners.size())});
+        outline_.corners.push_back(mesh::kNoVertex);
+        return;
+      }
+      const auto inserted = triangulation_.insert(point);
+      watch.add(inserted.tested_edges);
+      add_corner(insert_vertex(inserted), slot);
+    });
+    end_ring();
+  }
+  if (!late_corners_.empty()) [[unlikely]]
+    insert_late_corners(slot);
+}
+
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::insert_late_corners(std::uint32_t slot) {
+  order_.clear();
+  append_scattered(0, static_cast<std::uint32_t>(late_corners_.size()), true, order_);
+  for (const std::uint32_t i : order_) {
+    const mesh::Vertex v = insert_vertex(triangulation_.insert(late_corners_[i].point));
+    outline_.corners[late_corners_[i].index] = v;
+    set_corner_uses(v, uses_.add(corner_uses_[number(v)], slot));
+  }
 }
 
 template <class Geometry>
@@ -63,7 +91,8 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 // edge that the side crosses.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
-  const Side side = items_.side(slot);
+  Side side = items_.side(slot);
+  if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   mesh::Vertex u = side.from;
   Step step = leave_corner(u, side);
   for (;;) {

@@ -84,6 +84,13 @@ class ItemTable {
   /// Calls visit(corner, ends_ring) for each corner of an item, ring after ring: see Outline.
   template <class Visit>
   void for_each_corner(std::uint32_t item, Visit&& visit) const;
+  /// Whether a polygon has one ring. Cost: the number of corners of its first ring.
+  [[nodiscard]] bool has_one_ring(std::uint32_t item) const {
+    const std::uint32_t last = items_[item].corner_or_side;
+    std::uint32_t slot = sides_[last].next & ~kEndsRing;
+    while ((sides_[slot].next & kEndsRing) == 0) slot = sides_[slot].next;
+    return slot == last;
+  }
   /// Fills `outline` with the corners of an item. Uses its memory again.
   void outline(std::uint32_t item, Outline& outline) const;
 

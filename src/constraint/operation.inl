@@ -33,7 +33,7 @@ void ConstrainedTriangulation<Geometry>::count_memory(MemoryUse& use) const {
   items_.count_memory(use);
   uses_.count_memory(use, &MemoryUse::walls);
   corner_uses_.count_memory(use, &MemoryUse::vertices);
-  memory::count_spare(use, crossed_, touched_, outline_.corners, outline_.ring_ends);
+  memory::count_spare(use, late_corners_, order_, crossed_, touched_, outline_.corners, outline_.ring_ends);
 }
 
 template <class Geometry>
@@ -43,7 +43,7 @@ void ConstrainedTriangulation<Geometry>::shrink_to_fit() {
   items_.shrink_to_fit();
   uses_.shrink_to_fit();
   corner_uses_.shrink_to_fit();
-  memory::release(crossed_, touched_, outline_.corners, outline_.ring_ends);
+  memory::release(late_corners_, order_, crossed_, touched_, outline_.corners, outline_.ring_ends);
 }
 
 template <class Geometry>

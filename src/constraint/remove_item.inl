@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "constraint/constrained_triangulation.hpp"
+#include "constraint/scattered_order.hpp"
 
 namespace waywright::constraint {
 
@@ -28,12 +30,26 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   triangulation_.legalise_freed();
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  for (const mesh::Vertex v : touched_) remove_if_unneeded(v);
+  remove_unneeded();
+}
+
+/// Removes the vertices in `touched_` that are not needed any more, first in their order. If this is costly, it removes
+/// the others in scattered order.
+template <class Geometry>
+void ConstrainedTriangulation<Geometry>::remove_unneeded() {
+  CostWatch watch(kUsualDegree);
+  std::uint32_t i = 0;
+  for (; i < touched_.size() && !watch.is_costly(); ++i) watch.add(remove_if_unneeded(touched_[i]));
+  if (i == touched_.size()) return;
+  order_.clear();
+  append_scattered(i, static_cast<std::uint32_t>(touched_.size()), false, order_);
+  for (const std::uint32_t late : order_) remove_if_unneeded(touched_[late]);
 }
 
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
-  const Side& side = items_.side(slot);
+  Side side = items_.side(slot);
+  if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   for (mesh::Vertex u = side.from; u != side.to;) {
     const mesh::HalfEdge h = edge_of_side(u, slot);
     u = topology().target(h);
@@ -54,14 +70,16 @@ void ConstrainedTriangulation<Geometry>::remove_corner_use(mesh::Vertex v, std::
 }
 
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex v) {
-  if (corner_uses_[number(v)] != UseLists::kNone) return;
+std::size_t ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex v) {
+  if (corner_uses_[number(v)] != UseLists::kNone) return 0;
   // All sides at a vertex without corners run straight on. Two fixed edges therefore lie on one line, and more of them
   // mean a crossing.
   const auto& star = triangulation_.star(v);
-  if (star.fixed.size() > 2) return;
+  if (star.fixed.size() > 2) return 0;
   if (star.fixed.size() == 2) uses_.release(topology().label(star.spokes[star.fixed[1]]));
+  const std::size_t degree = star.spokes.size();
   triangulation_.remove_vertex(star);
+  return degree;
 }
 
 template <class Geometry>

@@ -50,6 +50,9 @@ class SlotSet {
     table_[bucket] = number;
     return true;
   }
+  [[nodiscard]] bool contains(std::uint32_t number) const {
+    return !buckets_.empty() && table_[bucket_of(number)] == number;
+  }
   void clear() {
     for (const std::uint32_t bucket : buckets_) table_[bucket] = kEmpty;
     buckets_.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "delaunay/tie_rule.hpp"
@@ -39,6 +40,7 @@ const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh
   mesh::HalfEdge right = left;
   prefetch(mesh_.target(right));
   do {
+    if (star_.spokes.size() == kManySpokes && has_crossing(star_.spokes)) break;
     star_.spokes.push_back(left);
     prefetch(mesh_.apex(left));
     prefetch_face_beyond(next(left));
@@ -54,6 +56,12 @@ const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh
     if (mesh_.is_fixed(star_.spokes[i])) star_.fixed.push_back(i);
   }
   return star_;
+}
+
+/// Whether more than two of the spokes are fixed.
+template <class Geometry>
+bool Triangulation<Geometry>::has_crossing(const std::vector<mesh::HalfEdge>& spokes) const {
+  return std::count_if(spokes.begin(), spokes.end(), [&](mesh::HalfEdge h) { return mesh_.is_fixed(h); }) > 2;
 }
 
 template <class Geometry>
@@ -115,9 +123,13 @@ void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, s
 }
 
 /// Triangulates the polygon whose border is the hole's sides and the base, which runs from its last vertex to its
-/// first.
+/// first. Cost: expected linear. The simple method for small holes takes quadratic time at worst.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
+  if (hole_sides_.size() > kLargeHole) {
+    large_hole_.triangulate(geometry_, std::span(hole_positions_).first(hole_sides_.size() + 1), triangles_);
+    return mesh_.refill(hole_sides_, triangles_);
+  }
   triangles_.clear();
   triangles_.push_back(triangle_over(0, static_cast<std::uint32_t>(hole_sides_.size())));
   for (std::size_t i = 0; i < triangles_.size(); ++i) {

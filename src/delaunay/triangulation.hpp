@@ -8,6 +8,7 @@
 #include "waywright/point.hpp"
 
 #include "base/compiler.hpp"
+#include "delaunay/large_hole.hpp"
 #include "exact/any_geometry.hpp"
 #include "locate/curve.hpp"
 #include "locate/sectors.hpp"
@@ -83,7 +84,8 @@ class Triangulation {
   struct Inserted {
     mesh::Vertex vertex;
     bool is_new;
-    mesh::HalfEdge split;  ///< if a fixed edge was split: one of its halves, from the vertex; else kNoHalfEdge
+    mesh::HalfEdge split;          ///< if a fixed edge was split: one of its halves, from the vertex; else kNoHalfEdge
+    std::size_t tested_edges = 0;  ///< how many edges the insertion has tested
   };
   /// Makes a vertex at `point`, if there is none yet. A new vertex on a fixed edge splits this edge into two that have
   /// the same label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
@@ -109,7 +111,8 @@ class Triangulation {
     std::vector<mesh::HalfEdge> spokes;
     std::vector<std::uint32_t> fixed;
   };
-  /// The star of `v`. The result is valid until the next call.
+  /// The star of `v`. If the vertex has many edges and more than two of them are fixed, the star can be incomplete: it
+  /// then has more than two fixed spokes. The result is valid until the next call.
   [[nodiscard]] const Star& star(mesh::Vertex v);
   /// Removes the vertex of a star. The vertex has no fixed edges, or two that lie on one line. Two fixed edges become
   /// one edge with the label of the first. Returns this edge, or kNoHalfEdge if there were no fixed edges. Requires:
@@ -155,6 +158,8 @@ class Triangulation {
   using Triangle = mesh::TriangleMesh::Triangle;
 
   static constexpr std::size_t kLongWalk = 16;
+  static constexpr std::size_t kLargeHole = 32;   ///< sides
+  static constexpr std::size_t kManySpokes = 16;  ///< on the left half of a star
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
 
   /// An edge on a cavity's border. It runs from the vertex `from` to the vertex `from` of the next edge in the chain.
@@ -196,6 +201,7 @@ class Triangulation {
   void divide_sector(const Point& point);
   [[nodiscard]] mesh::HalfEdge inner_side(mesh::HalfEdge h) const;
 
+  [[nodiscard]] bool has_crossing(const std::vector<mesh::HalfEdge>& spokes) const;
   mesh::HalfEdge remove_free_vertex(const Star& star);
   mesh::HalfEdge remove_vertex_on_line(const Star& star);
   void collect_hole(const Star& star, std::size_t from, std::size_t to);
@@ -229,6 +235,7 @@ class Triangulation {
   std::vector<mesh::HalfEdge> hole_sides_;
   std::vector<View> hole_positions_;
   std::vector<Triangle> triangles_;
+  LargeHole<Geometry> large_hole_;
   Chain left_chain_, right_chain_;
   std::vector<std::uint32_t> dangling_;
   std::vector<mesh::Face> cavity_;

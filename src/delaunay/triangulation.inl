@@ -74,6 +74,7 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   sectors_.count_memory(use);
   memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_,
                       triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
+  large_hole_.count_memory(use);
 }
 
 template <class Geometry>
@@ -83,6 +84,7 @@ void Triangulation<Geometry>::shrink_to_fit() {
   sectors_.shrink_to_fit();
   memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_, triangles_,
                   left_chain_, right_chain_, dangling_, cavity_, corners_);
+  large_hole_.release();
 }
 
 template <class Geometry>
@@ -177,7 +179,7 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
   }
   legalise_around_apex();
   remember(mesh_.outgoing(v));
-  return {v, true, splits_fixed_edge ? mesh_.find(v, end) : mesh::kNoHalfEdge};
+  return {v, true, splits_fixed_edge ? mesh_.find(v, end) : mesh::kNoHalfEdge, in_doubt_.size()};
 }
 
 template <class Geometry>

@@ -30,6 +30,18 @@ class Curve {
   [[nodiscard]] Key key(const Point& point) const {
     return spread(cell(point.x, min_.x)) << 1 | spread(cell(point.y, min_.y));
   }
+  /// A box around the cell of a key. It is a little larger than the cell, because the cell of a point is rounded.
+  [[nodiscard]] Box cell_box(Key key) const {
+    const double x = static_cast<double>(gather(key >> 1));
+    const double y = static_cast<double>(gather(key));
+    constexpr double kMargin = 1.0 / 64;
+    return {{min_.x + (x - kMargin) / scale_, min_.y + (y - kMargin) / scale_},
+            {min_.x + (x + 1.0 + kMargin) / scale_, min_.y + (y + 1.0 + kMargin) / scale_}};
+  }
+  /// The key of the cell nearest to a point, which may lie outside the box.
+  [[nodiscard]] Key nearest_key(const Point& point) const {
+    return key({std::max(point.x, min_.x), std::max(point.y, min_.y)});
+  }
   /// Converts a squared distance to units of the squared width of a cell.
   [[nodiscard]] double squared_cells(double squared_distance) const { return squared_distance * scale_ * scale_; }
   /// Whether the bit of a key comes from x; otherwise it comes from y.
@@ -49,6 +61,16 @@ class Curve {
     bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0fu;
     bits = (bits | bits << 2) & 0x3333333333333333u;
     return (bits | bits << 1) & 0x5555555555555555u;
+  }
+
+  /// The inverse of spread(). Ignores the bits at odd positions.
+  [[nodiscard]] static std::uint64_t gather(std::uint64_t bits) {
+    bits &= 0x5555555555555555u;
+    bits = (bits | bits >> 1) & 0x3333333333333333u;
+    bits = (bits | bits >> 2) & 0x0f0f0f0f0f0f0f0fu;
+    bits = (bits | bits >> 4) & 0x00ff00ff00ff00ffu;
+    bits = (bits | bits >> 8) & 0x0000ffff0000ffffu;
+    return (bits | bits >> 16) & 0x00000000ffffffffu;
   }
 
   Point min_;

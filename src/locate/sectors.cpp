@@ -5,19 +5,25 @@
 
 namespace waywright::locate {
 
-bool Sectors::are_in_one(const Point& p, const Point& q) const {
-  const Curve::Key key = curve_.key(p);
-  const int shift = find(key).shift;
-  return key >> shift == curve_.key(q) >> shift;
+/// The sector of a point in a zoomed sector, or in a zoom within this zoom, and so on.
+Sectors::Sector Sectors::find_in_zoom(const Point& point, std::size_t index) const {
+  for (;;) {
+    const std::uint32_t i = sectors_[index] & ~(kDivided | kZoomed);
+    const Curve::Key key = zooms_[i].curve.nearest_key(point);
+    constexpr int kShift = kKeyBits - 2;
+    const Sector sector = find_quarter(key, zooms_[i].first + static_cast<std::size_t>(key >> kShift), kShift, i);
+    if (!is_zoomed(sectors_[sector.index])) return sector;
+    index = sector.index;
+  }
 }
 
 void Sectors::remember(const Point& point, mesh::Vertex v, std::size_t vertex_count) {
   if (vertex_count > kVerticesPerSector * whole_count()) grow();
-  sectors_[find(curve_.key(point)).index] = number(v);
+  sectors_[at(point).index] = number(v);
 }
 
 void Sectors::replace(const Point& point, mesh::Vertex v, mesh::Vertex other) {
-  Cell& cell = sectors_[find(curve_.key(point)).index];
+  Cell& cell = sectors_[at(point).index];
   if (cell == number(v)) cell = number(other);
 }
 
@@ -29,17 +35,31 @@ void Sectors::divide(const Point& point, std::size_t vertex_count) {
   if (quarters > 4 * vertex_count + whole_count()) {
     for (std::size_t i = 0; i < whole_count(); ++i) sectors_[i] = any_vertex(sectors_[i]);
     sectors_.resize(whole_count());
+    zooms_.clear();
   }
-  const auto [index, shift] = find(curve_.key(point));
-  if (shift == 0) return;
-  const Cell cell = sectors_[index];
+  const Sector sector = at(point);
+  if (sector.shift == 0) return add_zoom(point, sector);
+  const Cell cell = sectors_[sector.index];
   const auto first = static_cast<Cell>(sectors_.size());
   sectors_.insert(sectors_.end(), 4, cell);
-  sectors_[index] = first | kDivided;
+  sectors_[sector.index] = first | kDivided;
+}
+
+void Sectors::add_zoom(const Point& point, const Sector& sector) {
+  const std::uint32_t depth = sector.zoom == kNoZoom ? 0 : zooms_[sector.zoom].depth + 1;
+  if (depth > kMaxDepth) return;
+  const Curve& curve = sector.zoom == kNoZoom ? curve_ : zooms_[sector.zoom].curve;
+  const Box box = curve.cell_box(curve.nearest_key(point));
+  if (!(box.min.x < box.max.x && box.min.y < box.max.y)) return;
+  const auto index = static_cast<Cell>(zooms_.size());
+  zooms_.push_back({Curve(box), static_cast<std::uint32_t>(sectors_.size()), depth});
+  const Cell cell = sectors_[sector.index];
+  sectors_.insert(sectors_.end(), 4, cell);
+  sectors_[sector.index] = index | kDivided | kZoomed;
 }
 
 Sectors::Cell Sectors::any_vertex(Cell cell) const {
-  while ((cell & kDivided) != 0) cell = sectors_[cell & ~kDivided];
+  while ((cell & kDivided) != 0) cell = sectors_[is_zoomed(cell) ? zoom_of(cell).first : cell & ~kDivided];
   return cell;
 }
 
@@ -51,16 +71,21 @@ void Sectors::grow() {
   const std::size_t count = whole_count();
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-      const bool is_divided = (sectors_[i] & kDivided) != 0;
-      finer.push_back(is_divided ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
+      finer.push_back(is_divided(sectors_[i]) ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
     }
   }
   // After the new whole sectors come the quarters of those that are divided. The loop also visits the entries that it
   // appends.
   for (std::size_t i = 0; i < finer.size(); ++i) {
     if ((finer[i] & kDivided) == 0) continue;
-    const std::size_t old = finer[i] & ~kDivided;
-    finer[i] = static_cast<Cell>(finer.size()) | kDivided;
+    std::size_t old = finer[i] & ~kDivided;
+    if (is_zoomed(finer[i])) {
+      Zoom& zoom = zooms_[finer[i] & ~(kDivided | kZoomed)];
+      old = zoom.first;
+      zoom.first = static_cast<std::uint32_t>(finer.size());
+    } else {
+      finer[i] = static_cast<Cell>(finer.size()) | kDivided;
+    }
     for (std::size_t quarter = 0; quarter < 4; ++quarter) finer.push_back(sectors_[old + quarter]);
   }
   sectors_ = std::move(finer);

@@ -23,8 +23,9 @@ namespace waywright::locate {
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
 /// world of any size. If a sector contains many vertices, it is divided into four quarters, which may be divided again.
-/// So walks are short on unevenly distributed vertices, too. The division depends on the history of the world, but the
-/// result of a search does not.
+/// So walks are short on unevenly distributed vertices, too. If a sector is as small as a cell of the curve, it gets a
+/// finer curve of its own (a *zoom*). The division depends on the history of the world, but the result of a search does
+/// not.
 ///
 /// Source: Chen 2009, section 3.2.1 (sector-based location). Differences: only operations write to the sectors, queries
 /// do not; and the number of sectors is not constant.
@@ -34,21 +35,27 @@ class Sectors {
 
   struct Sector {
     std::size_t index;
-    int shift;  ///< keys that agree in all bits from this one on are in the same sector
+    int shift;           ///< keys that agree in all bits from this one on are in the same sector
+    std::uint32_t zoom;  ///< the zoom whose curve has this key, or kNoZoom
   };
-  [[nodiscard]] Sector at(const Point& point) const { return find(curve_.key(point)); }
+  [[nodiscard]] Sector at(const Point& point) const {
+    const Sector sector = find(curve_.key(point));
+    return is_zoomed(sectors_[sector.index]) ? find_in_zoom(point, sector.index) : sector;
+  }
   /// The vertex that the sector remembers, or kNoVertex.
   [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sectors_[sector.index]); }
   /// Whether a vertex at this squared distance from a point is far away, compared with the size of the point's sector.
   /// If it is, a sector near the point's sector may remember a nearer vertex.
   [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
-    return curve_.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
+    const Curve& curve = sector.zoom == kNoZoom ? curve_ : zooms_[sector.zoom].curve;
+    return curve.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
   }
   /// Calls visit(vertex) for each vertex that the block of the sector remembers. The block of a whole sector is a
   /// square of 4 x 4 whole sectors, and the block of a quarter is its group of four quarters.
   template <class Visit>
   void for_each_around(const Sector& sector, Visit&& visit) const {
-    const std::size_t count = sector.shift == whole_shift_ ? std::min(kBlock, whole_count()) : 4;
+    const bool is_whole = sector.zoom == kNoZoom && sector.shift == whole_shift_;
+    const std::size_t count = is_whole ? std::min(kBlock, whole_count()) : 4;
     const std::size_t block = sector.index & ~(count - 1);
     for (std::size_t i = 0; i < count; ++i) {
       const mesh::Vertex v = vertex_of(any_vertex(sectors_[block + i]));
@@ -56,7 +63,7 @@ class Sectors {
     }
   }
   /// Whether both points lie in one sector.
-  [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const;
+  [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const { return at(p).index == at(q).index; }
 
   /// Makes all sectors anew, for vertices that are sorted along the curve: `keys` are the keys of the vertices `first`,
   /// `first` + 1, and so on. Cost: linear.
@@ -74,30 +81,50 @@ class Sectors {
   /// O(1), amortised.
   void divide(const Point& point, std::size_t vertex_count);
 
-  void count_memory(MemoryUse& use) const { memory::count(use, &MemoryUse::sectors, sectors_); }
-  void shrink_to_fit() { memory::shrink(sectors_); }
+  void count_memory(MemoryUse& use) const {
+    memory::count(use, &MemoryUse::sectors, sectors_);
+    memory::count(use, &MemoryUse::sectors, zooms_);
+  }
+  void shrink_to_fit() { memory::shrink(sectors_, zooms_); }
 
  private:
   /// The vertex that a sector remembers. If kDivided is set: the index of the first of its four quarters, which are in
-  /// the order of the curve.
+  /// the order of the curve. If kZoomed is set, too: the index of the sector's zoom.
   using Cell = std::uint32_t;
   static constexpr Cell kDivided = 0x80000000;
+  static constexpr Cell kZoomed = 0x40000000;
   static constexpr Cell kNone = 0x7fffffff;
   static constexpr std::size_t kVerticesPerSector = 3;
   static constexpr std::size_t kCrowd = 8;
   static constexpr std::size_t kBlock = 16;
   static constexpr double kFar = 9.0;  ///< squared: three times the width of the sector
   static constexpr int kKeyBits = 64;
+  static constexpr std::uint32_t kNoZoom = 0xffffffff;
+  static constexpr std::uint32_t kMaxDepth = 12;  ///< of zooms; each has cells 2^32 times smaller
+
+  /// The curve of a sector that is as small as a cell, and the index of the first of the sector's four quarters.
+  struct Zoom {
+    Curve curve;
+    std::uint32_t first;
+    std::uint32_t depth;  ///< 0 if no zoom contains it
+  };
+
+  [[nodiscard]] static bool is_divided(Cell cell) { return (cell & (kDivided | kZoomed)) == kDivided; }
+  [[nodiscard]] static bool is_zoomed(Cell cell) { return cell >= (kDivided | kZoomed); }
+  [[nodiscard]] const Zoom& zoom_of(Cell cell) const { return zooms_[cell & ~(kDivided | kZoomed)]; }
 
   [[nodiscard]] Sector find(Curve::Key key) const {
-    int shift = whole_shift_;
-    std::size_t index = static_cast<std::size_t>(key >> shift);
-    while ((sectors_[index] & kDivided) != 0) {
+    return find_quarter(key, static_cast<std::size_t>(key >> whole_shift_), whole_shift_, kNoZoom);
+  }
+  [[nodiscard]] Sector find_quarter(Curve::Key key, std::size_t index, int shift, std::uint32_t zoom) const {
+    while (is_divided(sectors_[index])) {
       shift -= 2;
       index = (sectors_[index] & ~kDivided) + static_cast<std::size_t>(key >> shift & 3);
     }
-    return {index, shift};
+    return {index, shift, zoom};
   }
+  [[nodiscard]] Sector find_in_zoom(const Point& point, std::size_t index) const;
+  void add_zoom(const Point& point, const Sector& sector);
   [[nodiscard]] std::size_t whole_count() const { return std::size_t{1} << (kKeyBits - whole_shift_); }
   [[nodiscard]] static mesh::Vertex vertex_of(Cell cell) {
     return cell == kNone ? mesh::kNoVertex : mesh::Vertex{cell};
@@ -108,6 +135,7 @@ class Sectors {
 
   Curve curve_;
   int whole_shift_ = kKeyBits - 2;
+  std::vector<Zoom> zooms_;
   std::vector<Cell> sectors_;  ///< the whole sectors along the curve, then groups of four quarters at multiples of 4
 };
 

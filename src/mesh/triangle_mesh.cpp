@@ -25,11 +25,42 @@ TriangleMesh::TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count
 HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   const HalfEdge start = outgoing(from);
   HalfEdge h = start;
+  std::size_t steps = 0;
   do {
     if (target(h) == to) return h;
     h = next_around(h);
+    if (++steps == kFewEdges) return find_in_turn(from, to);
   } while (h != start);
   return kNoHalfEdge;
+}
+
+/// Goes around both vertices in turn.
+HalfEdge TriangleMesh::find_in_turn(Vertex from, Vertex to) const {
+  const HalfEdge starts[2] = {outgoing(from), outgoing(to)};
+  HalfEdge g = starts[0];
+  HalfEdge h = starts[1];
+  do {
+    if (target(g) == to) return g;
+    if (target(h) == from) return twin(h);
+    g = next_around(g);
+    h = next_around(h);
+  } while (g != starts[0] && h != starts[1]);
+  return kNoHalfEdge;
+}
+
+bool TriangleMesh::has_more_edges(Vertex u, Vertex v) const {
+  HalfEdge g = outgoing(u);
+  for (std::size_t steps = 0; steps < kFewEdges; ++steps) {
+    g = next_around(g);
+    if (g == outgoing(u)) return false;
+  }
+  g = outgoing(u);
+  HalfEdge h = outgoing(v);
+  do {
+    g = next_around(g);
+    h = next_around(h);
+  } while (g != outgoing(u) && h != outgoing(v));
+  return g != outgoing(u);
 }
 
 // Each of the following functions first allocates memory, then logs the change, then makes the change. So if memory
@@ -103,8 +134,9 @@ void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
 
 void TriangleMesh::set_label(HalfEdge h, Label new_label) {
   if (new_label != 0) make_room_for_label(h, twin(h));
-  log(ChangeKind::set_label_of_twin, number(twin(h)));
-  log(ChangeKind::set_label, number(h), label(h));
+  const bool stays_fixed = new_label != 0 && is_fixed(h);
+  log(stays_fixed ? ChangeKind::relabel_twin : ChangeKind::set_label_of_twin, number(twin(h)));
+  log(stays_fixed ? ChangeKind::relabel : ChangeKind::set_label, number(h), label(h));
   write_label(h, new_label);
 }
 

@@ -37,7 +37,12 @@ class TriangleMesh {
  public:
   /// What a change since begin() did to a face or vertex. A face or vertex that several changes touched is listed
   /// several times, in the order of the changes.
-  enum class Touch : std::uint8_t { made, rebuilt, freed };
+  enum class Touch : std::uint8_t {
+    made,
+    rebuilt,
+    freed,
+    relabelled  ///< one of its fixed edges got another label, and stayed fixed
+  };
 
   /// A stored half-edge.
   struct Corner {
@@ -69,8 +74,11 @@ class TriangleMesh {
   [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
   [[nodiscard]] bool is_fixed(HalfEdge h) const { return (corners_[number(h)].twin & kFixed) != 0; }
   [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
-  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: the degree of `from`.
+  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: O(1) plus the smaller degree of the two.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
+  /// Whether `u` has many edges, and more than `v`. Cost: O(1), or proportional to the number of edges of the vertex
+  /// with fewer edges.
+  [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const;
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
@@ -169,6 +177,10 @@ class TriangleMesh {
         case ChangeKind::set_label_of_twin:
           visit(face(HalfEdge{change.index}), Touch::rebuilt);
           break;
+        case ChangeKind::relabel:
+        case ChangeKind::relabel_twin:
+          visit(face(HalfEdge{change.index}), Touch::relabelled);
+          break;
         case ChangeKind::add_vertex:
         case ChangeKind::free_vertex:
         case ChangeKind::rebuild_label:
@@ -203,6 +215,10 @@ class TriangleMesh {
   }
 
  private:
+  static constexpr std::size_t kFewEdges = 16;
+
+  [[nodiscard]] HalfEdge find_in_turn(Vertex from, Vertex to) const;
+
   static constexpr std::uint32_t kFixed = 0x80000000;
   static constexpr std::uint32_t kFree = 0x80000000;
 
@@ -217,14 +233,16 @@ class TriangleMesh {
     flip,
     set_label,
     set_label_of_twin,
+    relabel,  ///< set_label for an edge that was fixed and stays fixed
+    relabel_twin,
     rebuild_label,
   };
   /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.
   struct Undo {
     ChangeKind kind;
     std::uint32_t index;
-    /// For set_label and rebuild_label: the old label. For rebuild_face: the position in `saved_faces_`. For split_edge
-    /// and flip: the twin of `index`.
+    /// For set_label, relabel and rebuild_label: the old label. For rebuild_face: the position in `saved_faces_`. For
+    /// split_edge and flip: the twin of `index`.
     std::uint32_t saved;
   };
   using SavedFace = std::array<Corner, 3>;

@@ -42,9 +42,11 @@ void TriangleMesh::undo(const Undo& change) {
       undo_flip(HalfEdge{change.index});
       break;
     case ChangeKind::set_label:
+    case ChangeKind::relabel:
       write_label(HalfEdge{change.index}, change.saved);
       break;
     case ChangeKind::set_label_of_twin:
+    case ChangeKind::relabel_twin:
       break;
     case ChangeKind::rebuild_label:
       labels_[change.index] = change.saved;

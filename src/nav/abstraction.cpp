@@ -44,6 +44,7 @@ class Abstraction::Guard {
 Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
 
 void Abstraction::begin() {
+  has_new_walls_ = false;
   inserted_.clear();
   removed_.clear();
 }
@@ -63,7 +64,7 @@ void Abstraction::update(const Triangulation& triangulation) {
     components_.update_in_open_space(mesh, changed_, made_);
     core_.update_in_open_space(mesh, changed_, made_);
   } else {
-    components_.update(triangulation, {changed_, made_, removed_, inserted_});
+    components_.update(triangulation, {changed_, made_, removed_, inserted_, has_new_walls_});
     core_.update(mesh, changed_, made_);
   }
   guard.done();
@@ -78,12 +79,13 @@ void Abstraction::rebuild(const Triangulation& triangulation) {
   was_rebuilt_ = true;
 }
 
-/// Collects in `changed_` the faces that the operation touched, each once.
+/// Collects in `changed_` the faces that the operation touched, each once. Leaves out faces of which only labels have
+/// changed: the same walls bound them, and the lists of inserted and removed polygons say what covers them.
 void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
   changed_.clear();
-  mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
-    if (is_touched_[number(f)]) return;
+  mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch touch) {
+    if (touch == mesh::TriangleMesh::Touch::relabelled || is_touched_[number(f)]) return;
     changed_.push_back(f);
     is_touched_[number(f)] = true;
   });

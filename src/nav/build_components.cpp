@@ -38,6 +38,27 @@ Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Tu
   return turns;
 }
 
+/// Lists the polygons that cover a face but not its neighbour, and those that cover the neighbour but not the face.
+/// `here` and `beyond` contain the winding numbers in the face and in its neighbour.
+void compare_covers(const constraint::ItemTable& items, const Turns& here, const Turns& beyond,
+                    std::vector<std::uint32_t>& removed, std::vector<std::uint32_t>& added) {
+  removed.clear();
+  added.clear();
+  auto to = beyond.begin();
+  const auto add = [&](const Turns::value_type& entry, std::vector<std::uint32_t>& list) {
+    if (items.covers(entry.first, entry.second)) list.push_back(entry.first);
+  };
+  for (const auto& from : here) {
+    for (; to != beyond.end() && to->first < from.first; ++to) add(*to, added);
+    const bool was_covered = items.covers(from.first, from.second);
+    const bool is_in_both = to != beyond.end() && to->first == from.first;
+    const bool is_covered = is_in_both && items.covers(to->first, to->second);
+    if (was_covered != is_covered) (was_covered ? removed : added).push_back(from.first);
+    if (is_in_both) ++to;
+  }
+  for (; to != beyond.end(); ++to) add(*to, added);
+}
+
 }  // namespace
 
 Components::Components(const Triangulation& triangulation) {
@@ -70,7 +91,7 @@ void Components::number_components(std::vector<Id>& ids) {
   for (std::uint32_t f = 0; f < ids.size(); ++f) {
     if (ids[f] == kNone) continue;
     const bool is_first = ids[f] == f;
-    ids[f] = is_first ? add_record({}) : ids[ids[f]];
+    ids[f] = is_first ? add_record(0, CoverTree::kEmpty) : ids[ids[f]];
     ++records_.unrecorded(ids[f]).size;
   }
 }
@@ -92,11 +113,14 @@ void Components::cover_components(const Triangulation& triangulation) {
       if (is_known[beyond]) continue;
       is_known[beyond] = true;
       known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, wall->h) : Turns());
-      Uses& cover = records_.unrecorded(beyond).cover;
-      if (!has_nonzero) cover = cover_beyond(triangulation, wall->h, {});
-      for (const auto& [polygon, turns] : known.back().second) {
-        if (triangulation.items().covers(polygon, turns)) cover = covers_.add(cover, polygon);
+      if (!has_nonzero) {
+        set_cover(beyond, cover_beyond(triangulation, wall->h, {}));
+      } else {
+        compare_covers(triangulation.items(), here, known.back().second, removed_, added_);
+        const Set cover = component == kNone ? CoverTree::kEmpty : records_[component].cover;
+        set_cover(beyond, covers_.change(cover, removed_, added_));
       }
+      begin();  // empties the logs: there is no earlier state to go back to
     }
   }
 }

@@ -7,7 +7,6 @@
 
 namespace waywright::nav {
 
-using constraint::UseLists;
 using mesh::Face;
 using mesh::HalfEdge;
 
@@ -27,11 +26,11 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   }
   remove_changed_faces(changes.changed);
   find_groups(mesh, changes.made);
-  remove_from_covers(triangulation, changes);
-  find_remainders(mesh);
+  remove_from_covers(changes);
+  find_remainders(mesh, changes.has_new_walls);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
-  for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon);
+  for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon, changes.inserted);
 }
 
 void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
@@ -117,7 +116,9 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   });
 }
 
-void Components::find_remainders(const mesh::TriangleMesh& mesh) {
+/// Finds what is left of the old components. If none of them can be divided, all groups with a contact to one component
+/// are connected, and no search is necessary.
+void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided) {
   remainders_.clear();
   piece_faces_.clear();
   const auto count = static_cast<std::uint32_t>(contacts_.size());
@@ -125,6 +126,7 @@ void Components::find_remainders(const mesh::TriangleMesh& mesh) {
     const Contact& first = contacts_[begin];
     bool is_in_one = true;
     for (; end < count && contacts_[end].component == first.component; ++end) {
+      if (!may_be_divided) unite(group_sets_, contacts_[end].group, first.group);
       is_in_one = is_in_one && root_of(group_sets_, contacts_[end].group) == root_of(group_sets_, first.group);
     }
     if (is_in_one) {
@@ -238,7 +240,7 @@ void Components::assign_components(const mesh::TriangleMesh& mesh) {
   for (Group& group : groups_) group.size = 0;
   for (const Remainder& remainder : remainders_) {
     Group& group = groups_[root_of(group_sets_, remainder.group)];
-    if (group.id == kNone) group.id = add_record({0, covers_.copy(records_[remainder.component].cover)});
+    if (group.id == kNone) group.id = add_record(0, records_[remainder.component].cover);
     group.size += remainder.size;
   }
   for (const Remainder& remainder : remainders_)
@@ -254,7 +256,7 @@ void Components::assign_components(const mesh::TriangleMesh& mesh) {
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
     if (group.id == kNone || root_of(group_sets_, i) != i) continue;
-    records_.write(group.id, {group.size, records_[group.id].cover});
+    set_size(group.id, group.size);
   }
 }
 
@@ -295,22 +297,32 @@ void Components::unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::u
   sets[std::max(a, b)] = std::min(a, b);
 }
 
-Components::Id Components::add_record(const Record& record) {
+Components::Id Components::add_record(std::uint32_t size, Set cover) {
+  auto id = static_cast<Id>(records_.size());
   if (free_records_.is_empty()) {
-    records_.append(record);
-    return static_cast<Id>(records_.size() - 1);
+    records_.append({size});
+  } else {
+    id = free_records_.first();
+    const Id next_free = records_[id].size;
+    records_.write(id, {size});
+    free_records_.pop(next_free);
+    --free_count_;
   }
-  const Id id = free_records_.first();
-  const Id next_free = records_[id].size;
-  records_.write(id, record);
-  free_records_.pop(next_free);
-  --free_count_;
+  link_cover(id, cover);
   return id;
 }
 
+void Components::set_size(Id component, std::uint32_t size) {
+  Record record = records_[component];
+  record.size = size;
+  records_.write(component, record);
+}
+
 void Components::free_record(Id component) {
-  covers_.release(records_[component].cover);
-  records_.write(component, {free_records_.first(), UseLists::kNone});
+  const Set cover = records_[component].cover;
+  unlink_cover(component);
+  covers_.free_unused(cover);
+  records_.write(component, {free_records_.first()});
   (void)free_records_.push(component);
   ++free_count_;
 }
@@ -337,7 +349,8 @@ void Components::count_memory(MemoryUse& use) const {
   records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_,
-                      stack_, flooded_, reached_, around_, sides_, polygons_);
+                      stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_,
+                      edges_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
@@ -347,7 +360,7 @@ void Components::shrink_to_fit() {
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
   memory::release(faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_, stack_,
-                  flooded_, reached_, around_, sides_, polygons_);
+                  flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_, edges_);
 }
 
 }  // namespace waywright::nav

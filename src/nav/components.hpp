@@ -12,10 +12,11 @@
 
 #include "constraint/cover.hpp"
 #include "constraint/exact_triangulation.hpp"
-#include "constraint/use_lists.hpp"
+#include "constraint/slot_sets.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
 #include "memory/pages.hpp"
+#include "nav/cover_tree.hpp"
 
 namespace waywright::nav {
 
@@ -40,9 +41,7 @@ class Components {
   /// The number of faces in the component.
   [[nodiscard]] std::uint32_t size(Id component) const { return records_[component].size; }
   /// Returns whether a polygon covers the face.
-  [[nodiscard]] bool is_covered(mesh::Face f) const {
-    return records_[component_of(f)].cover != constraint::UseLists::kNone;
-  }
+  [[nodiscard]] bool is_covered(mesh::Face f) const { return records_[component_of(f)].cover != CoverTree::kEmpty; }
   /// Calls visit(slot) for each polygon that covers the face.
   template <class Visit>
   void for_each_cover(mesh::Face f, Visit&& visit) const {
@@ -58,6 +57,8 @@ class Components {
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
+    /// Whether the operation inserted items with sides. If not, no component is divided.
+    bool has_new_walls;
   };
   /// Updates the components to the triangulation. Logs every old value before it changes it.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
@@ -88,12 +89,14 @@ class Components {
   void shrink_to_fit();
 
  private:
-  using Uses = constraint::Uses;
+  using Set = CoverTree::Set;
   using Triangulation = constraint::ExactTriangulation;
 
   struct Record {
     std::uint32_t size = 0;  ///< of a free record: the next free one
-    Uses cover = constraint::UseLists::kNone;
+    Set cover = CoverTree::kEmpty;
+    Id next = kNone;  ///< the next component with the same `cover`; nothing links those that no polygon covers
+    Id previous = kNone;
   };
   /// A new face, and all new faces that passages connect with it through new faces alone.
   struct Group {
@@ -139,7 +142,7 @@ class Components {
   void make_room(const mesh::TriangleMesh& mesh);
   void remove_changed_faces(std::span<const mesh::Face> changed);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
-  void find_remainders(const mesh::TriangleMesh& mesh);
+  void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
   void start_searches(std::span<const Contact> contacts);
   [[nodiscard]] std::uint32_t search_until_one_is_left(const mesh::TriangleMesh& mesh);
@@ -149,7 +152,8 @@ class Components {
   void assign_components(const mesh::TriangleMesh& mesh);
   void move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id);
   void set_id(mesh::Face f, Id id) { ids_.write(number(f), id); }
-  [[nodiscard]] Id add_record(const Record& record);
+  [[nodiscard]] Id add_record(std::uint32_t size, Set cover);
+  void set_size(Id component, std::uint32_t size);
   void free_record(Id component);
 
   // Disjoint sets of groups, or of searches, stored as trees. The root of a tree is the first member of the set.
@@ -164,23 +168,35 @@ class Components {
   }
 
   // Updating covers.
-  void remove_from_covers(const Triangulation& triangulation, const Changes& changes);
-  void find_covered(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made, std::uint32_t polygon);
+  void remove_from_covers(const Changes& changes);
   void cover_new_groups(const Triangulation& triangulation, const Changes& changes);
   [[nodiscard]] bool cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group);
   void cover_group(const Triangulation& triangulation, const Changes& changes, std::uint32_t group,
                    mesh::HalfEdge beyond);
-  [[nodiscard]] Uses cover_beyond(const Triangulation& triangulation, mesh::HalfEdge h,
-                                  std::span<const std::uint32_t> inserted);
+  [[nodiscard]] Set cover_beyond(const Triangulation& triangulation, mesh::HalfEdge h,
+                                 std::span<const std::uint32_t> inserted);
   [[nodiscard]] mesh::HalfEdge outer_half_edge(const Triangulation& triangulation, mesh::Vertex v);
-  void cover_with(const Triangulation& triangulation, std::uint32_t polygon);
+  void set_cover(Id component, Set cover);
+  void link_cover(Id component, Set cover);
+  void unlink_cover(Id component);
+
+  // Covering with an inserted polygon.
+  void cover_with(const Triangulation& triangulation, std::uint32_t polygon, std::span<const std::uint32_t> inserted);
   template <class Winding>
-  void cover_with(const Triangulation& triangulation, const Winding& winding);
-  void set_cover(Id component, Uses cover);
+  void visit_boundary(const Triangulation& triangulation, const Winding& winding);
+  template <class Winding>
+  void flood(const Triangulation& triangulation, const Winding& winding);
+  void visit(mesh::Face f);
+  [[nodiscard]] bool is_on_enclosed(const Triangulation& triangulation, mesh::HalfEdge h);
+  [[nodiscard]] bool is_enclosed(const Triangulation& triangulation, std::uint32_t polygon);
+  void collect_touching(const Triangulation& triangulation);
+  void visit_around(const Triangulation& triangulation, std::uint32_t enclosed);
+  [[nodiscard]] bool is_covered_by_enclosed(Set cover) const;
+  void add_to_covers();
 
   memory::JournaledArray<Id> ids_;  ///< by face
   memory::JournaledArray<Record> records_;
-  constraint::UseLists covers_;
+  CoverTree covers_;
   memory::FreeList free_records_;  ///< linked by Record::size
   std::size_t free_count_ = 0;
   memory::FreeList free_records_before_;
@@ -206,6 +222,29 @@ class Components {
   constraint::Outline outline_;
   std::vector<std::uint32_t> sides_;
   std::vector<std::uint32_t> polygons_;
+  std::vector<std::uint32_t> removed_;
+  std::vector<std::uint32_t> added_;
+
+  /// A reference to a set in the tree of covers: a component, or a node.
+  struct Covered {
+    Set set;
+    std::uint32_t index;
+    bool is_node;
+  };
+  // The polygon that cover_with() handles. Another polygon is *enclosed* if it has one ring, all of it lies inside this
+  // polygon, and its boundary does not touch the boundary of this polygon.
+  std::uint32_t covering_ = 0;
+  Set cover_at_boundary_ = CoverTree::kEmpty;  ///< of a face inside this polygon, at its boundary
+  std::uint32_t flood_ = 0;                    ///< the mark of the faces that the flood has visited
+  std::span<const std::uint32_t> inserted_;    ///< see Changes
+  bool may_enclose_ = false;                   ///< whether the flood looks for enclosed polygons
+  bool knows_touching_ = false;                ///< whether `touching_` is complete
+  constraint::SlotSet touching_;               ///< polygons at the boundary of the polygon
+  constraint::SlotSet tested_;                 ///< polygons that is_enclosed() has tested
+  constraint::SlotSet is_enclosed_;
+  std::vector<std::uint32_t> enclosed_;  ///< the elements of `is_enclosed_`
+  std::vector<Covered> covered_;
+  std::vector<std::pair<mesh::HalfEdge, std::int32_t>> edges_;  ///< see WindingOfSides in cover_polygon.cpp
 };
 
 }  // namespace waywright::nav

@@ -65,7 +65,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
 
   void insert(const Shape& shape, ItemId id) {
     impl_.triangulation.insert(shape, id);
-    if (shape.kind == ItemKind::polygon) note_inserted(id);
+    note_inserted(shape.kind, id);
     note_changed(id);
     impl_.note_item(shape.kind, shape.rings);
   }
@@ -73,7 +73,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   void insert_all(const Batch& batch, const threads::ThreadTeam& team = {}) {
     impl_.triangulation.insert_all(batch, team);
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (batch.kind(i) == ItemKind::polygon) note_inserted(batch.id(i));
+      note_inserted(batch.kind(i), batch.id(i));
       note_changed(batch.id(i));
     }
     impl_.note_changes(batch);
@@ -102,8 +102,10 @@ class WAYWRIGHT_INTERNAL World::Operation {
   }
 
  private:
-  void note_inserted(ItemId id) {
-    if (impl_.abstraction) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  void note_inserted(ItemKind kind, ItemId id) {
+    if (!impl_.abstraction || kind == ItemKind::point) return;
+    impl_.abstraction->note_walls();
+    if (kind == ItemKind::polygon) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
   }
 
   void note_changed(ItemId id) {

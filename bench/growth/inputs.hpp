@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace waywright::bench {
+
+/// Measures the part of a run between start() and stop(). Everything before start() makes the world.
+class Meter {
+ public:
+  void start();
+  void stop();
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  double started_ = 0.0;
+  double seconds_ = 0.0;
+};
+
+/// An input whose cost once grew faster than its size, or could do so.
+struct Input {
+  std::string_view name;
+  std::size_t size;       ///< the smallest n of the table
+  bool is_one_operation;  ///< the run repeats one operation a fixed number of times in a world of size n
+  std::string_view what;
+  void (*run)(std::size_t n, Meter& meter);
+};
+
+/// All inputs, in the order of the table.
+[[nodiscard]] std::span<const Input> growth_inputs();
+
+}  // namespace waywright::bench

@@ -1,0 +1,26 @@
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "growth/inputs.hpp"
+
+// usage: waywright_growth              prints a line for each input: its name, smallest n, kind and description
+//        waywright_growth NAME N       runs an input and prints the processor time of its measured part in seconds
+int main(int argc, char** argv) {
+  if (argc == 1) {
+    for (const auto& input : waywright::bench::growth_inputs()) {
+      std::printf("%.*s\t%zu\t%s\t%.*s\n", static_cast<int>(input.name.size()), input.name.data(), input.size,
+                  input.is_one_operation ? "operation" : "all", static_cast<int>(input.what.size()), input.what.data());
+    }
+    return 0;
+  }
+  for (const auto& input : waywright::bench::growth_inputs()) {
+    if (argc != 3 || input.name != std::string_view(argv[1])) continue;
+    waywright::bench::Meter meter;
+    input.run(static_cast<std::size_t>(std::strtoull(argv[2], nullptr, 10)), meter);
+    std::printf("%.9f\n", meter.seconds());
+    return 0;
+  }
+  std::fputs("usage: waywright_growth [NAME N]\n", stderr);
+  return 2;
+}

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "constraint/mix.hpp"
+
+// The order in which an operation inserts or removes many vertices. Along a ring, each vertex is near the vertex
+// before, which saves time. But beside another wall, each new vertex of a ring can take half of the edges of the vertex
+// before, and the time is quadratic. In random order, the expected number of edges of a vertex that is inserted or
+// removed is bounded by the mean of all vertices.
+
+namespace waywright::constraint {
+
+/// Adds up what the vertices have cost so far, in edges.
+class CostWatch {
+ public:
+  /// `usual` is a multiple of the usual cost of a vertex.
+  explicit CostWatch(std::size_t usual) : usual_(usual) {}
+
+  void add(std::size_t cost) {
+    cost_ += cost;
+    allowed_ += usual_;
+  }
+  /// Whether the mean cost of a vertex is high: the operation then handles the other vertices in scattered order.
+  [[nodiscard]] bool is_costly() const { return cost_ > allowed_; }
+
+ private:
+  std::size_t usual_;
+  std::size_t cost_ = 0;
+  std::size_t allowed_ = 512;
+};
+
+/// Appends the numbers from `begin` to `end` - 1 in scattered order, which depends on nothing else: first about half of
+/// them, then a quarter, and so on, each part ascending; or the other way round, if `largest_last` is true. Each number
+/// belongs to a part at random. So each part is as good as a random sample, and consecutive numbers of a part are near
+/// each other. Source: Amenta, Choi and Rote, *Incremental constructions con BRIO*, SoCG 2003. Cost: linear.
+inline void append_scattered(std::uint32_t begin, std::uint32_t end, bool largest_last,
+                             std::vector<std::uint32_t>& order) {
+  constexpr std::size_t kParts = 24;
+  const auto part_of = [&](std::uint32_t i) {
+    const std::size_t part = std::min<std::size_t>(static_cast<std::size_t>(std::countr_zero(mix(i))), kParts - 1);
+    return largest_last ? kParts - 1 - part : part;
+  };
+  std::array<std::size_t, kParts + 1> begins{};
+  for (std::uint32_t i = begin; i < end; ++i) ++begins[part_of(i) + 1];
+  begins[0] = order.size();
+  for (std::size_t part = 0; part < kParts; ++part) begins[part + 1] += begins[part];
+  order.resize(order.size() + (end - begin));
+  for (std::uint32_t i = begin; i < end; ++i) order[begins[part_of(i)]++] = i;
+}
+
+}  // namespace waywright::constraint

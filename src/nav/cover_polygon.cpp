@@ -1,0 +1,314 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "constraint/turns.hpp"
+#include "nav/components.hpp"
+
+// Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
+// of the polygon and floods the faces inside. It does not flood polygons that are enclosed: it adds the inserted
+// polygon to the nodes of the tree of covers that stand for them. So a contour around other contours costs no more than
+// its own faces, however many contours lie inside.
+
+namespace waywright::nav {
+
+using constraint::Side;
+using mesh::Face;
+using mesh::HalfEdge;
+
+namespace {
+
+/// The index of the ring's corner whose exact position comes first in (x, y) order.
+std::size_t first_corner(const constraint::ExactTriangulation& triangulation, std::span<const mesh::Vertex> ring) {
+  const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return triangulation.triangulation().comes_before(p, q); };
+  return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), before) - ring.begin());
+}
+
+/// Follows one side of a polygon, edge by edge. At each vertex on the side except the last, calls visit(face) for the
+/// two faces of each edge around the vertex, if the winding number changes across that edge and the polygon covers the
+/// face. On entry `h` is a half-edge that starts at the side's first corner, and `turns` is the winding number in the
+/// face of `h`. On return both describe the side's last corner in the same way.
+template <class Winding, class Visit>
+void visit_inner_faces(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::uint32_t slot,
+                       HalfEdge& h, std::int32_t& turns, Visit&& visit) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const Side side = triangulation.items().side(slot);
+  HalfEdge edge_back = mesh::kNoHalfEdge;
+  while (mesh.origin(h) != side.to) {
+    HalfEdge edge_ahead = mesh::kNoHalfEdge;
+    std::int32_t turns_ahead = 0;
+    const HalfEdge start = h;
+    std::int32_t change = winding.across(h);
+    do {
+      if (change != 0) {
+        if (winding.covers(turns)) visit(mesh::face(h));
+        if (winding.covers(turns - change)) visit(mesh::face(mesh.twin(h)));
+      }
+      if (h != edge_back && triangulation.uses().contains(mesh.label(h), slot)) {
+        edge_ahead = h;
+        turns_ahead = turns;
+      }
+      h = mesh.next_around(h);
+      change = winding.across(h);
+      turns += change;
+    } while (h != start);
+    edge_back = mesh.twin(edge_ahead);
+    h = mesh::next(edge_ahead);
+    turns = turns_ahead;
+  }
+}
+
+/// Calls visit(h) for each edge on which a side lies, with a half-edge in the direction of the side.
+template <class Visit>
+void follow_side(const constraint::ExactTriangulation& triangulation, std::uint32_t slot, Visit&& visit) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const Side side = triangulation.items().side(slot);
+  HalfEdge back = mesh::kNoHalfEdge;
+  for (mesh::Vertex v = side.from; v != side.to; v = mesh.origin(back)) {
+    HalfEdge h = mesh.outgoing(v);
+    while (h == back || !triangulation.uses().contains(mesh.label(h), slot)) h = mesh.next_around(h);
+    visit(h);
+    back = mesh.twin(h);
+  }
+}
+
+/// The winding numbers of a polygon. If many sides lie on an edge, the class does not look for the polygon's sides
+/// among them: it collects all edges of the polygon once, in `edges`.
+template <class Winding>
+class WindingOfSides {
+ public:
+  /// An edge, as the lower of its two half-edges, and the change of the winding number across this half-edge.
+  using Edge = std::pair<HalfEdge, std::int32_t>;
+
+  WindingOfSides(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::vector<Edge>& edges)
+      : triangulation_(triangulation), winding_(winding), edges_(edges) {
+    edges_.clear();
+  }
+
+  [[nodiscard]] static bool covers(std::int32_t turns) { return Winding::covers(turns); }
+  [[nodiscard]] bool changes_across(HalfEdge h) const { return covers(across(h)); }
+  [[nodiscard]] std::int32_t across(HalfEdge h) const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    if (!triangulation_.uses().has_many(mesh.label(h))) return winding_.across(h);
+    if (edges_.empty()) collect();
+    const HalfEdge lower = std::min(h, mesh.twin(h));
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), lower,
+                                     [](const Edge& edge, HalfEdge half) { return edge.first < half; });
+    if (at == edges_.end() || at->first != lower) return 0;
+    return lower == h ? at->second : -at->second;
+  }
+
+ private:
+  void collect() const {
+    const mesh::TriangleMesh& mesh = triangulation_.topology();
+    triangulation_.items().for_each_side(winding_.polygon(), [&](std::uint32_t slot) {
+      follow_side(triangulation_, slot, [&](HalfEdge h) {
+        const HalfEdge t = mesh.twin(h);
+        edges_.push_back({std::min(h, t), h < t ? 1 : -1});
+      });
+    });
+    std::sort(edges_.begin(), edges_.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges_.size();) {
+      Edge edge{edges_[i].first, 0};
+      for (; i < edges_.size() && edges_[i].first == edge.first; ++i) edge.second += edges_[i].second;
+      edges_[kept++] = edge;
+    }
+    edges_.resize(kept);
+  }
+
+  const constraint::ExactTriangulation& triangulation_;
+  const Winding& winding_;
+  std::vector<Edge>& edges_;
+};
+
+}  // namespace
+
+/// Adds the polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
+/// polygons. Those before this one are in the covers already.
+void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon,
+                            std::span<const std::uint32_t> inserted) {
+  covering_ = polygon;
+  inserted_ = inserted;
+  flood_ = next_mark_++;
+  stack_.clear();
+  flooded_.clear();
+  enclosed_.clear();
+  touching_.clear();
+  tested_.clear();
+  is_enclosed_.clear();
+  knows_touching_ = false;
+  constraint::with_winding(triangulation, polygon, [&](const auto& winding_of_all) {
+    const WindingOfSides winding(triangulation, winding_of_all, edges_);
+    visit_boundary(triangulation, winding);
+    cover_at_boundary_ = flooded_.empty() ? CoverTree::kEmpty : records_[flooded_.front()].cover;
+    flood(triangulation, winding);
+    for (std::size_t i = 0; i < enclosed_.size(); ++i) {
+      visit_around(triangulation, enclosed_[i]);
+      flood(triangulation, winding);
+    }
+  });
+  add_to_covers();
+}
+
+void Components::visit(Face f) {
+  if (mark(f) == flood_) return;
+  set_mark(f, flood_);
+  stack_.push_back(f);
+  const Id id = ids_[number(f)];
+  if (flooded_.empty() || flooded_.back() != id) flooded_.push_back(id);
+}
+
+/// Visits the faces inside the polygon along its sides.
+template <class Winding>
+void Components::visit_boundary(const Triangulation& triangulation, const Winding& winding) {
+  triangulation.items().outline(covering_, outline_);
+  sides_.clear();
+  triangulation.items().for_each_side(covering_, [&](std::uint32_t slot) { sides_.push_back(slot); });
+  may_enclose_ = outline_.ring_ends.size() == 1;
+  std::size_t ring_begin = 0;
+  std::size_t sides_begin = 0;
+  std::span<const mesh::Vertex> last_ring;
+  for (const std::uint32_t ring_end : outline_.ring_ends) {
+    const std::size_t count = ring_end - ring_begin;
+    const std::span<const mesh::Vertex> ring(outline_.corners.data() + ring_begin, count);
+    if (std::equal(ring.begin(), ring.end(), last_ring.begin(), last_ring.end())) {
+      ring_begin = ring_end;
+      sides_begin += count > 1 ? count : 0;
+      continue;  // there are the same faces along both rings
+    }
+    last_ring = ring;
+    const std::size_t first = first_corner(triangulation, ring);
+    HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
+    // To the right of `h` there is no face between sides of this ring: its first corner is the origin of `h`. So with a
+    // single ring the winding number there is 0. With several rings, this ring may lie inside another one.
+    std::int32_t turns = may_enclose_ ? winding.across(h) : turns_around(triangulation, h, covering_);
+    for (std::size_t i = 0; count > 1 && i < count; ++i) {
+      visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, turns,
+                        [&](Face f) { visit(f); });
+    }
+    ring_begin = ring_end;
+    sides_begin += count > 1 ? count : 0;
+  }
+}
+
+template <class Winding>
+void Components::flood(const Triangulation& triangulation, const Winding& winding) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  while (!stack_.empty()) {
+    const Face f = stack_.back();
+    stack_.pop_back();
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const HalfEdge h{3 * number(f) + side};
+      if (!mesh.is_fixed(h) || (!winding.changes_across(h) && !is_on_enclosed(triangulation, h))) {
+        visit(mesh::face(mesh.twin(h)));
+      }
+    }
+  }
+}
+
+/// Whether a side of an enclosed polygon lies on the edge.
+bool Components::is_on_enclosed(const Triangulation& triangulation, HalfEdge h) {
+  if (!may_enclose_) return false;
+  bool is_found = false;
+  triangulation.for_each_side(h, [&](const Side& side) {
+    if (!triangulation.items().is_polygon(side.item) || side.item == covering_) return;
+    is_found = is_enclosed(triangulation, side.item) || is_found;
+  });
+  return is_found;
+}
+
+/// Whether a polygon is enclosed. Requires: it has a side inside the polygon `covering_`. Both boundaries are
+/// connected. So if they do not touch, all of the other polygon lies inside.
+bool Components::is_enclosed(const Triangulation& triangulation, std::uint32_t polygon) {
+  if (!tested_.insert(polygon)) return is_enclosed_.contains(polygon);
+  if (!knows_touching_) collect_touching(triangulation);
+  const bool is_in_covers = polygon < covering_ || !std::binary_search(inserted_.begin(), inserted_.end(), polygon);
+  if (!may_enclose_ || !is_in_covers || touching_.contains(polygon) || !triangulation.items().has_one_ring(polygon)) {
+    return false;
+  }
+  is_enclosed_.insert(polygon);
+  enclosed_.push_back(polygon);
+  return true;
+}
+
+/// Collects the polygons with a side or corner on the boundary of the polygon. If many sides lie there, it is not worth
+/// the time to look for enclosed polygons.
+void Components::collect_touching(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  knows_touching_ = true;
+  std::size_t budget = 256 + 64 * sides_.size();
+  const auto add = [&](std::uint32_t item) {
+    if (triangulation.items().is_polygon(item) && budget > 0) touching_.insert(item);
+    budget -= budget > 0 ? 1 : 0;
+  };
+  for (const std::uint32_t slot : sides_) {
+    if (budget == 0) break;
+    follow_side(triangulation, slot, [&](HalfEdge along) {
+      if (budget == 0) return;
+      triangulation.uses().for_each(triangulation.corner_uses(mesh.origin(along)), add);
+      mesh.for_each_outgoing(mesh.origin(along), [&](HalfEdge h) {
+        triangulation.for_each_side(h, [&](const Side& side) { add(side.item); });
+      });
+    });
+  }
+  if (budget == 0) may_enclose_ = false;
+}
+
+/// Visits the faces along the sides of an enclosed polygon that no enclosed polygon covers: some of them may lie in
+/// gaps that the flood does not reach.
+void Components::visit_around(const Triangulation& triangulation, std::uint32_t enclosed) {
+  Id last = kNone;
+  const auto visit_if_open = [&](Face f) {
+    if (ids_[number(f)] == kNone || ids_[number(f)] == last) return;
+    if (is_covered_by_enclosed(records_[ids_[number(f)]].cover)) {
+      last = ids_[number(f)];
+    } else {
+      visit(f);
+    }
+  };
+  triangulation.items().for_each_side(enclosed, [&](std::uint32_t slot) {
+    follow_side(triangulation, slot, [&](HalfEdge h) {
+      visit_if_open(mesh::face(h));
+      visit_if_open(mesh::face(triangulation.topology().twin(h)));
+    });
+  });
+}
+
+// No enclosed polygon covers a face at the boundary of the polygon `covering_`, so the search ends at the cover of such
+// a face. Hence the cost does not depend on the number of polygons that cover `covering_`.
+bool Components::is_covered_by_enclosed(Set cover) const {
+  return covers_.has_any(cover, cover_at_boundary_, [&](std::uint32_t p) { return is_enclosed_.contains(p); });
+}
+
+/// Adds the polygon to the covers of the flooded components, and to those nodes that stand for enclosed polygons and
+/// that are not below another such node. A flooded component that an enclosed polygon covers is below such a node.
+/// References to one set get one new node.
+void Components::add_to_covers() {
+  constraint::keep_one_of_each(flooded_);
+  covered_.clear();
+  for (const Id id : flooded_) {
+    const Set cover = records_[id].cover;
+    if (enclosed_.empty() || !is_covered_by_enclosed(cover)) covered_.push_back({cover, id, false});
+  }
+  for (const std::uint32_t polygon : enclosed_) {
+    covers_.for_each_node(polygon, [&](Set node) {
+      const Set parent = covers_.parent(node);
+      if (!is_covered_by_enclosed(parent)) covered_.push_back({parent, node, true});
+    });
+  }
+  std::sort(covered_.begin(), covered_.end(),
+            [](const Covered& p, const Covered& q) { return p.set != q.set ? p.set < q.set : p.index < q.index; });
+  Set added = CoverTree::kEmpty;
+  for (std::size_t i = 0; i < covered_.size(); ++i) {
+    const auto [set, index, is_node] = covered_[i];
+    if (i == 0 || set != covered_[i - 1].set) added = covers_.add(set, covering_);
+    if (is_node) {
+      covers_.move(index, added);
+    } else {
+      set_cover(index, added);
+    }
+  }
+}
+
+}  // namespace waywright::nav

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "waywright/memory_use.hpp"
+
+#include "memory/free_list.hpp"
+#include "memory/journaled_array.hpp"
+
+namespace waywright::nav {
+
+/// The sets of polygons that cover components, as a tree. A node stands for the set of its parent and one more polygon.
+/// So covers share memory: each of n nested polygons takes one node, although n polygons cover the innermost component.
+/// Several nodes can stand for the same set. A node exists as long as it has a *reference*: a child, or a component
+/// that it covers. An undo log records all changes; roll_back() returns to the last begin().
+class CoverTree {
+ public:
+  /// A node, or kEmpty for the empty set.
+  using Set = std::uint32_t;
+  static constexpr Set kEmpty = 0xffffffff;
+
+  /// Returns a new node: the set and one more polygon. It has no reference yet. Requires: the set does not contain the
+  /// polygon. Cost: O(1).
+  [[nodiscard]] Set add(Set set, std::uint32_t polygon);
+  /// Returns the set without the polygons in `removed` and with those in `added`. Requires: the set contains all of
+  /// `removed` and none of `added`. Cost: the number of nodes up to the last of `removed`.
+  [[nodiscard]] Set change(Set set, std::span<const std::uint32_t> removed, std::span<const std::uint32_t> added);
+  /// Whether the set contains the polygon. Cost: the size of the set, or O(1) if the polygon covers nothing.
+  [[nodiscard]] bool contains(Set set, std::uint32_t polygon) const;
+  /// Whether the polygon is in a set.
+  [[nodiscard]] bool is_used(std::uint32_t polygon) const {
+    return polygon < firsts_.size() && firsts_[polygon] != kEmpty;
+  }
+  /// Whether is(polygon) is true for a polygon of the set. If the node `end` is among the set's ancestors, the function
+  /// leaves out the polygons of `end`.
+  template <class Is>
+  [[nodiscard]] bool has_any(Set set, Set end, Is&& is) const {
+    for (; set != kEmpty && set != end; set = nodes_[set].parent) {
+      if (is(nodes_[set].polygon)) return true;
+    }
+    return false;
+  }
+  /// A node that adds the polygon to the set of its parent. Requires: is_used(polygon).
+  [[nodiscard]] Set first_node(std::uint32_t polygon) const { return firsts_[polygon]; }
+  /// Calls visit(polygon) for each polygon of the set.
+  template <class Visit>
+  void for_each(Set set, Visit&& visit) const {
+    for (; set != kEmpty; set = nodes_[set].parent) visit(nodes_[set].polygon);
+  }
+  /// Calls visit(node) for each node that adds the polygon to the set of its parent. `visit` must not change the tree.
+  template <class Visit>
+  void for_each_node(std::uint32_t polygon, Visit&& visit) const {
+    if (!is_used(polygon)) return;
+    for (Set node = firsts_[polygon]; node != kEmpty; node = nodes_[node].next_of_polygon) visit(node);
+  }
+  [[nodiscard]] Set parent(Set node) const { return nodes_[node].parent; }
+  /// The component that the set covers and that was attached last, or kEmpty: the owner of the components links them.
+  [[nodiscard]] std::uint32_t first_component(Set set) const { return nodes_[set].first_component; }
+  void set_first_component(Set set, std::uint32_t component);
+  /// Makes a node a child of another node, or of the empty set.
+  void move(Set node, Set parent);
+  /// Takes a node without components out of the tree. Its children become children of its parent. Cost: the number of
+  /// the children.
+  void remove(Set node);
+  /// Frees a node that has no reference, then its parent if the parent has no other reference, and so on.
+  void free_unused(Set set);
+
+  /// Empties the undo log.
+  void begin();
+  /// Takes back all changes since begin(). Allocates nothing.
+  void roll_back();
+
+  void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const;
+  /// Frees spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit();
+
+ private:
+  struct Node {
+    std::uint32_t polygon;
+    Set parent;  ///< of a free node: the next free node
+    Set first_child = kEmpty;
+    Set next = kEmpty;  ///< the next child of the parent; nothing links the children of the empty set
+    Set previous = kEmpty;
+    Set next_of_polygon = kEmpty;
+    Set previous_of_polygon = kEmpty;
+    std::uint32_t first_component = kEmpty;
+  };
+
+  /// Changes a node: calls change(node) with a copy, and writes the copy.
+  template <class Change>
+  void edit(Set node, Change&& change) {
+    Node copy = nodes_[node];
+    change(copy);
+    nodes_.write(node, copy);
+  }
+  void link_to_parent(Set node);
+  void unlink_from_parent(Set node);
+  void unlink_from_polygon(Set node);
+  void free(Set node);
+
+  memory::JournaledArray<Node> nodes_;
+  memory::JournaledArray<Set> firsts_;  ///< by polygon: the first node that adds it
+  memory::FreeList free_nodes_;         ///< linked by Node::parent
+  memory::FreeList free_nodes_before_;
+  std::vector<std::uint32_t> kept_;  ///< scratch
+};
+
+}  // namespace waywright::nav

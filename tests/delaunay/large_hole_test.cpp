@@ -1,0 +1,99 @@
+#include "delaunay/large_hole.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "delaunay/triangulation.hpp"
+#include "exact/geometry.hpp"
+
+namespace waywright::test {
+namespace {
+
+using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using mesh::HalfEdge;
+using Corners = std::array<std::pair<double, double>, 3>;
+
+constexpr std::array<mesh::Label, 4> kSides = {1, 2, 3, 4};
+
+Corners sorted(const Point& a, const Point& b, const Point& c) {
+  Corners corners = {std::pair{a.x, a.y}, {b.x, b.y}, {c.x, c.y}};
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+Triangulation triangulate(double size, std::span<const Point> points) {
+  Triangulation triangulation({{0, 0}, {size, size}}, kSides);
+  for (const Point& p : points) static_cast<void>(triangulation.insert(p));
+  return triangulation;
+}
+
+std::set<Corners> faces_of(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto point = [&](mesh::Vertex v) { return triangulation.geometry().rounded(number(v)); };
+  std::set<Corners> faces;
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!triangulation.is_in_box(mesh::Face{f})) continue;
+    const HalfEdge h = mesh::first(mesh::Face{f});
+    faces.insert(sorted(point(mesh.origin(h)), point(mesh.target(h)), point(mesh.apex(h))));
+  }
+  return faces;
+}
+
+/// The hole around the last of the points must get the faces of a triangulation without this point, whichever side of
+/// the hole is its base.
+void check_hole(double size, const std::vector<Point>& points) {
+  const Triangulation with = triangulate(size, points);
+  const auto expected = faces_of(triangulate(size, std::span(points).first(points.size() - 1)));
+  const mesh::TriangleMesh& mesh = with.topology();
+  const mesh::Vertex v = mesh.origin(with.locate(points.back()).h);
+  std::vector<mesh::Vertex> link;
+  mesh.for_each_outgoing(v, [&](HalfEdge h) { link.push_back(mesh.target(h)); });
+  delaunay::LargeHole<exact::Geometry> hole;
+  std::vector<mesh::TriangleMesh::Triangle> triangles;
+  for (std::size_t k = 0; k < link.size(); ++k) {
+    std::vector<exact::Geometry::View> positions;
+    for (const mesh::Vertex w : link) positions.push_back(with.view(w));
+    hole.triangulate(with.geometry(), positions, triangles);
+    ASSERT_EQ(triangles.size(), link.size() - 2);
+    for (const auto& [from, apex, to] : triangles) {
+      ASSERT_LT(from, apex);
+      ASSERT_LT(apex, to);
+      const auto point = [&](std::uint32_t i) { return with.geometry().rounded(number(link[i])); };
+      ASSERT_TRUE(expected.contains(sorted(point(from), point(apex), point(to))));
+    }
+    std::rotate(link.begin(), link.begin() + 1, link.end());
+  }
+}
+
+// Small lattices: nearly every decision is a tie, many neighbours are collinear, and three vertices of the border are
+// often clockwise in the plane.
+TEST(LargeHole, HolesInRandomLatticesAgreeWithFreshTriangulations) {
+  std::uint64_t state = 1;
+  const auto below = [&](std::uint32_t count) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<std::uint32_t>(state >> 33) % count;
+  };
+  for (int scene = 0; scene < 3000; ++scene) {
+    const std::uint32_t size = 4 + below(9);
+    std::set<std::pair<double, double>> taken;
+    std::vector<Point> points;
+    for (std::uint32_t i = 0; i < 4 + below(3 * size); ++i) {
+      const Point p{static_cast<double>(below(size + 1)), static_cast<double>(below(size + 1))};
+      if (taken.insert({p.x, p.y}).second) points.push_back(p);
+    }
+    Point hub{static_cast<double>(1 + below(size - 1)), static_cast<double>(1 + below(size - 1))};
+    if (below(2) == 0) hub.x += 0.5;
+    if (hub.x >= size || !taken.insert({hub.x, hub.y}).second) continue;
+    points.push_back(hub);
+    ASSERT_NO_FATAL_FAILURE(check_hole(static_cast<double>(size), points)) << "scene " << scene;
+  }
+}
+
+}  // namespace
+}  // namespace waywright::test
