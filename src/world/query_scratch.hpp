@@ -9,6 +9,7 @@
 #include "clearance/widest_gap.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
+#include "constraint/swept_disc.hpp"
 #include "nav/kept_cover.hpp"
 #include "path/disc_optimal.hpp"
 #include "path/finder.hpp"
@@ -20,6 +21,7 @@ struct QueryScratch {
   nav::KeptCover cover;
   constraint::ItemQueryScratch items;
   constraint::CanonicalOrder order;
+  constraint::SweptDisc swept_disc;
   clearance::NearWalls near_walls;
   clearance::WidestGapFinder widest_gap_finder;
   clearance::WidestGap widest_gap;
