@@ -502,7 +502,8 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of find_path().
   /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the
   /// start finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest
-  /// goal. Each further goal adds little.
+  /// goal. Each further goal adds little. For a radius above 0, the cost of one path for each goal, whatever their
+  /// number. Only the tests of the start are shared.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const

@@ -23,7 +23,10 @@ constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
 void World::Impl::find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  if (query.radius > 0.0) return find_disc_path(query, scratch, path);
+  if (query.radius > 0.0) {
+    if (!begin_disc_path(query, scratch, path)) step_disc_path(kToTheEnd, scratch, path);
+    return;
+  }
   scratch.finder.begin(triangulation, kept_abstraction(), query, path);
   scratch.finder.step(kToTheEnd, path);
 }
@@ -78,8 +81,12 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
     if (auto error = find_point_error(domain(), query.goals[i], i + 1, {"goal", i})) return *std::move(error);
   }
-  if (auto error = find_radius_error(query.radius)) return *std::move(error);
+  if (auto error = find_radius_error(impl_->kept(), query.radius)) return *std::move(error);
   if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);
+  if (query.radius > 0.0) {
+    impl_->find_disc_paths_from(query, *context.scratch_, paths);
+    return {};
+  }
   context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);
   return {};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "waywright/clearance.hpp"
@@ -17,6 +18,17 @@
 
 namespace waywright::detail {
 
+/// The search for the path of a disc. It can continue as long as the world does not change.
+struct DiscSearch {
+  Point start;
+  Point goal;
+  bool is_done = true;
+  std::optional<path::DiscMap> map;  ///< `search` refers to it
+  clearance::CellEdge start_cell;
+  path::DiscOptimal search;
+  std::vector<path::DiscPiece> pieces;
+};
+
 struct QueryScratch {
   nav::KeptCover cover;
   constraint::ItemQueryScratch items;
@@ -26,8 +38,7 @@ struct QueryScratch {
   clearance::WidestGapFinder widest_gap_finder;
   clearance::WidestGap widest_gap;
   path::Finder finder;
-  path::DiscOptimal disc_search;
-  std::vector<path::DiscPiece> disc_pieces;
+  DiscSearch disc_search;
   DiscFit fit;
   path::PolylineWalk polyline_walk;
 };

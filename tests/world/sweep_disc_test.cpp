@@ -152,7 +152,7 @@ TEST(SweepDisc, AgreesWithTheOracleInRandomScenes) {
 }
 
 TEST(SweepDisc, AgreesWithTheOracleInTraps) {
-  for (std::uint64_t seed = 0; seed < (case_count() + 49) / 50; ++seed) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
     for (const disc::NamedScene& scene : disc::trap_scenes(seed)) {
       check_scene(scene, seed);
       if (HasFatalFailure()) return;
