@@ -17,7 +17,7 @@ using Float = mp::number<mp::cpp_bin_float<kBits, mp::digit_base_2>, mp::et_off>
 /// For positions, and for moments that surely differ.
 using Real = Float<400>;
 /// More bits than two moments of the scenes have in common unless they are equal.
-using LongReal = Float<6000>;
+using LongReal = Float<24000>;
 
 RationalPoint rational(Point p) { return {Rational(p.x), Rational(p.y)}; }
 RationalPoint minus(const RationalPoint& p, const RationalPoint& q) { return {p.x - q.x, p.y - q.y}; }
