@@ -65,7 +65,7 @@ struct PathQuery {
   Point goal;
   /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
   /// (WorldOptions::keep_bridges). The answer is then the shortest path for every algorithm, in Path::pieces. This
-  /// version does not move the ends of such a path, and PathSearch and find_paths_from do not support it.
+  /// version does not move the ends of such a path.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
@@ -273,8 +273,8 @@ struct WAYWRIGHT_API Path {
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;
-  double radius = 0.0;                    ///< the radius of the agent, 0 or more; this version supports only 0
-  bool wants_points = false;              ///< whether the answers have points; if not, only status and length
+  double radius = 0.0;                    ///< the radius of the agent, 0 or more: like PathQuery::radius
+  bool wants_points = false;              ///< whether the answers have points or pieces; if not, only status and length
   std::optional<double> end_tolerance{};  ///< like PathQuery::end_tolerance, for the start and for each goal
 };
 

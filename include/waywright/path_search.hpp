@@ -30,6 +30,9 @@ class World;
 /// Otherwise the search continues. While searches run, each operation on the world also records the triangles that it
 /// touches, at a cost proportional to the number of these triangles. If you move a search to another object, you may
 /// only assign to the first object or destroy it.
+///
+/// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again.
+///
 /// Threads: a search belongs to one thread at a time; step() reads the world.
 class WAYWRIGHT_API PathSearch {
  public:
@@ -41,15 +44,16 @@ class WAYWRIGHT_API PathSearch {
   /// Starts a search, and cancels the search that is running, if there is one. After an error no search is running.
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
-  /// wall. If the segment meets no wall, the first step ends the search.
+  /// wall. If the segment meets no wall, the first step ends the search. For a radius above 0: the location of both
+  /// ends, and the walls near them.
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
   /// search is done. For PathAlgorithm::tra the first step ends the search. If no search is running, the function
-  /// returns true.
-  /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
-  /// search.
-  /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
+  /// returns true. For a radius above 0, `expansions` is the number of further steps of the search. If there is no
+  /// path, the last slice also finds Path::widest, at the cost of World::widest_path. Errors: world_gone, if the world
+  /// has been destroyed or another world has been assigned to it. This cancels the search. Exceptions: std::bad_alloc,
+  /// if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
   /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound.

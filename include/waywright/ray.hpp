@@ -10,18 +10,29 @@ namespace waywright {
 /// @addtogroup world
 /// @{
 
-/// The answer of World::ray: the first wall that a segment touches. If you reuse one object for many queries, it keeps
-/// its memory.
+/// The answer of World::ray and World::sweep_disc: the first wall that a segment or a moving disc touches. If you reuse
+/// one object for many queries, it keeps its memory.
 ///
 /// @code{.cpp}
 /// const RayHit hit = world.ray({10, 50}, {90, 50}).value();
 /// if (hit.hit) std::printf("a wall at (%g, %g)\n", hit.at.x, hit.at.y);
 /// const ItemId wall = hit.items.front();  // == 1
+/// const RayHit disc_hit = world.sweep_disc({10, 50}, {90, 50}, 5).value();
+/// const Point centre = disc_hit.at;         // == Point{35, 50}
+/// const Point contact = disc_hit.contact;   // == Point{40, 50}
 /// @endcode
 struct RayHit {
-  bool hit = false;           ///< whether the segment touches a wall
-  Point at;                   ///< the first position where the segment touches a wall, rounded to the nearest doubles
-  std::vector<ItemId> items;  ///< the items with a side at this position, ascending; the null id is the domain's border
+  bool hit = false;  ///< whether the segment or the disc touches a wall
+  /// The first position where the segment touches a wall, rounded to the nearest doubles. For a disc: the position of
+  /// its centre when it first touches a wall. Each coordinate then differs from the exact one by a few units of 2^-53
+  /// times the larger coordinate of the two ends.
+  Point at;
+  /// The items that the segment or the disc touches there, ascending. They have a side at `at` or, for a disc, at most
+  /// the radius away from it. The null id is the border of the domain.
+  std::vector<ItemId> items;
+  /// The position on these walls that is nearest to `at`, up to rounding errors. If several are equally near: the first
+  /// one in (x, y) order. For a segment, it equals `at`.
+  Point contact;
 
   friend bool operator==(const RayHit&, const RayHit&) = default;
 };

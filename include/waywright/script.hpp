@@ -39,7 +39,8 @@ struct ScriptLine {
   Item item;                               ///< insert and replace: the item; remove: its id; clear: its points
   Point from;                              ///< for locate, ray, disc, nearest and path
   Point to;                                ///< for ray and path
-  double radius = 0.0;                     ///< for disc, nearest and path
+  double radius = 0.0;                     ///< for ray, disc, nearest and path
+  bool has_radius = false;                 ///< for ray: whether the line gives a radius
   std::optional<PathAlgorithm> algorithm;  ///< for path, if the line names one
   std::optional<double> end_tolerance;     ///< for path, if the line gives one
 };

@@ -412,6 +412,29 @@ class WAYWRIGHT_API World {
   /// @copydoc fit_disc(Point, double, QueryContext&, DiscFit&) const
   [[nodiscard]] Result<DiscFit> fit_disc(Point centre, double radius) const;
 
+  /// Finds the first wall that a disc touches while its centre moves straight from `from` to `to`. The border of the
+  /// domain is a wall, too. The disc touches a wall if the wall is not farther from the centre than the radius. So a
+  /// disc that touches a wall at the start has its hit there, whatever its direction. The decision is exact, even if
+  /// the disc reaches several walls at once, or passes a wall at a distance of exactly the radius. Points are not
+  /// walls. With the radius 0, the answer is the answer of ray().
+  ///
+  /// RayHit::contact is the position on the walls that the disc touches. To slide along a wall, continue at right
+  /// angles to the direction from `contact` to `at`.
+  ///
+  /// @code{.cpp}
+  /// const RayHit touched = world.sweep_disc({10, 50}, {90, 50}, 5).value();
+  /// if (touched.hit) std::printf("stops at (%g, %g)\n", touched.at.x, touched.at.y);
+  /// const Point position_on_wall = touched.contact;  // == Point{40, 50}
+  /// @endcode
+  ///
+  /// Errors: coordinate_range, out_of_domain, bad_radius.
+  /// Cost: the location of `from`, and n log n in the number n of triangles that the disc meets before it touches a
+  /// wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. (A radius that
+  /// is not a multiple of 2^-152 needs integers on the heap if doubles cannot decide.)
+  [[nodiscard]] Result<void> sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const;
+  /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
+  [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
+
   /// Finds the largest disc that gets from `start` to `goal`, and the gap that stops every larger disc. All comparisons
   /// are exact. The disc must also fit at the two ends themselves: see fit_disc().
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges
@@ -483,7 +506,8 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of find_path().
   /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the
   /// start finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest
-  /// goal. Each further goal adds little.
+  /// goal. Each further goal adds little. For a radius above 0, the cost of one path for each goal, whatever their
+  /// number. Only the tests of the start are shared.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const

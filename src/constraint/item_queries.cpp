@@ -215,6 +215,7 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
       .run(FirstWall(triangulation, from, to, hit));
   hit.hit = !hit.items.empty();
   if (!hit.hit) hit.at = {};
+  hit.contact = hit.at;
   std::sort(hit.items.begin(), hit.items.end());
   hit.items.erase(std::unique(hit.items.begin(), hit.items.end()), hit.items.end());
 }

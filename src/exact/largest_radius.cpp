@@ -1,27 +1,17 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include "exact/gap.hpp"
 #include "exact/homogeneous.hpp"
+#include "exact/stack_integer.hpp"
 
 namespace waywright::exact {
 
 namespace {
 
-/// An integer on the stack. An offset between coordinates in range has at most 253 bits on their lattice, so the square
-/// of the length of a gap is a fraction with at most 1,014 bits above and 507 bits below.
-using StackInteger = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<2048, 2048, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>;
-
-StackInteger to_stack_integer(double value, int lattice_exponent) {
-  const Dyadic dyadic = to_dyadic(value);
-  if (dyadic.mantissa == 0) return StackInteger{0};
-  return StackInteger{dyadic.mantissa} << static_cast<unsigned>(dyadic.exponent - lattice_exponent);
-}
+/// An offset between coordinates in range has at most 253 bits on their lattice, so the square of the length of a gap
+/// is a fraction with at most 1,014 bits above and 507 bits below.
+using Length = StackInteger<2048>;
 
 /// The square of the length of a gap: above / below, in units of 2^(2 exponent).
 class SquaredLength {
@@ -31,18 +21,18 @@ class SquaredLength {
     for (const Point& point : {gap.from, gap.a, gap.b}) lattice.include(point);
     exponent_ = lattice.value();
     const auto difference = [&](double p, double q) {
-      return StackInteger{to_stack_integer(p, exponent_) - to_stack_integer(q, exponent_)};
+      return Length{to_stack_integer<2048>(to_dyadic(p), exponent_) - to_stack_integer<2048>(to_dyadic(q), exponent_)};
     };
-    const StackInteger x = difference(gap.a.x, gap.from.x);
-    const StackInteger y = difference(gap.a.y, gap.from.y);
+    const Length x = difference(gap.a.x, gap.from.x);
+    const Length y = difference(gap.a.y, gap.from.y);
     if (!gap.has_foot()) {
       above_ = x * x + y * y;
       below_ = 1;
       return;
     }
-    const StackInteger ab_x = difference(gap.b.x, gap.a.x);
-    const StackInteger ab_y = difference(gap.b.y, gap.a.y);
-    const StackInteger area = x * ab_y - y * ab_x;
+    const Length ab_x = difference(gap.b.x, gap.a.x);
+    const Length ab_y = difference(gap.b.y, gap.a.y);
+    const Length area = x * ab_y - y * ab_x;
     above_ = area * area;
     below_ = ab_x * ab_x + ab_y * ab_y;
   }
@@ -51,16 +41,16 @@ class SquaredLength {
   /// ulps. So the two sides of the comparison have about the same number of bits.
   [[nodiscard]] bool is_less_than_diameter(double radius) const {
     const Dyadic dyadic = to_dyadic(radius);
-    const StackInteger squared_mantissa = StackInteger{dyadic.mantissa} * StackInteger{dyadic.mantissa};
+    const Length squared_mantissa = Length{dyadic.mantissa} * Length{dyadic.mantissa};
     const int shift = 2 * (exponent_ - dyadic.exponent - 1);
-    if (shift >= 0) return StackInteger{above_ << static_cast<unsigned>(shift)} < squared_mantissa * below_;
-    return above_ < StackInteger{(squared_mantissa * below_) << static_cast<unsigned>(-shift)};
+    if (shift >= 0) return Length{above_ << static_cast<unsigned>(shift)} < squared_mantissa * below_;
+    return above_ < Length{(squared_mantissa * below_) << static_cast<unsigned>(-shift)};
   }
 
  private:
   int exponent_ = 0;
-  StackInteger above_;
-  StackInteger below_;
+  Length above_;
+  Length below_;
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ constexpr std::array kGrammars{
     Grammar{"remove", "remove ID", ScriptLineKind::remove},
     Grammar{"replace", "replace KIND ID ...", ScriptLineKind::replace},
     Grammar{"locate", "locate X Y", ScriptLineKind::locate},
-    Grammar{"ray", "ray X1 Y1 X2 Y2", ScriptLineKind::ray},
+    Grammar{"ray", "ray X1 Y1 X2 Y2 [RADIUS]", ScriptLineKind::ray},
     Grammar{"disc", "disc X Y RADIUS", ScriptLineKind::disc},
     Grammar{"nearest", "nearest X Y RADIUS", ScriptLineKind::nearest},
     Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM] [tolerance DISTANCE]", ScriptLineKind::path},
@@ -67,6 +67,7 @@ class ScriptParser {
   bool read_ring(Rings& rings);
   bool read_ring(std::string_view count_word, Rings& rings);
   bool read_points(std::uint64_t count, Rings& rings);
+  bool read_ray_radius(ScriptLine& line);
   bool read_path_options(ScriptLine& line);
 
   /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
@@ -217,7 +218,7 @@ bool ScriptParser::read_rest(ScriptLine& line, const Grammar& grammar) {
     case ScriptLineKind::locate:
       return point(line.from);
     case ScriptLineKind::ray:
-      return point(line.from) && point(line.to);
+      return point(line.from) && point(line.to) && read_ray_radius(line);
     case ScriptLineKind::disc:
     case ScriptLineKind::nearest:
       return point(line.from) && number(line.radius);
@@ -292,6 +293,11 @@ bool ScriptParser::read_points(std::uint64_t count, Rings& rings) {
     rings.add_point(p);
   }
   return true;
+}
+
+bool ScriptParser::read_ray_radius(ScriptLine& line) {
+  line.has_radius = !words_.peek().empty();
+  return !line.has_radius || number(line.radius);
 }
 
 bool ScriptParser::read_path_options(ScriptLine& line) {

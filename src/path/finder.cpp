@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "path/clear.hpp"
+#include "path/saturating_add.hpp"
 
 namespace waywright::path {
 
@@ -16,10 +17,6 @@ constexpr std::size_t kSlice = 256;
 /// each goal has its own search, with a heuristic. In a world of some hundreds of obstacles, the two methods cost the
 /// same at about this number.
 constexpr std::size_t kManyGoals = 256;
-
-std::size_t saturating_add(std::size_t a, std::size_t b) {
-  return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max() : a + b;
-}
 
 }  // namespace
 

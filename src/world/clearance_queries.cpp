@@ -59,6 +59,26 @@ Result<DiscFit> World::fit_disc(Point centre, double radius) const {
   return fit;
 }
 
+Result<void> World::sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_point_error(domain(), from, 0, "the start")) return *std::move(error);
+  if (auto error = find_point_error(domain(), to, 1, "the end")) return *std::move(error);
+  if (auto error = find_size_error(radius)) return *std::move(error);
+  if (radius == 0.0) {
+    constraint::first_wall(impl_->triangulation, from, to, hit);
+  } else {
+    context.scratch_->swept_disc.find_first_wall(impl_->triangulation, {from, to, radius}, hit);
+  }
+  return {};
+}
+
+Result<RayHit> World::sweep_disc(Point from, Point to, double radius) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  RayHit hit;
+  if (auto done = sweep_disc(from, to, radius, *context, hit); !done) return done.error();
+  return hit;
+}
+
 Result<void> World::widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), start, 0, "the start")) return *std::move(error);

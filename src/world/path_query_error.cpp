@@ -11,13 +11,10 @@ std::optional<Error> find_size_error(double radius) {
   return Error{ErrorCode::bad_radius, "the radius is negative or not finite", {}, 0};
 }
 
-std::optional<Error> find_radius_error(double radius) {
+std::optional<Error> find_radius_error(const Kept& kept, double radius) {
   if (auto error = find_size_error(radius)) return error;
-  if (radius > 0.0) {
-    return Error{
-        ErrorCode::not_supported, "this query does not support a radius above 0 yet; World::find_path does", {}, 0};
-  }
-  return std::nullopt;
+  if (radius == 0.0 || kept.has_bridges) return std::nullopt;
+  return Error{ErrorCode::no_bridges, "a path for a radius above 0 needs a world that keeps its bridges", {}, 0};
 }
 
 std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance) {
@@ -28,13 +25,9 @@ std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance
 std::optional<Error> find_query_error(const Box& domain, const Kept& kept, const PathQuery& query) {
   if (auto error = find_point_error(domain, query.start, 0, "the start")) return error;
   if (auto error = find_point_error(domain, query.goal, 1, "the goal")) return error;
-  if (auto error = find_size_error(query.radius)) return error;
+  if (auto error = find_radius_error(kept, query.radius)) return error;
   if (auto error = find_tolerance_error(query.end_tolerance)) return error;
-  if (query.radius > 0.0) {
-    if (kept.has_bridges) return std::nullopt;
-    return Error{ErrorCode::no_bridges, "a path for a radius above 0 needs a world that keeps its bridges", {}, 0};
-  }
-  if (query.algorithm == PathAlgorithm::tra && !kept.has_abstraction) {
+  if (query.radius == 0.0 && query.algorithm == PathAlgorithm::tra && !kept.has_abstraction) {
     return Error{ErrorCode::not_supported, "the path algorithm tra needs a world that keeps its abstraction", {}, 0};
   }
   return std::nullopt;

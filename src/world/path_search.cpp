@@ -5,9 +5,10 @@
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
-#include "path/finder.hpp"
 #include "path/looked_at.hpp"
+#include "path/saturating_add.hpp"
 #include "world/path_query_error.hpp"
+#include "world/query_scratch.hpp"
 #include "world/touch_log.hpp"
 #include "world/world_impl.hpp"
 
@@ -26,16 +27,33 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     if (touch_log != nullptr) touch_log->remove_search();
     touch_log = nullptr;
   }
-  void begin() { finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at); }
+  [[nodiscard]] bool is_for_disc() const { return query.radius > 0.0; }
+  void begin() {
+    if (is_for_disc()) {
+      world->begin_disc_path(query, scratch, path);
+    } else {
+      scratch.finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at);
+    }
+  }
+  bool step(std::size_t expansions) {
+    if (!is_for_disc()) return scratch.finder.step(expansions, path);
+    return world->step_disc_path(path::saturating_add(path.expansions, expansions), scratch, path);
+  }
   /// Continues the search in the current version of the world. Restarts it if a change concerns it.
   void adapt_to_changes() {
     if (version == touch_log->version()) return;
-    finder.grow_to_mesh();
-    const bool is_concerned = touch_log->has_touched(looked_at, version) || finder.has_covered_end();
+    const bool is_concerned = concerns_search();
     version = touch_log->version();
     if (!is_concerned) return;
     ++restarts;
     begin();
+  }
+  /// Returns whether a change since the last slice concerns the search. The search for a disc does not record what it
+  /// has looked at, so every change concerns it.
+  [[nodiscard]] bool concerns_search() {
+    if (is_for_disc()) return true;
+    scratch.finder.grow_to_mesh();
+    return touch_log->has_touched(looked_at, version) || scratch.finder.has_covered_end();
   }
 
   /// The guard of one step. When the step ends, stops the search if it is done. The constructor sets `is_done` to true.
@@ -57,7 +75,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   const World::Impl* world = nullptr;   ///< stays at this address until `touch_log` says that the world is gone
   std::uint64_t version = 0;            ///< of the world when the search last saw it
   PathQuery query;
-  path::Finder finder;
+  detail::QueryScratch scratch;
   path::LookedAt looked_at;
   Path path;
   std::size_t restarts = 0;
@@ -72,7 +90,6 @@ PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   const base::FloatEnvironment environment;
   cancel();
-  if (auto error = find_radius_error(query.radius)) return *std::move(error);
   if (auto error = find_query_error(world.domain(), world.impl_->kept(), query)) return *std::move(error);
   impl_->query = query;
   impl_->restarts = 0;
@@ -92,7 +109,7 @@ Result<bool> PathSearch::step(std::size_t expansions) {
   }
   const Impl::Step step(*impl_);
   impl_->adapt_to_changes();
-  impl_->is_done = impl_->finder.step(expansions, impl_->path);
+  impl_->is_done = impl_->step(expansions);
   return impl_->is_done;
 }
 

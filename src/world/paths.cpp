@@ -21,8 +21,6 @@ namespace waywright {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
 
 bool meets(std::span<const Point> points, const Box& box) {
@@ -38,10 +36,7 @@ bool meets(std::span<const Point> points, const Box& box) {
 
 void World::Impl::find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   if (query.radius > 0.0) {
-    const Clock::time_point begun = query.wants_time ? Clock::now() : Clock::time_point{};
-    find_disc_path(query, scratch, path);
-    path.radius = query.radius;
-    if (query.wants_time) path.time = Clock::now() - begun;
+    if (!begin_disc_path(query, scratch, path)) step_disc_path(kToTheEnd, scratch, path);
     return;
   }
   scratch.finder.begin(triangulation, kept_abstraction(), query, path);
@@ -98,8 +93,12 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
     if (auto error = find_point_error(domain(), query.goals[i], i + 1, {"goal", i})) return *std::move(error);
   }
-  if (auto error = find_radius_error(query.radius)) return *std::move(error);
+  if (auto error = find_radius_error(impl_->kept(), query.radius)) return *std::move(error);
   if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);
+  if (query.radius > 0.0) {
+    impl_->find_disc_paths_from(query, *context.scratch_, paths);
+    return {};
+  }
   context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);
   return {};
 }

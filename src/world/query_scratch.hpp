@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <vector>
 
 #include "waywright/clearance.hpp"
@@ -9,6 +11,7 @@
 #include "clearance/widest_gap.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
+#include "constraint/swept_disc.hpp"
 #include "nav/kept_cover.hpp"
 #include "path/disc_optimal.hpp"
 #include "path/finder.hpp"
@@ -16,16 +19,28 @@
 
 namespace waywright::detail {
 
+/// The search for the path of a disc. It can continue as long as the world does not change.
+struct DiscSearch {
+  Point start;
+  Point goal;
+  bool is_done = true;
+  std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
+  std::optional<path::DiscMap> map;  ///< `search` refers to it
+  clearance::CellEdge start_cell;
+  path::DiscOptimal search;
+  std::vector<path::DiscPiece> pieces;
+};
+
 struct QueryScratch {
   nav::KeptCover cover;
   constraint::ItemQueryScratch items;
   constraint::CanonicalOrder order;
+  constraint::SweptDisc swept_disc;
   clearance::NearWalls near_walls;
   clearance::WidestGapFinder widest_gap_finder;
   clearance::WidestGap widest_gap;
   path::Finder finder;
-  path::DiscOptimal disc_search;
-  std::vector<path::DiscPiece> disc_pieces;
+  DiscSearch disc_search;
   DiscFit fit;
   path::PolylineWalk polyline_walk;
 };

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "waywright/world.hpp"
 
@@ -38,9 +40,19 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] Kept kept() const { return {abstraction.has_value(), clearance != nullptr}; }
   // The queries behind the functions of World with these names. Requires: the query has no error.
   void find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
-  void find_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  void find_disc_paths_from(const ManyGoalsQuery& query, detail::QueryScratch& scratch, std::vector<Path>& paths) const;
+  // The path of a disc, in slices. Requires: the world does not change until the search is done. Both functions return
+  // whether the search is done.
+  bool begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  /// Continues until `path.expansions` reaches `limit`.
+  bool step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const;
   void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
+  // The steps of find_disc_paths_from() and begin_disc_path().
+  bool is_end_free(const Point& end, double radius, PathStatus blocked, detail::QueryScratch& scratch,
+                   Path& path) const;
+  void set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const;
+  void begin_disc_search(const Point& goal, detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 

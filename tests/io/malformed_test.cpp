@@ -160,7 +160,7 @@ constexpr Malformed kOperations[] = {
     {"replace point 1 1 1 1", 3, "expected no more in 'point ID X Y', found '1'"},
     {"locate 1", 3, "expected a number in 'locate X Y', found the end of the line"},
     {"locate 1 2 3", 3, "expected no more in 'locate X Y', found '3'"},
-    {"ray 1 2 3", 3, "expected a number in 'ray X1 Y1 X2 Y2', found the end of the line"},
+    {"ray 1 2 3", 3, "expected a number in 'ray X1 Y1 X2 Y2 [RADIUS]', found the end of the line"},
     {"disc 1 2", 3, "expected a number in 'disc X Y RADIUS', found the end of the line"},
     {"disc 1 2 big", 3, "expected a number in 'disc X Y RADIUS', found 'big'"},
     {"nearest 1 2 3 4", 3, "expected no more in 'nearest X Y RADIUS', found '4'"},

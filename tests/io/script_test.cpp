@@ -87,6 +87,11 @@ TEST(ParseScript, ReadsTheOtherOperations) {
   EXPECT_EQ(ray.kind, ScriptLineKind::ray);
   EXPECT_EQ(ray.from, (Point{1, 2}));
   EXPECT_EQ(ray.to, (Point{3, 4}));
+  EXPECT_FALSE(ray.has_radius);
+  const ScriptLine swept = parsed_one("ray 1 2 3 4 0.5");
+  EXPECT_EQ(swept.to, (Point{3, 4}));
+  EXPECT_TRUE(swept.has_radius);
+  EXPECT_EQ(swept.radius, 0.5);
 
   const ScriptLine disc = parsed_one("disc 1 2 0.5");
   EXPECT_EQ(disc.kind, ScriptLineKind::disc);

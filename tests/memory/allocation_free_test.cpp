@@ -49,6 +49,7 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   std::vector<Item> items;
   DiscFit fit;
   WidestPath widest;
+  RayHit hit;
   Shape shape;
   MeshSnapshot snapshot;
   std::size_t answers = 0;
@@ -61,6 +62,8 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
       world.items_in({{2000, 2000}, {3000, 3000}}, context, in).value();
       world.fit_disc(point, 5.0 + i, context, fit).value();
       world.widest_path(point, {1000 - point.y, point.x}, context, widest).value();
+      world.sweep_disc(point, {1000 - point.y, point.x}, 0.1 + 0.25 * (i % 8), context, hit).value();
+      world.sweep_disc({1 + point.x, 2}, {1 + point.x, 990}, 1, context, hit).value();
       answers += at.size() + crossed.size() + fit.items.size() + widest.to_items.size();
     }
     for (std::uint64_t id = 1; id <= world.item_count(); ++id) world.shape(id, shape).value();
@@ -109,6 +112,7 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
   std::vector<CrossedItem> crossed;
   DiscFit fit;
   WidestPath widest;
+  RayHit hit;
   std::vector<Item> items(3, {77, Shape::polygon({{1, 2}, {3, 4}})});
   Shape shape;
   MeshSnapshot snapshot;
@@ -126,6 +130,8 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
     ASSERT_EQ(fit, world.fit_disc(point, 5.0 + i).value());
     world.widest_path(point, other, context, widest).value();
     ASSERT_EQ(widest, world.widest_path(point, other).value());
+    world.sweep_disc(point, other, 0.5 * i, context, hit).value();
+    ASSERT_EQ(hit, world.sweep_disc(point, other, 0.5 * i).value());
   }
   world.items_in({{2000, 2000}, {3000, 3000}}, context, ids).value();
   EXPECT_EQ(ids, std::vector<ItemId>());
@@ -195,6 +201,8 @@ TEST(AllocationFree, Refusals) {
     expect_refused(search.begin(world, queries[0]), ErrorCode::out_of_domain);
     expect_refused(world.locate({1, -1}, context, location), ErrorCode::out_of_domain);
     expect_refused(world.ray({1, 1}, {2000, 1}, hit), ErrorCode::out_of_domain);
+    expect_refused(world.sweep_disc({1, 1}, {2000, 1}, 1, context, hit), ErrorCode::out_of_domain);
+    expect_refused(world.sweep_disc({1, 1}, {2, 1}, -1, context, hit), ErrorCode::bad_radius);
     expect_refused(world.fit_disc({1, -1}, 1, context, fit), ErrorCode::out_of_domain);
     expect_refused(world.fit_disc({1, 1}, -1, context, fit), ErrorCode::bad_radius);
     expect_refused(path.polyline(-1, line), ErrorCode::bad_distance);
@@ -207,7 +215,7 @@ TEST(AllocationFree, Refusals) {
     expect_refused(World::create({{1, 1}, {0, 0}}), ErrorCode::bad_domain);
     expect_refused(World::create({{1, 1}, {kNan, 0}}), ErrorCode::coordinate_range);
   });
-  EXPECT_EQ(refusals, 27U);
+  EXPECT_EQ(refusals, 29U);
   EXPECT_EQ(allocations, 0U);
   EXPECT_EQ(world.item_count(), before);
 }

@@ -379,6 +379,63 @@ TEST(MemoryFailureOf, ASearchForManyGoalsLeavesNothingToTheNext) {
   EXPECT_GT(failures, 20U);
 }
 
+World world_for_discs() {
+  World world = World::create({{0, 0}, {1000, 1000}}, {.keep_bridges = true}).value();
+  Random random(13);
+  for (int i = 0; i < 60; ++i) {
+    const Point at{static_cast<double>(random.between(40, 900)), static_cast<double>(random.between(40, 900))};
+    world.insert(Shape::rectangle({at, at + Point{30.0, 25.0}})).value();
+  }
+  return world;
+}
+
+void expect_equal_pieces(const Path& path, const Path& expected, std::size_t n) {
+  expect_equal(path, expected, n);
+  EXPECT_EQ(path.pieces, expected.pieces) << "after allocation " << n << " failed";
+}
+
+TEST(MemoryFailureOf, QueriesForDiscsLeaveNothingToTheNext) {
+  const World world = world_for_discs();
+  const PathQuery back{.start = {980, 20}, .goal = {20, 980}, .radius = 3};
+  const std::vector<Point> goals{{980, 980}, {20, 980}, {5, 5}};
+  const std::vector<Path> expected = world.find_paths_from({back.start, goals, 3, true}).value();
+  const RayHit expected_hit = world.sweep_disc({980, 20}, {20, 980}, 3).value();
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    QueryContext context;
+    std::vector<Path> paths;
+    RayHit hit;
+    const bool is_through = gets_through(n, [&] {
+      world.find_paths_from({{20, 20}, goals, 5, true}, context, paths).value();
+      world.sweep_disc({20, 20}, {980, 980}, 2, context, hit).value();
+    });
+    if (is_through) break;
+    world.sweep_disc({980, 20}, {20, 980}, 3, context, hit).value();
+    EXPECT_EQ(hit, expected_hit) << "after allocation " << n << " failed";
+    world.find_paths_from({back.start, goals, 3, true}, context, paths).value();
+    for (std::size_t i = 0; i < goals.size(); ++i) expect_equal_pieces(paths[i], expected[i], n);
+  }
+  EXPECT_GT(failures, 20U);
+}
+
+TEST(MemoryFailureOf, ASearchForADiscInSlicesIsGivenUp) {
+  const World world = world_for_discs();
+  const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .radius = 3};
+  const Path expected = world.find_path(across).value();
+  constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    PathSearch search;
+    search.begin(world, across).value();
+    if (gets_through(n, [&] { search.step(kToTheEnd).value(); })) break;
+    EXPECT_FALSE(search.is_running());
+    search.begin(world, across).value();
+    EXPECT_TRUE(search.step(kToTheEnd).value());
+    expect_equal_pieces(search.path(), expected, n);
+  }
+  EXPECT_GT(failures, 5U);
+}
+
 // If an allocation fails in a job, the call that the job belongs to fails and changes nothing.
 TEST(MemoryFailureOf, AJobLeavesTheWorldEmpty) {
   Random random(12);

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         third("unknown", "circle 1 2 2 1"), third("capitals", "POINT 1 2 2"), third("number_alone", "1 2 3"),
         third("remove_without_id", "remove"), third("remove_two", "remove 1 2"), third("locate_one_number", "locate 1"),
         third("locate_three_numbers", "locate 1 2 3"), third("locate_word", "locate here 2"),
-        third("ray_three_numbers", "ray 1 2 3"), third("ray_five_numbers", "ray 1 2 3 4 5"),
+        third("ray_three_numbers", "ray 1 2 3"), third("ray_six_numbers", "ray 1 2 3 4 5 6"),
         third("disc_without_radius", "disc 1 2"), third("disc_four_numbers", "disc 1 2 3 4"),
         third("nearest_without_radius", "nearest 1 2"), third("nearest_four_numbers", "nearest 1 2 3 4"),
         third("path_without_radius", "path 1 2 3 4"), third("path_unknown_algorithm", "path 1 2 3 4 0 astar"),

@@ -61,6 +61,17 @@ TEST(RunCommand, PrintsTheFirstWallOfARay) {
             "{\"line\":10,\"op\":\"ray\",\"hit\":true,\"at\":[5,10],\"items\":[0]}\n");
 }
 
+TEST(RunCommand, PrintsTheFirstWallThatADiscTouches) {
+  const auto result = run_script(kHead +
+                                 "segment 9 3 1 3 4\nsegment 4 3 2 5 3\npoint 2 2 5\n"
+                                 "ray 1.5 3 8 3 1\nray 1.5 5 8 5 1\nray 1 3 9 3 0\nray 2 5 2 6 0.5\n");
+  EXPECT_EQ(result.out,
+            "{\"line\":6,\"op\":\"ray\",\"hit\":true,\"at\":[2,3],\"contact\":[3,3],\"items\":[9]}\n"
+            "{\"line\":7,\"op\":\"ray\",\"hit\":true,\"at\":[3,5],\"contact\":[3,4],\"items\":[9]}\n"
+            "{\"line\":8,\"op\":\"ray\",\"hit\":true,\"at\":[3,3],\"contact\":[3,3],\"items\":[9]}\n"
+            "{\"line\":9,\"op\":\"ray\",\"hit\":false}\n");
+}
+
 TEST(RunCommand, PrintsPathsOfDiscsAsLinesAndArcsOrTheGapThatStopsThem) {
   const std::string walls = kHead + "segment 4 5 0 5 4\nsegment 9 5 6 5 10\n";
   const auto result = run_script(walls + "path 1 5 9 5 1\npath 4.5 1 9 5 1\npath 2 5 8 5 1.5\n");
@@ -214,11 +225,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"path 1 1 2 1 0 ta tolerance nan", "path", "bad-distance"},
         Refusal{"clear 2 1 1 12 1", "clear", "out-of-domain"}, Refusal{"clear 1 nan 1", "clear", "coordinate-range"},
         Refusal{"ray 1 1 2 12", "ray", "out-of-domain"}, Refusal{"ray -1 1 2 2", "ray", "out-of-domain"},
-        Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"disc 11 1 2", "disc", "out-of-domain"},
-        Refusal{"disc 1 nan 2", "disc", "coordinate-range"}, Refusal{"disc 1 1 -2", "disc", "bad-radius"},
-        Refusal{"disc 1 1 inf", "disc", "bad-radius"}, Refusal{"disc 1 1 nan", "disc", "bad-radius"},
-        Refusal{"nearest 1 1 0", "nearest", "not-supported"}, Refusal{"nearest 1 1 nan", "nearest", "bad-radius"},
-        Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
+        Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"ray 1 1 2 2 -1", "ray", "bad-radius"},
+        Refusal{"disc 11 1 2", "disc", "out-of-domain"}, Refusal{"disc 1 nan 2", "disc", "coordinate-range"},
+        Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"disc 1 1 inf", "disc", "bad-radius"},
+        Refusal{"disc 1 1 nan", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
+        Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
 
 // 2^-20 of the domain's largest coordinate is 0.0000095.
 TEST(RunCommand, MovesAnEndThatIsBlockedByRoundingAndSaysSo) {

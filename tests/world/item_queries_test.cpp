@@ -65,20 +65,20 @@ TEST(ItemsCrossed, AreSortedAndHaveTheirPositions) {
 TEST(Ray, StopsAtTheFirstWallItTouches) {
   const World world = furnished_world();
   const auto hit = [&](Point from, Point to) { return world.ray(from, to).value(); };
-  EXPECT_EQ(hit({2.5, 0.5}, {2.5, 10}), (RayHit{true, {2.5, 2}, ids({1})}));
-  EXPECT_EQ(hit({2.5, 9}, {2.5, 0}), (RayHit{true, {2.5, 5}, ids({3})}));
+  EXPECT_EQ(hit({2.5, 0.5}, {2.5, 10}), (RayHit{true, {2.5, 2}, ids({1}), {2.5, 2}}));
+  EXPECT_EQ(hit({2.5, 9}, {2.5, 0}), (RayHit{true, {2.5, 5}, ids({3}), {2.5, 5}}));
   // At a corner that the ray only touches, at the end of a chain of walls, and where walls cross.
-  EXPECT_EQ(hit({1, 3}, {3, 1}), (RayHit{true, {2, 2}, ids({1})}));
-  EXPECT_EQ(hit({7, 1}, {9, 1}), (RayHit{true, {8, 1}, ids({5})}));
-  EXPECT_EQ(hit({2.75, 4.25}, {7, 0}), (RayHit{true, {3, 4}, ids({1, 2})}));
+  EXPECT_EQ(hit({1, 3}, {3, 1}), (RayHit{true, {2, 2}, ids({1}), {2, 2}}));
+  EXPECT_EQ(hit({7, 1}, {9, 1}), (RayHit{true, {8, 1}, ids({5}), {8, 1}}));
+  EXPECT_EQ(hit({2.75, 4.25}, {7, 0}), (RayHit{true, {3, 4}, ids({1, 2}), {3, 4}}));
   // Along a side, from before it; from a wall; from inside a solid; to a wall and not further.
-  EXPECT_EQ(hit({1, 2}, {9, 2}), (RayHit{true, {2, 2}, ids({1})}));
-  EXPECT_EQ(hit({5, 5}, {7, 5}), (RayHit{true, {5, 5}, ids({3})}));
+  EXPECT_EQ(hit({1, 2}, {9, 2}), (RayHit{true, {2, 2}, ids({1}), {2, 2}}));
+  EXPECT_EQ(hit({5, 5}, {7, 5}), (RayHit{true, {5, 5}, ids({3}), {5, 5}}));
   EXPECT_EQ(hit({2.5, 2.5}, {2.5, 3.5}), RayHit{});
-  EXPECT_EQ(hit({2.5, 2.5}, {2.5, 9}), (RayHit{true, {2.5, 4}, ids({1})}));
-  EXPECT_EQ(hit({1, 1}, {1, 5}), (RayHit{true, {1, 5}, ids({3})}));
-  EXPECT_EQ(hit({9, 9}, {9, 10}), (RayHit{true, {9, 10}, ids({0})}));
-  EXPECT_EQ(hit({0, 5}, {1, 9}), (RayHit{true, {0, 5}, ids({0, 3})}));
+  EXPECT_EQ(hit({2.5, 2.5}, {2.5, 9}), (RayHit{true, {2.5, 4}, ids({1}), {2.5, 4}}));
+  EXPECT_EQ(hit({1, 1}, {1, 5}), (RayHit{true, {1, 5}, ids({3}), {1, 5}}));
+  EXPECT_EQ(hit({9, 9}, {9, 10}), (RayHit{true, {9, 10}, ids({0}), {9, 10}}));
+  EXPECT_EQ(hit({0, 5}, {1, 9}), (RayHit{true, {0, 5}, ids({0, 3}), {0, 5}}));
   EXPECT_EQ(hit({7, 7}, {9, 9}), RayHit{}) << "a point is no wall";
   EXPECT_EQ(world.ray({1, 1}, {11, 1}).error().code, ErrorCode::out_of_domain);
   EXPECT_EQ(world.ray({1, 1}, {11, 1}).error().index, 1U);
@@ -87,7 +87,7 @@ TEST(Ray, StopsAtTheFirstWallItTouches) {
 TEST(Ray, GivesTheNearestDoublesOfAPositionWithoutDoubles) {
   World world = World::create({{0, 0}, {8, 8}}).value();
   ASSERT_TRUE(world.insert_segment({1, 1}, {4, 3}, {1}).ok());
-  EXPECT_EQ(world.ray({1, 2}, {4, 1}).value(), (RayHit{true, {2, 5.0 / 3.0}, ids({1})}));
+  EXPECT_EQ(world.ray({1, 2}, {4, 1}).value(), (RayHit{true, {2, 5.0 / 3.0}, ids({1}), {2, 5.0 / 3.0}}));
 }
 
 TEST(ItemsIn, BoxesAreClosedAndMayBeCovered) {

@@ -123,10 +123,14 @@ std::string json_line(const Request& request, const Path& path) {
   return out + '}';
 }
 
-std::string json_line(const Request& request, const RayHit& hit) {
+std::string json_line(const Request& request, const RayHit& hit, RayOf of) {
   if (!hit.hit) return opening(request) + R"(,"hit":false})";
   std::string out = opening(request) + R"(,"hit":true,"at":[)";
   append_point(out, hit.at);
+  if (of == RayOf::disc) {
+    out += R"(],"contact":[)";
+    append_point(out, hit.contact);
+  }
   out += R"(],"items":[)";
   append_ids(out, hit.items);
   return out + "]}";

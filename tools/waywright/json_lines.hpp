@@ -21,11 +21,14 @@ struct Request {
   std::optional<std::uint32_t> line;
 };
 
+/// What moves along a ray. Only the answer for a disc has a contact.
+enum class RayOf : std::uint8_t { point, disc };
+
 /// Each function returns an answer as one JSON object without a line end. Numbers have the shortest form that reads
 /// back as the same number.
 [[nodiscard]] std::string json_line(const Request& request, const Location& location);
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
-[[nodiscard]] std::string json_line(const Request& request, const RayHit& hit);
+[[nodiscard]] std::string json_line(const Request& request, const RayHit& hit, RayOf of);
 [[nodiscard]] std::string json_line(const Request& request, const DiscFit& fit);
 [[nodiscard]] std::string json_line(const Request& request, bool is_clear);
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);

@@ -84,9 +84,11 @@ Outcome Runner::locate(const ScriptLine& operation) {
 }
 
 Outcome Runner::cast_ray(const ScriptLine& operation) {
-  const Result<void> cast = world_.ray(operation.from, operation.to, hit_);
+  const Result<void> cast = operation.has_radius
+                                ? world_.sweep_disc(operation.from, operation.to, operation.radius, context_, hit_)
+                                : world_.ray(operation.from, operation.to, hit_);
   if (!cast.ok()) return refuse(operation, cast.error());
-  output_.write_line(json_line(request_of(operation), hit_));
+  output_.write_line(json_line(request_of(operation), hit_, operation.has_radius ? RayOf::disc : RayOf::point));
   if (overlay_ != nullptr) overlay_->rays.push_back({operation.from, operation.to, hit_});
   return Outcome::done;
 }

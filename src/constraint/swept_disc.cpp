@@ -1,0 +1,210 @@
+#include "constraint/swept_disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "base/ieee.hpp"
+#include "exact/gap.hpp"
+
+namespace waywright::constraint {
+
+using exact::Sign;
+using exact::Sweep;
+using exact::Touch;
+using mesh::HalfEdge;
+
+namespace {
+
+/// Finds out in doubles which edges a moving disc may meet, and how early. It may name edges that the disc does not
+/// meet, but it misses none.
+///
+/// The disc lies in a box around the segment of its centre, wider than the segment by the radius on each side. In
+/// coordinates along and across the segment, the function clips an edge to this box. All numbers have errors of less
+/// than 2^-49 times the sum of the magnitudes, and the box is wider than the exact one by 2^-46 times this sum. If a
+/// vertex is a crossing, its coordinates are rounded, and the box is wider by this error, too.
+class Reach {
+ public:
+  Reach(const ExactTriangulation& triangulation, const Sweep& sweep)
+      : mesh_(triangulation.topology()),
+        geometry_(triangulation.triangulation().geometry()),
+        from_(sweep.from),
+        radius_(std::min(sweep.radius, kLargestRadius)) {
+    const Point d = sweep.to - sweep.from;
+    length_ = std::sqrt(d.x * d.x + d.y * d.y);
+    if (length_ > 0.0) direction_ = {d.x / length_, d.y / length_};
+    if (!geometry_.has_constructed()) return;
+    const Box& domain = triangulation.domain();
+    rounding_ = 0x1p-50 * std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x),
+                                    std::abs(domain.max.y)});
+  }
+
+  /// Returns a distance that the centre has moved at least when the disc meets the edge, or nothing if the disc does
+  /// not meet it.
+  [[nodiscard]] std::optional<double> earliest(HalfEdge h) const {
+    const Point p = position(geometry_.rounded(number(mesh_.origin(h))));
+    const Point q = position(geometry_.rounded(number(mesh_.target(h))));
+    const double slack =
+        0x1p-46 * (std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + length_ + radius_) + rounding_;
+    const double limit = radius_ + slack;
+    const double rise = q.y - p.y;
+    double first = 0.0;
+    double last = 1.0;
+    if (rise != 0.0) {
+      const double below = (-limit - p.y) / rise;
+      const double above = (limit - p.y) / rise;
+      first = std::max(first, std::min(below, above));
+      last = std::min(last, std::max(below, above));
+      if (first > last) return std::nullopt;
+    } else if (std::abs(p.y) > limit) {
+      return std::nullopt;
+    }
+    const double at_first = p.x + first * (q.x - p.x);
+    const double at_last = p.x + last * (q.x - p.x);
+    const double least = std::min(at_first, at_last) - slack;
+    const double most = std::max(at_first, at_last) + slack;
+    if (most < -limit || least > length_ + limit) return std::nullopt;
+    return std::max(0.0, least - limit);
+  }
+
+  /// A distance that the centre has moved at most when it is at `centre`, which exact::centre_at() has returned.
+  [[nodiscard]] double latest(const Point& centre) const {
+    const Point moved = centre - from_;
+    const double error = 0x1p-46 * length_ + 0x1p-49 * (std::abs(from_.x) + std::abs(from_.y));
+    return std::sqrt(moved.x * moved.x + moved.y * moved.y) + error;
+  }
+
+ private:
+  /// In range, no distance is above 2^101.5, so two larger radii have the same answers.
+  static constexpr double kLargestRadius = 0x1p103;
+
+  /// The position along and across the segment.
+  [[nodiscard]] Point position(const Point& point) const {
+    const Point v = point - from_;
+    return {v.x * direction_.x + v.y * direction_.y, direction_.x * v.y - direction_.y * v.x};
+  }
+
+  const mesh::TriangleMesh& mesh_;
+  const exact::Geometry& geometry_;
+  Point from_;
+  Point direction_{1.0, 0.0};
+  double length_ = 0.0;
+  double radius_;
+  double rounding_ = 0.0;
+};
+
+/// The position of the wall from `a` to `b` that is nearest to a point, up to a few ulps.
+Point nearest_on_wall(const Point& point, const Point& a, const Point& b) {
+  if (exact::dot(a, point, a, b) != Sign::positive) return a;
+  if (exact::dot(b, point, a, b) != Sign::negative) return b;
+  return exact::end({point, a, b});
+}
+
+auto key_of(const Touch& touch) { return std::tuple(touch.kind, touch.a.x, touch.a.y, touch.b.x, touch.b.y); }
+
+/// The order of the heap, which has its largest element at the front.
+constexpr auto is_later = [](const auto& p, const auto& q) { return p.earliest > q.earliest; };
+
+bool is_before(const Point& p, const Point& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
+
+}  // namespace
+
+void SweptDisc::find_first_wall(const ExactTriangulation& triangulation, const Sweep& sweep, RayHit& hit) {
+  find_first_sides(triangulation, sweep);
+  hit.items.clear();
+  hit.hit = !first_.empty();
+  hit.at = hit.contact = {};
+  if (!hit.hit) return;
+  for (const TouchedSide& side : first_) hit.items.push_back(triangulation.items().id(side.item));
+  std::sort(hit.items.begin(), hit.items.end());
+  hit.items.erase(std::unique(hit.items.begin(), hit.items.end()), hit.items.end());
+  // Equal positions of the centre may differ by rounding errors. The positions of the walls, not their order, determine
+  // which one is the answer.
+  const auto least = std::min_element(first_.begin(), first_.end(), [](const TouchedSide& p, const TouchedSide& q) {
+    return key_of(p.touch) < key_of(q.touch);
+  });
+  hit.at = exact::centre_at(sweep, least->touch);
+  hit.contact = contact(sweep, hit.at);
+}
+
+/// Visits faces in the order in which the disc may meet them, and collects in `first_` the sides that it touches first.
+void SweptDisc::find_first_sides(const ExactTriangulation& triangulation, const Sweep& sweep) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const Reach reach(triangulation, sweep);
+  visited_.grow_to(mesh.face_slots());
+  stamp_.next(1, visited_);
+  edges_.clear();
+  first_.clear();
+  // If the search has visited the face beyond an edge, it has seen the edge from there.
+  const auto look = [&](HalfEdge h) {
+    if (visited_[number(mesh::face(mesh.twin(h)))] == stamp_.value()) return;
+    const std::optional<double> earliest = reach.earliest(h);
+    if (!earliest) return;
+    edges_.push_back({*earliest, h});
+    std::push_heap(edges_.begin(), edges_.end(), is_later);
+  };
+  const HalfEdge start = triangulation.triangulation().locate(sweep.from).h;
+  visited_[number(mesh::face(start))] = stamp_.value();
+  for (const HalfEdge h : {start, mesh::next(start), mesh::previous(start)}) look(h);
+  double latest = std::numeric_limits<double>::infinity();
+  while (!edges_.empty() && edges_.front().earliest <= latest) {
+    std::pop_heap(edges_.begin(), edges_.end(), is_later);
+    const HalfEdge h = edges_.back().h;
+    edges_.pop_back();
+    if (add_sides(triangulation, sweep, h)) latest = reach.latest(exact::centre_at(sweep, first_.front().touch));
+    const HalfEdge beyond = mesh.twin(h);
+    if (triangulation.triangulation().is_ghost_face(beyond)) continue;
+    if (std::exchange(visited_[number(mesh::face(beyond))], stamp_.value()) == stamp_.value()) continue;
+    for (const HalfEdge other : {mesh::next(beyond), mesh::previous(beyond)}) look(other);
+  }
+}
+
+/// Adds the sides on an edge to `first_` if no side there precedes them, and removes the sides that they precede.
+/// Returns whether the first touch has changed.
+bool SweptDisc::add_sides(const ExactTriangulation& triangulation, const Sweep& sweep, HalfEdge h) {
+  if (!triangulation.topology().is_fixed(h)) return false;
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  bool has_changed = false;
+  triangulation.for_each_side(h, [&](const Side& side) {
+    const auto touch =
+        exact::first_touch(sweep, geometry.rounded(number(side.from)), geometry.rounded(number(side.to)));
+    if (!touch) return;
+    const auto order =
+        first_.empty() ? std::strong_ordering::less : exact::compare_touches(sweep, *touch, first_.front().touch);
+    if (order > 0) return;
+    if (order < 0) {
+      first_.clear();
+      has_changed = true;
+    }
+    first_.push_back({*touch, side.item});
+  });
+  return has_changed;
+}
+
+/// The position on the walls in `first_` that is nearest to the centre. If the disc touches several walls later than at
+/// the start, all are equally near.
+Point SweptDisc::contact(const Sweep& sweep, const Point& centre) const {
+  const bool is_start = first_.front().touch.kind == Touch::Kind::start;
+  const Touch* nearest = nullptr;
+  Point result;
+  for (const TouchedSide& side : first_) {
+    const Touch& touch = side.touch;
+    const auto order = is_start && nearest != nullptr
+                           ? exact::compare_distances(sweep.from, touch.a, touch.b, nearest->a, nearest->b)
+                           : std::strong_ordering::equal;
+    if (order > 0) continue;
+    const Point position = touch.kind == Touch::Kind::line ? exact::end({centre, touch.a, touch.b})
+                                                           : nearest_on_wall(centre, touch.a, touch.b);
+    if (nearest == nullptr || order < 0 || is_before(position, result)) {
+      nearest = &touch;
+      result = position;
+    }
+  }
+  return result;
+}
+
+}  // namespace waywright::constraint

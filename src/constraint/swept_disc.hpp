@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "waywright/ray.hpp"
+
+#include "constraint/exact_triangulation.hpp"
+#include "exact/sweep.hpp"
+#include "memory/stamp.hpp"
+#include "memory/zeroed_array.hpp"
+
+namespace waywright::constraint {
+
+/// Finds the first wall that a moving disc touches. Use one object for many queries, because it keeps its memory.
+class SweptDisc {
+ public:
+  /// Requires: both ends of the sweep lie in the domain, and its radius is finite and positive. Cost: the faces that
+  /// the disc meets before it touches a wall, and a logarithm of their number for each.
+  void find_first_wall(const ExactTriangulation& triangulation, const exact::Sweep& sweep, RayHit& hit);
+
+ private:
+  /// An edge that the disc may meet, as a half-edge of the face from which the search saw it.
+  struct Edge {
+    double earliest;  ///< the centre has moved at least this far when the disc meets the edge
+    mesh::HalfEdge h;
+  };
+  /// A side that no side precedes so far, and how the disc touches it.
+  struct TouchedSide {
+    exact::Touch touch;
+    std::uint32_t item;
+  };
+
+  void find_first_sides(const ExactTriangulation& triangulation, const exact::Sweep& sweep);
+  bool add_sides(const ExactTriangulation& triangulation, const exact::Sweep& sweep, mesh::HalfEdge h);
+  [[nodiscard]] Point contact(const exact::Sweep& sweep, const Point& centre) const;
+
+  std::vector<Edge> edges_;  ///< a heap: the earliest edge is at the front
+  std::vector<TouchedSide> first_;
+  memory::ZeroedArray<std::uint32_t> visited_;  ///< by face: the number of the last query that visited it
+  memory::Stamp stamp_;
+};
+
+}  // namespace waywright::constraint

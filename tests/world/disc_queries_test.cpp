@@ -1,0 +1,175 @@
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/path_search.hpp"
+#include "waywright/world.hpp"
+
+#include "support/case_count.hpp"
+#include "support/disc_scenes.hpp"
+#include "support/random.hpp"
+
+// Paths of discs in slices, and from one start to many goals: the answers are those of World::find_path.
+
+namespace waywright::test {
+namespace {
+
+using disc::NamedScene;
+
+World world_of(const NamedScene& scene) {
+  World world = World::create(scene.domain, {.keep_bridges = true}).value();
+  for (const auto& [a, b] : scene.walls.segments) world.insert_segment(a, b).value();
+  return world;
+}
+
+NamedScene scene_of_seed(std::uint64_t seed) {
+  Random random(seed);
+  return disc::random_scene(random, disc::kSceneKinds[seed % disc::kSceneKinds.size()]);
+}
+
+std::vector<PathQuery> queries_of(const NamedScene& scene) {
+  std::vector<PathQuery> queries;
+  for (const auto& [start, goal] : scene.queries) {
+    for (const double radius : scene.radii) queries.push_back({.start = start, .goal = goal, .radius = radius});
+  }
+  return queries;
+}
+
+void expect_equal(const Path& path, const Path& expected) {
+  EXPECT_EQ(path.status, expected.status);
+  EXPECT_EQ(path.length, expected.length);
+  EXPECT_EQ(path.lower_bound, expected.lower_bound);
+  EXPECT_EQ(path.pieces, expected.pieces);
+  EXPECT_EQ(path.blockers, expected.blockers);
+  EXPECT_EQ(path.widest, expected.widest);
+}
+
+TEST(DiscSlices, AnswerAsInOneGo) {
+  PathSearch search;
+  std::size_t slices = 0;
+  for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const NamedScene scene = scene_of_seed(seed);
+    const World world = world_of(scene);
+    for (const PathQuery& query : queries_of(scene)) {
+      const Path expected = world.find_path(query).value();
+      search.begin(world, query).value();
+      EXPECT_TRUE(search.is_running());
+      while (!search.step(3).value()) {
+        ++slices;
+        ASSERT_NE(search.path().status, PathStatus::found);
+      }
+      EXPECT_FALSE(search.is_running());
+      EXPECT_TRUE(search.step(1).value());
+      expect_equal(search.path(), expected);
+      ASSERT_EQ(search.path().expansions, expected.expansions);
+      ASSERT_EQ(search.restarts(), 0U);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(slices, 10 * case_count());
+}
+
+TEST(DiscSlices, AnswerForTheWorldOfTheLastSlice) {
+  std::size_t restarts = 0;
+  for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const NamedScene scene = scene_of_seed(seed);
+    World world = world_of(scene);
+    Random random(seed);
+    PathSearch search;
+    for (const PathQuery& query : queries_of(scene)) {
+      search.begin(world, query).value();
+      // Every change starts the search again, so the test stops changing the world at some time.
+      for (int slice = 0; !search.step(3).value(); ++slice) {
+        if (slice > 8 || !random.chance(30)) continue;
+        const auto& [a, b] = scene.walls.segments[random.below(scene.walls.segments.size())];
+        // A point makes a second mesh of the walls.
+        const ItemId id = random.chance(20) ? world.insert_point(a).value() : world.insert_segment(b, a).value();
+        if (random.chance(70)) world.remove(id).value();
+        if (random.chance(10)) {
+          World moved = std::move(world);
+          world = std::move(moved);
+          world.shrink_to_fit();
+        }
+      }
+      restarts += search.restarts();
+      expect_equal(search.path(), world.find_path(query).value());
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(restarts, case_count());
+}
+
+TEST(DiscSlices, CanChangeBetweenPointsAndDiscs) {
+  const NamedScene scene = scene_of_seed(3);
+  const World world = world_of(scene);
+  PathSearch search;
+  for (PathQuery query : queries_of(scene)) {
+    for (const double radius : {query.radius, 0.0}) {
+      query.radius = radius;
+      search.begin(world, query).value();
+      search.step(1).value();
+      search.begin(world, query).value();
+      while (!search.step(5).value()) {
+      }
+      const Path expected = world.find_path(query).value();
+      expect_equal(search.path(), expected);
+      EXPECT_EQ(search.path().points, expected.points);
+    }
+  }
+}
+
+TEST(DiscSlices, NeedBridges) {
+  const World world = World::create({{0, 0}, {100, 100}}).value();
+  PathSearch search;
+  EXPECT_EQ(search.begin(world, {.start = {1, 1}, .goal = {9, 9}, .radius = 1}).error().code, ErrorCode::no_bridges);
+  EXPECT_FALSE(search.is_running());
+}
+
+TEST(DiscsFromOneStart, FindThePathsOfSingleQueries) {
+  std::size_t found = 0;
+  std::vector<Path> paths;
+  QueryContext context;
+  for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const NamedScene scene = scene_of_seed(seed);
+    const World world = world_of(scene);
+    std::vector<Point> goals;
+    for (const auto& [start, goal] : scene.queries) goals.insert(goals.end(), {goal, start, goal});
+    for (const double radius : scene.radii) {
+      ManyGoalsQuery query{.start = scene.queries[seed % 4].first, .goals = goals, .radius = radius};
+      query.wants_points = seed % 2 == 0;
+      world.find_paths_from(query, context, paths).value();
+      ASSERT_EQ(paths.size(), goals.size());
+      std::size_t expansions = 0;
+      for (std::size_t i = 0; i < goals.size(); ++i) {
+        Path expected = world.find_path({.start = query.start, .goal = goals[i], .radius = radius}).value();
+        expansions += expected.expansions;
+        found += expected.status == PathStatus::found ? 1 : 0;
+        if (!query.wants_points) expected.pieces.clear();
+        expect_equal(paths[i], expected);
+      }
+      for (const Path& path : paths) EXPECT_EQ(path.expansions, expansions);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(found, case_count());
+}
+
+TEST(DiscsFromOneStart, RefuseWhatSingleQueriesRefuse) {
+  const std::vector<Point> goals{{9, 9}, {5, 5}};
+  const World bare = World::create({{0, 0}, {100, 100}}).value();
+  EXPECT_EQ(bare.find_paths_from({.start = {1, 1}, .goals = goals, .radius = 1}).error().code, ErrorCode::no_bridges);
+  const World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  EXPECT_EQ(world.find_paths_from({.start = {1, 1}, .goals = goals, .radius = -1}).error().code, ErrorCode::bad_radius);
+  EXPECT_TRUE(world.find_paths_from({.start = {1, 1}, .goals = {}, .radius = 1})->empty());
+  EXPECT_EQ(world.find_paths_from({.start = {1, 1}, .goals = goals, .radius = 2})->back().status,
+            PathStatus::start_blocked);
+}
+
+}  // namespace
+}  // namespace waywright::test
