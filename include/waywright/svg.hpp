@@ -50,6 +50,15 @@ struct SvgFailedPath {
   PathStatus status = PathStatus::no_path;
 };
 
+/// A path query with a radius above 0, and its answer. The picture shows the path of the disc's centre, the area that
+/// the disc covers on its path, and the disc at the start and at the goal. If there is no path, the picture shows the
+/// same marks as for SvgFailedPath. If the disc does not fit at an end, it also shows the items that stop the disc. If
+/// the answer has Path::widest, it also shows the narrowest gap with its width, and the items at the ends of the gap.
+struct SvgDiscPath {
+  PathQuery query;
+  Path answer = {};
+};
+
 /// A query of World::ray and its answer. The picture shows the start, the end and the position of the hit.
 struct SvgRay {
   Point from;
@@ -113,6 +122,7 @@ struct SvgKey {
 /// const std::string svg = to_svg(world, overlay, {}).value();
 /// @endcode
 struct SvgOverlay {
+  std::vector<SvgDiscPath> disc_paths = {};
   std::vector<Path> paths = {};  ///< the picture omits paths without points
   std::vector<SvgRay> rays = {};
   std::vector<SvgFailedPath> failed_paths = {};
@@ -153,6 +163,8 @@ class WAYWRIGHT_API SvgFrame {
   [[nodiscard]] double scale() const { return scale_; }
   /// Returns the box that the picture shows, in the coordinates of the world.
   [[nodiscard]] const Box& shown() const { return shown_; }
+  /// Returns whether the y axis of the world points down in the picture.
+  [[nodiscard]] bool y_down() const { return y_down_; }
   /// Returns the box of the map in the picture; `min` is its upper left corner.
   [[nodiscard]] const Box& map() const { return map_; }
 
