@@ -16,7 +16,15 @@ constexpr double kFlatAngle = 1e-9;
 // Rounding to hundredths of a pixel moves the middle of a longer arc visibly.
 constexpr double kLongAngle = std::numbers::pi / 2.0;
 
+/// The largest distance of the end of an arc from its circle, as a fraction of the radius.
+constexpr double kInexact = 1e-3;
+
 double length_of(const Point& vector) { return std::sqrt(vector.x * vector.x + vector.y * vector.y); }
+
+/// Returns whether a point lies on a circle, apart from rounding errors.
+bool is_on_circle(const Point& centre, double radius, const Point& point) {
+  return std::fabs(length_of({point.x - centre.x, point.y - centre.y}) - radius) <= kInexact * radius;
+}
 
 }  // namespace
 
@@ -25,12 +33,16 @@ void PathData::add_pieces(std::span<const PathPiece> pieces) {
   for (const PathPiece& piece : pieces) {
     const Point from = frame_.to_picture(piece.from);
     const Point to = frame_.to_picture(piece.to);
-    if (piece.kind == PathPiece::Kind::line) {
+    const Point centre = frame_.to_picture(piece.centre);
+    const double radius = piece.radius * frame_.scale();
+    const bool is_arc =
+        piece.kind == PathPiece::Kind::arc && is_on_circle(centre, radius, from) && is_on_circle(centre, radius, to);
+    if (!is_arc) {
       add_line(from, to);
       continue;
     }
     const bool is_left_turn = piece.end_angle > piece.start_angle;
-    add_arc({frame_.to_picture(piece.centre), piece.radius * frame_.scale(), is_left_turn == frame_.y_down(), from, to,
+    add_arc({centre, radius, is_left_turn == frame_.y_down(), from, to,
              std::min(std::fabs(piece.end_angle - piece.start_angle), 2.0 * std::numbers::pi)});
   }
 }
