@@ -122,6 +122,24 @@ TEST(ScenarioCommand, AsksForDiscs) {
   EXPECT_EQ(number_after(wide.out, "start blocked"), "4");
 }
 
+TEST(ScenarioCommand, PutsDiscsAtTheCentresOfCells) {
+  TemporaryFolder folder;
+  const std::string map = folder.file("u.map", kMap);
+  const std::string cells = folder.file("u.map.scen", "version 1\n" + query("0\t0\t2\t0", "9"));
+  const std::string csv = folder.file("u.csv");
+  const auto result = run_command({"scenario", map, cells, "--radius", "0.5", "--csv", csv});
+  EXPECT_EQ(number_after(result.out, "path found"), "1");
+  EXPECT_NE(result.out.find("centres of their cells"), std::string::npos);
+  EXPECT_NE(read_file(csv).find("\n1,0.5,0.5,2.5,0.5,9,found,"), std::string::npos);
+  // A point starts at the corner of its cell: see ReadsMovingAiMaps.
+  EXPECT_EQ(run_command({"scenario", map, cells}).out.find("centres of their cells"), std::string::npos);
+  // The map has three columns, so 3 is no cell.
+  const std::string corners = folder.file("v.map.scen", "version 1\n" + query("0\t0\t3\t0", "9"));
+  const auto blocked = run_command({"scenario", map, corners, "--radius", "0.5"});
+  EXPECT_EQ(number_after(blocked.out, "start blocked"), "1");
+  EXPECT_EQ(blocked.out.find("centres of their cells"), std::string::npos);
+}
+
 TEST(ScenarioCommand, RefusesABadRadius) {
   const Files files;
   for (const std::string bad : {"-1", "nan", "inf", "1e400", "", "five"}) {

@@ -69,8 +69,8 @@ constexpr const char* kScenarioExamples =
     "map, whose folders and ending do not matter, and the size of a .map. The queries with an end where two blocked\n"
     "cells touch at a corner are counted: there the given length may start on the other side.\n"
     "With --radius, all queries are for a disc. The lengths in a scenario are for points, so they are not compared:\n"
-    "the summary counts paths, queries without a path, and ends at which the disc does not fit. A scenario may have\n"
-    "its ends at the corners of blocked cells, where no disc fits.\n";
+    "the summary counts paths, queries without a path, and ends at which the disc does not fit. If the ends in the\n"
+    "scenario of a .map are whole numbers, they are cells, and the disc starts and ends at the centres of cells.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"

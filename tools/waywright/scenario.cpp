@@ -111,6 +111,25 @@ void check_map(const ScenarioOptions& options, const Scene& scene, const std::ve
   }
 }
 
+/// Returns whether the ends of the queries can be cells of the map: whole numbers below its width and height.
+bool are_cells(const Scene& scene, const std::vector<ScenarioQuery>& queries) {
+  const bool counts_cells = scene.y_down;  // only such a map has cells
+  const auto is_cell = [&](const Point& end) {
+    return std::floor(end.x) == end.x && std::floor(end.y) == end.y && end.x < scene.domain.max.x &&
+           end.y < scene.domain.max.y;
+  };
+  return counts_cells && std::all_of(queries.begin(), queries.end(), [&](const ScenarioQuery& query) {
+           return is_cell(query.start) && is_cell(query.goal);
+         });
+}
+
+/// Moves each end from the first corner of its cell to the centre of the cell.
+void move_to_centres(std::vector<ScenarioQuery>& queries) {
+  for (ScenarioQuery& query : queries) {
+    for (Point* const end : {&query.start, &query.goal}) *end = {end->x + 0.5, end->y + 0.5};
+  }
+}
+
 /// Returns the indices of the queries to draw. Throws Failure.
 std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::size_t count) {
   if (options.svg.empty() != options.queries.empty()) {
@@ -129,8 +148,10 @@ std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::siz
 
 class ScenarioRun {
  public:
-  ScenarioRun(const ScenarioOptions& options, double radius, const World& world, std::vector<ScenarioQuery> queries)
-      : options_(options), radius_(radius), world_(world), queries_(std::move(queries)) {}
+  /// `at_centres` is true if the ends of the queries have been moved to the centres of their cells.
+  ScenarioRun(const ScenarioOptions& options, double radius, bool at_centres, const World& world,
+              std::vector<ScenarioQuery> queries)
+      : options_(options), radius_(radius), at_centres_(at_centres), world_(world), queries_(std::move(queries)) {}
 
   /// Answers every query. Throws Failure if the world refuses one.
   void ask_all() {
@@ -189,6 +210,7 @@ class ScenarioRun {
     }
     append_percentiles(out);
     if (is_of_discs()) out += "The lengths in the scenario are for points: they are not compared.\n";
+    if (at_centres_) out += "The ends are the centres of their cells.\n";
     out.pop_back();
     return out;
   }
@@ -273,6 +295,7 @@ class ScenarioRun {
 
   const ScenarioOptions& options_;
   double radius_;
+  bool at_centres_;
   const World& world_;
   std::vector<ScenarioQuery> queries_;
   std::vector<Answer> answers_;
@@ -297,8 +320,11 @@ ExitStatus scenario(const ScenarioOptions& options) {
   OutputFile svg(options.svg);
   const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.scenario), scene.y_down);
   const World world = build_world(scene, options.map, radius);
+  // At a corner of a cell beside an obstacle no disc fits. A disc of radius 0.5 fits at the centre of each free cell.
+  const bool at_centres = radius > 0.0 && are_cells(scene, queries);
+  if (at_centres) move_to_centres(queries);
 
-  ScenarioRun run(options, radius, world, std::move(queries));
+  ScenarioRun run(options, radius, at_centres, world, std::move(queries));
   run.ask_all();
   StreamWriter output(stream_beside({options.csv, options.svg}));
   output.write_line(run.summary());
