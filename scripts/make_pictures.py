@@ -20,6 +20,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MAP = "examples/maps/highground.wws"
+ROCKS = "examples/maps/rocks.wws"
+ROCKS_ENDS = ("12", "40", "108", "40")
 ADVICE = "run ./dev pictures, and look at what it makes"
 
 
@@ -34,6 +36,12 @@ def three_paths(root):
     """Returns the bundled map's script with one query for each algorithm at its end."""
     queries = [f"path 198 360 500 261 0 {algorithm}\n" for algorithm in ("optimal", "ta", "tra")]
     return (root / MAP).read_text(encoding="utf-8") + "".join(queries)
+
+
+def four_discs(root):
+    """Returns the script of the map of rocks with one query for each of four radii at its end."""
+    queries = [f"path {' '.join(ROCKS_ENDS)} {radius}\n" for radius in (1, 2.5, 5, 9)]
+    return (root / ROCKS).read_text(encoding="utf-8") + "".join(queries)
 
 
 class Pictures:
@@ -56,6 +64,11 @@ class Pictures:
         self.waywright("dark", "path", MAP, *demo_ends(self.root), "--theme", "dark", "--crop", "30", "20", "190", "120")
         self.waywright("paths", "run", str(script), "--theme", "light")
         self.waywright("queries", "run", "docs/images/queries.wws", "--theme", "light")
+        script = self.folder / "discs.wws"
+        script.write_text(four_discs(self.root), encoding="utf-8")
+        self.waywright("discs", "run", str(script), "--theme", "light", "--no-mesh")
+        ends = ["--from", *ROCKS_ENDS[:2], "--to", *ROCKS_ENDS[2:]]
+        self.waywright("discs_gap", "path", ROCKS, *ends, "--radius", "10", "--theme", "light", "--no-mesh")
         self.run(self.draw_units, str(self.folder / "units.svg"))
         return {file.stem: file.read_bytes() for file in sorted(self.folder.glob("*.svg"))}
 

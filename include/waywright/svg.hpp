@@ -50,6 +50,22 @@ struct SvgFailedPath {
   PathStatus status = PathStatus::no_path;
 };
 
+/// A path query with a radius above 0, and its answer. The picture shows the path of the disc's centre, the area that
+/// the disc covers on its path, and the disc at the start and at the goal. If there is no path, the picture shows the
+/// same marks as for SvgFailedPath. If the disc does not fit at an end, it also shows the items that stop the disc. If
+/// the answer has Path::widest, it also shows the narrowest gap with its width, and the items at the ends of the gap.
+///
+/// @code{.cpp}
+/// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+/// yard.insert_segment({50, 0}, {50, 60}, 1).value();
+/// const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 5};
+/// const std::string svg = to_svg(yard, {.disc_paths = {{query, yard.find_path(query).value()}}}, {}).value();
+/// @endcode
+struct SvgDiscPath {
+  PathQuery query;
+  Path answer = {};
+};
+
 /// A query of World::ray and its answer. The picture shows the start, the end and the position of the hit.
 struct SvgRay {
   Point from;
@@ -113,7 +129,8 @@ struct SvgKey {
 /// const std::string svg = to_svg(world, overlay, {}).value();
 /// @endcode
 struct SvgOverlay {
-  std::vector<Path> paths = {};  ///< the picture omits paths without points
+  std::vector<SvgDiscPath> disc_paths = {};  ///< the picture omits queries without a radius above 0
+  std::vector<Path> paths = {};              ///< the picture omits paths without points
   std::vector<SvgRay> rays = {};
   std::vector<SvgFailedPath> failed_paths = {};
   std::vector<SvgLocation> locations = {};
@@ -153,6 +170,8 @@ class WAYWRIGHT_API SvgFrame {
   [[nodiscard]] double scale() const { return scale_; }
   /// Returns the box that the picture shows, in the coordinates of the world.
   [[nodiscard]] const Box& shown() const { return shown_; }
+  /// Returns whether the y axis of the world points down in the picture.
+  [[nodiscard]] bool y_down() const { return y_down_; }
   /// Returns the box of the map in the picture; `min` is its upper left corner.
   [[nodiscard]] const Box& map() const { return map_; }
 
@@ -180,7 +199,8 @@ class WAYWRIGHT_API SvgFrame {
 /// @endcode
 ///
 /// The function computes positions in doubles. If an item reaches out of a crop box by more than 2^40 times the size of
-/// the box, the picture may show the item at a wrong position. It omits details of large worlds to keep the text small:
+/// the box, the picture may show the item at a wrong position. The same is true if the radius of a disc is more than
+/// 10,000 times the size of the box. It omits details of large worlds to keep the text small:
 /// - It omits a mesh of more than 300,000 edges in the picture, and the legend says so.
 /// - If the picture shows more than 50,000 items, no item shows its id on hover.
 ///

@@ -105,9 +105,11 @@ Result<std::string> to_svg(const World& world, const SvgOverlay& overlay, const 
   const Palette palette(options.theme);
 
   WorldDrawing drawing = io::draw_world(world, frame, options, palette);
+  OverlayDrawing discs = io::draw_disc_paths(world, overlay, frame, palette);
   OverlayDrawing queries = io::draw_queries(overlay, frame, palette);
   OverlayDrawing additions = io::draw_additions(overlay, frame, palette);
   std::vector<LegendEntry> entries = std::move(drawing.entries);
+  append_entries(entries, discs.entries);
   append_entries(entries, queries.entries);
   append_entries(entries, additions.entries);
   if (options.axes) io::add_axes_entries(entries, layout, options.y_down, palette);
@@ -117,8 +119,9 @@ Result<std::string> to_svg(const World& world, const SvgOverlay& overlay, const 
   std::string out = draw_head(layout, layout.bottom + legend_height, palette, options.title);
   out += clip_path(frame, options.crop.has_value());
   if (options.axes) out += io::draw_axes(layout, palette);
-  out += clipped("map", drawing.elements + queries.clipped);
+  out += clipped("map", drawing.elements + discs.clipped + queries.clipped);
   if (options.crop) out += rectangle(frame.map()) + palette({Ink::none}, {Ink::quiet_text}) + "/>\n";
+  out += discs.whole;
   out += queries.whole;
   out += clipped("additions", additions.clipped);
   out += additions.whole;

@@ -20,11 +20,6 @@ Paint paint_of(const std::string& colour, Ink otherwise) { return {otherwise, co
 /// Returns the value, limited to the range, or `least` if it is not a number.
 double within(double value, double least, double most) { return value >= least ? std::min(value, most) : least; }
 
-bool meets(const Box& box, const Point& centre, double radius) {
-  return centre.x + radius >= box.min.x && centre.x - radius <= box.max.x && centre.y + radius >= box.min.y &&
-         centre.y - radius <= box.max.y;
-}
-
 std::string draw_polyline(const SvgPolyline& line, const SvgFrame& frame, const Palette& palette) {
   PathData data(frame);
   data.add_chain(line.points);

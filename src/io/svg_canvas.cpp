@@ -128,6 +128,16 @@ bool contains(const Box& box, const Point& point) {
   return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
 }
 
+bool contains(const Box& box, const Box& other) { return contains(box, other.min) && contains(box, other.max); }
+
+bool meets(const Box& box, const Box& other) {
+  return other.max.x >= box.min.x && other.min.x <= box.max.x && other.max.y >= box.min.y && other.min.y <= box.max.y;
+}
+
+bool meets(const Box& box, const Point& centre, double radius) {
+  return meets(box, Box{{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}});
+}
+
 std::string circle(const Point& centre, double radius) {
   std::string out = "<circle";
   append_attribute(out, "cx", centre.x);
@@ -136,25 +146,28 @@ std::string circle(const Point& centre, double radius) {
   return out + "/>";
 }
 
-PathData::PathData(const SvgFrame& frame) : frame_(frame), near_(frame.map()) {
-  near_.min = {near_.min.x - kStrokeRoom, near_.min.y - kStrokeRoom};
-  near_.max = {near_.max.x + kStrokeRoom, near_.max.y + kStrokeRoom};
+PathData::PathData(const SvgFrame& frame, double stroke_width) : frame_(frame), near_(frame.map()) {
+  const double room = kStrokeRoom + stroke_width / 2.0;
+  near_.min = {near_.min.x - room, near_.min.y - room};
+  near_.max = {near_.max.x + room, near_.max.y + room};
 }
 
 void PathData::add_chain(PointSpan points) {
-  bool is_continued = false;
+  is_continued_ = false;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    Point a = frame_.to_picture(points[i - 1]);
-    Point b = frame_.to_picture(points[i]);
-    const Point whole = b;
-    if (!clip_segment(near_, a, b)) {
-      is_continued = false;
-      continue;
-    }
-    if (!is_continued) move_to(a);
-    line_to(b);
-    is_continued = b == whole;
+    add_line(frame_.to_picture(points[i - 1]), frame_.to_picture(points[i]));
   }
+}
+
+void PathData::add_line(Point a, Point b) {
+  const Point whole = b;
+  if (!clip_segment(near_, a, b)) {
+    is_continued_ = false;
+    return;
+  }
+  if (!is_continued_) move_to(a);
+  line_to(b);
+  is_continued_ = b == whole;
 }
 
 void PathData::add_segment(const Point& a, const Point& b) {

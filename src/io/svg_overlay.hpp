@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "waywright/svg.hpp"
+#include "waywright/world.hpp"
 
 #include "io/svg_legend.hpp"
 #include "io/svg_theme.hpp"
@@ -16,6 +17,10 @@ struct OverlayDrawing {
   std::string whole;    ///< elements that are drawn over the clipped ones and not cut
   std::vector<LegendEntry> entries;
 };
+
+/// Draws the paths of discs.
+[[nodiscard]] OverlayDrawing draw_disc_paths(const World& world, const SvgOverlay& overlay, const SvgFrame& frame,
+                                             const Palette& palette);
 
 /// Draws paths, rays, failed paths and located points.
 [[nodiscard]] OverlayDrawing draw_queries(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette);

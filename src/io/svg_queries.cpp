@@ -4,35 +4,19 @@
 #include <string>
 #include <string_view>
 
-#include "base/number_text.hpp"
 #include "io/svg_canvas.hpp"
 #include "io/svg_marks.hpp"
 #include "io/svg_overlay.hpp"
+#include "io/svg_query_canvas.hpp"
 #include "io/svg_world.hpp"
-#include "text/text.hpp"
 
 namespace waywright::io {
 
 namespace {
 
-constexpr std::array<Ink, 4> kPathInks{Ink::path_1, Ink::path_2, Ink::path_3, Ink::path_4};
-constexpr std::size_t kMostStatuses = 4;   // with more failed paths, their texts would overlap
-constexpr std::size_t kMany = 12;          // from this number on, marks and lines are small
-constexpr std::size_t kMostHints = 50000;  // largest number of marks with a hint
-
-std::string rounded(double value) {
-  std::array<char, 40> digits{};
-  return {digits.data(), base::write_rounded(digits.data(), digits.data() + digits.size(), value, 5)};
-}
+constexpr std::size_t kMostStatuses = 4;  // with more failed paths, their texts would overlap
 
 std::string path_label(const Path& path) { return "path, length " + rounded(path.length); }
-
-/// Returns the status in words, such as `no path`.
-std::string words_of(PathStatus status) {
-  std::string words(to_string(status));
-  std::replace(words.begin(), words.end(), '-', ' ');
-  return words;
-}
 
 /// The answers of World::locate() that have their own mark and colour.
 enum class MarkKind : unsigned char { in_face, on_edge, on_vertex, covered };
@@ -53,78 +37,40 @@ Ink ink_of(MarkKind kind) {
 class QueryDrawer {
  public:
   QueryDrawer(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette)
-      : overlay_(overlay), frame_(frame), palette_(palette) {
-    const std::size_t count =
-        overlay.paths.size() + overlay.rays.size() + overlay.failed_paths.size() + overlay.locations.size();
-    has_hints_ = count <= kMostHints;
-    const bool is_crowded = overlay.paths.size() + overlay.failed_paths.size() >= kMany;
-    path_width_ = is_crowded ? 2.0 : 4.5;
-    end_radius_ = is_crowded ? 4.0 : 8.0;
-    ray_part_ = overlay.rays.size() >= kMany ? 0.6 : 1.0;
-    location_part_ = overlay.locations.size() >= 10 * kMany ? 0.6 : 1.0;
+      : overlay_(overlay), frame_(frame), palette_(palette), canvas_(overlay, frame, palette) {
+    ray_part_ = overlay.rays.size() >= kManyQueries ? 0.6 : 1.0;
+    location_part_ = overlay.locations.size() >= 10 * kManyQueries ? 0.6 : 1.0;
   }
 
   [[nodiscard]] OverlayDrawing draw() {
-    drawing_.clipped = "<g id=\"paths\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    drawing_.whole = "<g id=\"ends\">\n";
+    canvas_.drawing().clipped = "<g id=\"paths\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    canvas_.drawing().whole = "<g id=\"ends\">\n";
     draw_paths();
     open_groups("rays");
     draw_rays();
     open_groups("failed-paths");
     draw_failed_paths();
-    drawing_.clipped += "</g>\n";
-    drawing_.whole += "</g>\n<g id=\"places\">\n";
+    canvas_.drawing().clipped += "</g>\n";
+    canvas_.drawing().whole += "</g>\n<g id=\"places\">\n";
     draw_locations();
-    drawing_.whole += "</g>\n";
-    return std::move(drawing_);
+    canvas_.drawing().whole += "</g>\n";
+    return std::move(canvas_.drawing());
   }
 
  private:
   void open_groups(const std::string& id) {
-    drawing_.clipped += "</g>\n<g id=\"" + id + "\" stroke-linecap=\"round\">\n";
-    drawing_.whole += "</g>\n<g id=\"" + id + "-ends\">\n";
-  }
-
-  /// Returns the text, or an empty one if there are too many hints.
-  [[nodiscard]] std::string hint(std::string text) const { return has_hints_ ? std::move(text) : std::string(); }
-
-  [[nodiscard]] bool is_shown(const Point& position) const { return contains(frame_.shown(), position); }
-
-  void add_mark(const std::string& mark) { drawing_.whole += mark + "\n"; }
-
-  void add_stroke(const PathData& data, const Paint& colour, double width, std::string_view attributes = {}) {
-    drawing_.clipped += "<path d=\"" + data.text() + "\"";
-    palette_.append(drawing_.clipped, {Ink::none}, colour);
-    append_attribute(drawing_.clipped, "stroke-width", width);
-    drawing_.clipped += attributes;
-    drawing_.clipped += "/>";
-  }
-
-  /// Adds a line with a rim in the page's colour.
-  void add_line(const PathData& data, const Paint& colour, double width, const std::string& about) {
-    if (data.empty()) return;
-    drawing_.clipped += "<g>";
-    if (!about.empty()) append_hint(drawing_.clipped, about);
-    add_stroke(data, {Ink::page}, width * 1.9);
-    add_stroke(data, colour, width);
-    drawing_.clipped += "</g>\n";
+    canvas_.drawing().clipped += "</g>\n<g id=\"" + id + "\" stroke-linecap=\"round\">\n";
+    canvas_.drawing().whole += "</g>\n<g id=\"" + id + "-ends\">\n";
   }
 
   /// Draws the line of a path and the marks at its ends. Returns false if the picture shows nothing of it.
   bool draw_path(const Path& path, const Paint& colour) {
     PathData data(frame_);
     data.add_chain(path.points);
-    add_line(data, colour, path_width_, hint(path_label(path)));
+    canvas_.add_line(data, colour, canvas_.path_width(), canvas_.hint(path_label(path)));
     const Point& start = path.points.front();
-    const Point& goal = path.points.back();
-    if (is_shown(start)) {
-      add_mark(disc_mark(palette_, frame_.to_picture(start), end_radius_, {Ink::start}, {Ink::page}, 2.0,
-                         hint("start " + point_text(start))));
-    }
-    if (is_shown(goal)) {
-      add_mark(goal_mark(palette_, frame_.to_picture(goal), end_radius_, colour, hint("goal " + point_text(goal))));
-    }
-    return !data.empty() || is_shown(start);
+    canvas_.add_ends(start, path.points.back(), canvas_.end_radius(), colour);
+    return !data.empty() || canvas_.is_shown(start);
   }
 
   void draw_paths() {
@@ -139,10 +85,8 @@ class QueryDrawer {
     if (one_each.size() > kPathInks.size()) {
       one_each = {{line_sample(palette_, {kPathInks[0]}, 4.5), counted(one_each.size(), "path", "paths")}};
     }
-    drawing_.entries.insert(drawing_.entries.end(), one_each.begin(), one_each.end());
-    const Point centre{14.0, 8.0};
-    drawing_.entries.push_back({disc_mark(palette_, centre, 7.0, {Ink::start}, {Ink::page}, 2.0), "start"});
-    drawing_.entries.push_back({goal_mark(palette_, centre, 6.5, {kPathInks[0]}), "goal"});
+    canvas_.drawing().entries.insert(canvas_.drawing().entries.end(), one_each.begin(), one_each.end());
+    canvas_.add_entries_of_ends();
   }
 
   void draw_ray(const SvgRay& ray) {
@@ -152,23 +96,23 @@ class QueryDrawer {
     about += ray.answer.hit ? ", hits " + ids_text(ray.answer.items) + " at " + point_text(stop) : ", hits nothing";
     PathData line(frame_);
     line.add_segment(ray.from, stop);
-    add_line(line, colour, 2.2 * ray_part_, hint(about));
+    canvas_.add_line(line, colour, 2.2 * ray_part_, canvas_.hint(about));
     PathData rest(frame_);
     if (ray.answer.hit && stop != ray.to) rest.add_segment(stop, ray.to);
-    if (!rest.empty()) add_stroke(rest, colour, 1.8 * ray_part_, R"( stroke-dasharray="0.1 5")");
+    if (!rest.empty()) canvas_.add_stroke(rest, colour, 1.8 * ray_part_, R"( stroke-dasharray="0.1 5")");
 
     const double radius = 4.0 * ray_part_;
-    if (is_shown(ray.to) && stop != ray.from) {
-      add_mark(disc_mark(palette_, frame_.to_picture(ray.to), radius, colour, {Ink::page}, 1.5,
-                         hint("end " + point_text(ray.to))));
+    if (canvas_.is_shown(ray.to) && stop != ray.from) {
+      canvas_.add_mark(disc_mark(palette_, frame_.to_picture(ray.to), radius, colour, {Ink::page}, 1.5,
+                                 canvas_.hint("end " + point_text(ray.to))));
     }
-    if (is_shown(ray.from)) {
-      add_mark(disc_mark(palette_, frame_.to_picture(ray.from), radius, {Ink::page}, colour, 2.0 * ray_part_,
-                         hint("start " + point_text(ray.from))));
+    if (canvas_.is_shown(ray.from)) {
+      canvas_.add_mark(disc_mark(palette_, frame_.to_picture(ray.from), radius, {Ink::page}, colour, 2.0 * ray_part_,
+                                 canvas_.hint("start " + point_text(ray.from))));
     }
-    if (ray.answer.hit && is_shown(stop)) {
-      add_mark(cross_mark(palette_, frame_.to_picture(stop), 5.0 * ray_part_, colour,
-                          hint("hit " + point_text(stop) + ": " + ids_text(ray.answer.items))));
+    if (ray.answer.hit && canvas_.is_shown(stop)) {
+      canvas_.add_mark(cross_mark(palette_, frame_.to_picture(stop), 5.0 * ray_part_, colour,
+                                  canvas_.hint("hit " + point_text(stop) + ": " + ids_text(ray.answer.items))));
     }
   }
 
@@ -186,77 +130,21 @@ class QueryDrawer {
     const std::string sample = "<path d=\"M5 8H23\"" + palette_({Ink::none}, colour) + " stroke-width=\"2.2\"/>" +
                                disc_mark(palette_, {5.0, 8.0}, 4.0, {Ink::page}, colour, 2.0) +
                                disc_mark(palette_, {23.0, 8.0}, 4.0, colour, {Ink::none}, 0.0);
-    drawing_.entries.push_back({sample, counted(drawn, "ray", "rays")});
+    canvas_.add_entry({sample, counted(drawn, "ray", "rays")});
     if (hits > 0) {
-      drawing_.entries.push_back({cross_mark(palette_, {14.0, 8.0}, 5.0, colour), counted(hits, "hit", "hits")});
+      canvas_.add_entry({cross_mark(palette_, {14.0, 8.0}, 5.0, colour), counted(hits, "hit", "hits")});
     }
-  }
-
-  /// Writes the status beside the middle of the line, where the line leaves room.
-  void add_status(const SvgFailedPath& failed) {
-    const Point middle{failed.start.x / 2.0 + failed.goal.x / 2.0, failed.start.y / 2.0 + failed.goal.y / 2.0};
-    if (!is_shown(middle)) return;
-    const Point start = frame_.to_picture(failed.start);
-    const Point goal = frame_.to_picture(failed.goal);
-    const Point step =
-        goal.x < start.x ? Point{start.x - goal.x, start.y - goal.y} : Point{goal.x - start.x, goal.y - start.y};
-    TextMark text{frame_.to_picture(middle), "start", 14.0, {Ink::failed}};
-    if (std::abs(step.y) < 0.15 * step.x) {
-      text.anchor = "middle";
-      text.at.y -= 12.0;
-    } else {
-      text.at.x += 10.0;
-      text.at.y += step.y > 0.0 ? -8.0 : 18.0;
-    }
-    add_mark(text_mark(palette_, text, words_of(failed.status)));
-  }
-
-  void draw_failed_path(const SvgFailedPath& failed) {
-    const Paint colour{Ink::failed};
-    const std::string reason = words_of(failed.status);
-    const std::string ends = " from " + point_text(failed.start) + " to " + point_text(failed.goal);
-    PathData data(frame_);
-    data.add_segment(failed.start, failed.goal);
-    const double width = path_width_ * 0.6;
-    if (!data.empty()) {
-      drawing_.clipped += "<g>";
-      if (has_hints_) append_hint(drawing_.clipped, reason + ends);
-      add_stroke(data, {Ink::page}, width * 1.9);
-      add_stroke(data, colour, width, R"( stroke-dasharray="7 7")");
-      drawing_.clipped += "</g>\n";
-    }
-    const double radius = end_radius_ * 0.85;
-    if (is_shown(failed.start)) {
-      add_mark(disc_mark(palette_, frame_.to_picture(failed.start), radius, {Ink::page}, colour, radius * 0.4,
-                         hint("start " + point_text(failed.start) + ": " + reason)));
-    }
-    if (is_shown(failed.goal)) {
-      add_mark(goal_mark(palette_, frame_.to_picture(failed.goal), end_radius_, colour,
-                         hint("goal " + point_text(failed.goal) + ": " + reason)));
-    }
-    const bool is_blocked = failed.status == PathStatus::start_blocked || failed.status == PathStatus::goal_blocked;
-    const Point& blocked = failed.status == PathStatus::start_blocked ? failed.start : failed.goal;
-    if (is_blocked && is_shown(blocked)) {
-      add_mark(cross_mark(palette_, frame_.to_picture(blocked), end_radius_ * 1.25, colour, hint(reason)));
-    }
-    if (overlay_.failed_paths.size() <= kMostStatuses) add_status(failed);
   }
 
   void draw_failed_paths() {
-    constexpr std::array<PathStatus, 3> kFailures{PathStatus::no_path, PathStatus::start_blocked,
-                                                  PathStatus::goal_blocked};
-    std::array<std::size_t, kFailures.size()> counts{};
+    FailureCounts counts{};
     for (const SvgFailedPath& failed : overlay_.failed_paths) {
       if (!is_finite(failed.start) || !is_finite(failed.goal)) continue;
-      draw_failed_path(failed);
-      for (std::size_t i = 0; i < kFailures.size(); ++i) counts[i] += failed.status == kFailures[i] ? 1 : 0;
+      canvas_.add_failed_path(failed, canvas_.end_radius());
+      if (overlay_.failed_paths.size() <= kMostStatuses) canvas_.add_status(failed);
+      count_failure(counts, failed.status);
     }
-    for (std::size_t i = 0; i < kFailures.size(); ++i) {
-      if (counts[i] == 0) continue;
-      const std::string sample = line_sample(palette_, {Ink::failed}, 2.7, R"( stroke-dasharray="7 6")");
-      const std::string label = counted(counts[i], "failed path", "failed paths") + ", " + words_of(kFailures[i]);
-      drawing_.entries.push_back({sample, label});
-    }
+    canvas_.add_failures(counts, "failed path", "failed paths");
   }
 
   [[nodiscard]] std::string position_mark(LocationKind at, const Point& pixels, double part, const Paint& colour,
@@ -269,12 +157,12 @@ class QueryDrawer {
   void draw_locations() {
     std::array<std::size_t, kMarkKinds.size()> counts{};
     for (const SvgLocation& located : overlay_.locations) {
-      if (!is_shown(located.at)) continue;
+      if (!canvas_.is_shown(located.at)) continue;
       const MarkKind kind = kind_of(located.answer);
       std::string about = point_text(located.at) + ": " + std::string(to_string(located.answer.kind));
       if (kind == MarkKind::covered) about += ", inside " + ids_text(located.answer.polygons);
-      add_mark(position_mark(located.answer.kind, frame_.to_picture(located.at), location_part_, {ink_of(kind)},
-                             hint(about)));
+      canvas_.add_mark(position_mark(located.answer.kind, frame_.to_picture(located.at), location_part_, {ink_of(kind)},
+                                     canvas_.hint(about)));
       ++counts[static_cast<std::size_t>(kind)];
     }
     add_location_entries(counts);
@@ -289,17 +177,14 @@ class QueryDrawer {
       if (counts[i] == 0) continue;
       std::string label = counted(counts[i], "place", "places");
       label += kWords[i];
-      drawing_.entries.push_back({position_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
+      canvas_.add_entry({position_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
     }
   }
 
   const SvgOverlay& overlay_;
   const SvgFrame& frame_;
   const Palette& palette_;
-  OverlayDrawing drawing_;
-  bool has_hints_ = true;
-  double path_width_ = 0.0;
-  double end_radius_ = 0.0;
+  QueryCanvas canvas_;
   double ray_part_ = 1.0;       // size of the marks and lines of rays, as a fraction of the full size
   double location_part_ = 1.0;  // size of the marks of located points, likewise
 };

@@ -18,7 +18,7 @@ struct Colours {
 
 // Greys for the world, bright colours for what moves in it. Lightness and shape distinguish them without colour vision.
 // Paths have those colours of Okabe and Ito that stand out from the greys, and lighter ones in the dark theme.
-constexpr std::array<Colours, 22> kColours{{
+constexpr std::array<Colours, 23> kColours{{
     {Ink::none, "none", "none", "none"},
     {Ink::page, "page", "#ffffff", "#12171d"},
     {Ink::ground, "ground", "#faf8f3", "#1b222a"},
@@ -40,6 +40,7 @@ constexpr std::array<Colours, 22> kColours{{
     {Ink::on_edge, "on-edge", "#b87a00", "#f2c14e"},
     {Ink::on_vertex, "on-vertex", "#22303c", "#e3e9ee"},
     {Ink::covered, "covered", "#c1121f", "#ff6b6b"},
+    {Ink::gap, "gap", "#b87a00", "#f2c14e"},
     {Ink::caller, "caller", "#0b7285", "#66d9e8"},
 }};
 

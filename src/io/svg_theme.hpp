@@ -31,6 +31,7 @@ enum class Ink : std::uint8_t {
   on_edge,
   on_vertex,
   covered,
+  gap,
   caller,
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -95,6 +96,87 @@ TEST_P(PathCommandBy, IsStraightWherePossible) {
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, PathCommandBy, ::testing::Values("optimal", "ta", "tra"),
                          [](const auto& algorithm) { return algorithm.param; });
+
+/// Returns the answer for a disc of this radius, in the yard of docs/formats.md: a wall up to (50, 60).
+CommandResult disc_in_yard(const std::string& radius, const std::vector<std::string>& from = {"20", "50"},
+                           const std::vector<std::string>& to = {"80", "50"}) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("yard.wws", "waywright 1\ndomain 0 0 100 100\nsegment 7 50 0 50 60\n");
+  std::vector<std::string> all = arguments(map, from, to);
+  all.insert(all.end(), {"--radius", radius});
+  return run_command(all);
+}
+
+// The tangents from the ends touch the circle of radius 5 around (50, 60), and are sqrt(30^2 + 10^2 - 5^2) long.
+TEST(PathCommand, FindsThePathOfADisc) {
+  const auto lines = json_lines(disc_in_yard("5").out);
+  ASSERT_EQ(lines.size(), 1U);
+  const json& pieces = lines[0].at("pieces");
+  ASSERT_EQ(pieces.size(), 3U);
+  const double tangent = std::sqrt(975.0);
+  double length = 0.0;
+  for (const std::size_t i : {0U, 2U}) {
+    const json& line = pieces.at(i).at("line");
+    const double x = line.at(2).get<double>() - line.at(0).get<double>();
+    const double y = line.at(3).get<double>() - line.at(1).get<double>();
+    EXPECT_NEAR(std::sqrt(x * x + y * y), tangent, 1e-9);
+    length += tangent;
+  }
+  const json& arc = pieces.at(1).at("arc");
+  EXPECT_EQ(arc.at(0), 50);
+  EXPECT_EQ(arc.at(1), 60);
+  EXPECT_EQ(arc.at(2), 5);
+  length += 5 * (arc.at(3).get<double>() - arc.at(4).get<double>());
+  EXPECT_NEAR(lines[0].at("length").get<double>(), length, 1e-9);
+}
+
+TEST(PathCommand, SaysWhatStopsADisc) {
+  // The gap above the wall is 40 wide.
+  EXPECT_TRUE(json_lines(disc_in_yard("20").out).at(0).at("found"));
+  const json gap = json_lines(disc_in_yard("20.5", {"25", "50"}, {"75", "50"}).out).at(0);
+  EXPECT_EQ(gap.at("reason"), "no-path");
+  EXPECT_EQ(gap.at("widest").at("radius"), 20);
+  EXPECT_EQ(gap.at("widest").at("items"), json({0, 7}));
+  const json blocked = json_lines(disc_in_yard("5", {"46", "4"}).out).at(0);
+  EXPECT_EQ(blocked.at("reason"), "start-blocked");
+  EXPECT_EQ(blocked.at("items"), json({0, 7}));
+}
+
+TEST(PathCommand, TakesARadiusOfZeroAsAPoint) {
+  for (const std::string zero : {"0", "-0", "0.0", "+0", "1e-400"}) {
+    const auto lines = json_lines(disc_in_yard(zero).out);
+    ASSERT_EQ(lines.size(), 1U) << zero;
+    EXPECT_EQ(lines[0].at("pieces").size(), 2U) << zero;
+  }
+  for (const std::string large : {"50.5", "1e30", "1e300", "1.7976931348623157e308"}) {
+    EXPECT_EQ(json_lines(disc_in_yard(large).out).at(0).at("reason"), "start-blocked") << large;
+  }
+}
+
+TEST(PathCommand, RefusesABadRadius) {
+  for (const std::string bad :
+       {"-1", "-5e-324", "nan", "inf", "-inf", "1e400", "-1e400", "", "five", "0x5", "5 5", "5,5"}) {
+    const auto result = disc_in_yard(bad);
+    EXPECT_EQ(result.status, 2) << bad;
+    EXPECT_EQ(result.out, "") << bad;
+    EXPECT_EQ(result.err.find("waywright: --radius: '" + bad + "'"), 0U) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+}
+
+TEST(PathCommand, DrawsThePathOfADisc) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("yard.wws", "waywright 1\ndomain 0 0 100 100\nsegment 7 50 0 50 60\n");
+  const std::string svg = folder.file("yard.svg");
+  for (const std::string radius : {"5", "20.5"}) {
+    std::vector<std::string> all = arguments(map, {"25", "50"}, {"75", "50"});
+    all.insert(all.end(), {"--radius", radius, "--svg", svg});
+    EXPECT_EQ(run_command(all).status, 0);
+    const std::string picture = read_file(svg);
+    const std::string expected = radius == "5" ? "path of a disc, radius 5, length" : ">gap 40</text>";
+    EXPECT_NE(picture.find(expected), std::string::npos) << radius;
+  }
+}
 
 TEST(PathCommand, ReadsMovingAiMaps) {
   const TemporaryFolder folder;

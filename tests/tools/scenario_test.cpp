@@ -89,6 +89,67 @@ TEST(ScenarioCommand, WritesALineForEachQuery) {
   EXPECT_EQ(lines[6].substr(0, 32), "6,1.5,0.5,0,1,1,start-blocked,,,");
 }
 
+// The passage below the column of two blocked cells is one cell high, so a disc of radius 0.5 fits exactly.
+TEST(ScenarioCommand, AsksForDiscs) {
+  TemporaryFolder folder;
+  const std::string map = folder.file("u.map", kMap);
+  const std::string scenario =
+      folder.file("u.map.scen", "version 1\n" + query("0.5\t0.5\t2.5\t0.5", "9") + query("0.5 0.5 0.5 2.5", "2") +
+                                    query("0\t0\t2.5\t0.5", "1") + query("0.5\t0.5\t2\t1", "-1"));
+  const std::string csv = folder.file("u.csv");
+  const auto result = run_command({"scenario", map, scenario, "--radius", "0.5", "--csv", csv});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out.substr(0, result.out.find('\n')),
+            "4 queries of u.map.scen through u.map, algorithm optimal, radius 0.5");
+  EXPECT_EQ(number_after(result.out, "path found"), "2");
+  EXPECT_EQ(number_after(result.out, "no path"), "0");
+  EXPECT_EQ(number_after(result.out, "start blocked"), "1");
+  EXPECT_EQ(number_after(result.out, "goal blocked"), "1");
+  EXPECT_GT(std::stod(number_after(result.out, "microseconds")), 0.0);
+  // Down by 1.5, around the corner (1, 2) by a quarter of a circle, and so on: 2 * 1.5 + 1 + pi / 2. The other is 2.
+  EXPECT_NEAR(std::stod(number_after(result.out, "length ")), (4 + std::acos(-1.0) / 2 + 2) / 2, 1e-3);
+  EXPECT_EQ(number_after(result.out, "as given"), "no such line");
+  EXPECT_NE(result.out.find("not compared"), std::string::npos);
+  std::istringstream text(read_file(csv));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_TRUE(lines[2].starts_with("2,0.5,0.5,0.5,2.5,2,found,2,,")) << lines[2];  // no ratio
+  EXPECT_EQ(lines[3].substr(0, 32), "3,0,0,2.5,0.5,1,start-blocked,,,");
+
+  const auto wide = run_command({"scenario", map, scenario, "--radius", "0.5000001"});
+  EXPECT_EQ(number_after(wide.out, "path found"), "0");
+  EXPECT_EQ(number_after(wide.out, "start blocked"), "4");
+}
+
+TEST(ScenarioCommand, PutsDiscsAtTheCentresOfCells) {
+  TemporaryFolder folder;
+  const std::string map = folder.file("u.map", kMap);
+  const std::string cells = folder.file("u.map.scen", "version 1\n" + query("0\t0\t2\t0", "9"));
+  const std::string csv = folder.file("u.csv");
+  const auto result = run_command({"scenario", map, cells, "--radius", "0.5", "--csv", csv});
+  EXPECT_EQ(number_after(result.out, "path found"), "1");
+  EXPECT_NE(result.out.find("centres of their cells"), std::string::npos);
+  EXPECT_NE(read_file(csv).find("\n1,0.5,0.5,2.5,0.5,9,found,"), std::string::npos);
+  // A point starts at the corner of its cell: see ReadsMovingAiMaps.
+  EXPECT_EQ(run_command({"scenario", map, cells}).out.find("centres of their cells"), std::string::npos);
+  // The map has three columns, so 3 is no cell.
+  const std::string corners = folder.file("v.map.scen", "version 1\n" + query("0\t0\t3\t0", "9"));
+  const auto blocked = run_command({"scenario", map, corners, "--radius", "0.5"});
+  EXPECT_EQ(number_after(blocked.out, "start blocked"), "1");
+  EXPECT_EQ(blocked.out.find("centres of their cells"), std::string::npos);
+}
+
+TEST(ScenarioCommand, RefusesABadRadius) {
+  const Files files;
+  for (const std::string bad : {"-1", "nan", "inf", "1e400", "", "five"}) {
+    const auto result = run_command({"scenario", files.map, files.scenario, "--radius", bad});
+    EXPECT_EQ(result.status, 2) << bad;
+    EXPECT_EQ(result.out, "") << bad;
+    EXPECT_EQ(result.err.find("waywright: --radius: '" + bad + "'"), 0U) << result.err;
+  }
+}
+
 TEST(ScenarioCommand, DrawsTheQueriesAskedFor) {
   const Files files;
   const std::string svg = files.folder.file("u.svg");

@@ -38,7 +38,7 @@ inline json outline(const std::string& svg) {
       "visit(root, '', 'black')\n"
       "count = lambda g: sum(1 for c in g if name(c) != 'title')\n"
       "data = [n for e in elements if e['group'] != 'legend' for n in re.findall(r'[-+.\\w]+',\n"
-      "        re.sub('h0|[MLZ]', ' ', e.get('d', '')))]\n"
+      "        re.sub('h0|[MLZA]', ' ', e.get('d', '')))]\n"
       "print(json.dumps({'groups': {k: count(g) for k, g in groups.items()}, 'elements': elements,\n"
       "  'solids': [e.get('d').count('Z') for e in groups['solids']],\n"
       "  'labels': [e['text'] for e in elements if e['group'] == 'legend' and e['tag'] == 'text'],\n"

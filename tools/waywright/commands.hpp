@@ -29,6 +29,7 @@ struct PathOptions {
   std::string map;
   std::vector<std::string> from;  ///< x, y
   std::vector<std::string> to;    ///< x, y
+  std::string radius = "0";       ///< of the agent
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   std::string svg;  ///< empty for none
   PictureOptions picture;
@@ -38,6 +39,7 @@ struct PathOptions {
 struct ScenarioOptions {
   std::string map;
   std::string scenario;
+  std::string radius = "0";  ///< of the agent of every query
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   std::string csv;                   ///< empty for none
   std::string svg;                   ///< empty for none

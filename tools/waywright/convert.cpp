@@ -19,7 +19,7 @@ namespace {
 
 std::string picture_of(const Scene& scene, const ConvertOptions& options) {
   const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.in), scene.y_down);
-  return draw(build_world(scene, options.in), {}, picture);
+  return draw(build_world(scene, options.in, 0.0), {}, picture);
 }
 
 /// Returns whether OUT becomes a picture; otherwise it becomes a world script. Throws Failure if neither the options

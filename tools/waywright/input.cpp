@@ -74,8 +74,8 @@ Scene load_scene(const std::string& name) {
   return std::move(scene).value();
 }
 
-World build_world(const Scene& scene, const std::string& name) {
-  Result<World> created = World::create(scene.domain);
+World build_world(const Scene& scene, const std::string& name, double radius) {
+  Result<World> created = World::create(scene.domain, {.keep_bridges = radius > 0.0});
   if (!created.ok()) throw Failure(fmt::format("{}: {}", name, created.error().message()));
   World world = std::move(created).value();
   Progress progress("insert");
@@ -106,6 +106,12 @@ std::vector<NamedFile> files_of_map(const std::string& name) {
 
 Point parse_point(std::string_view option, const std::vector<std::string>& values) {
   return {parse_number(option, values.at(0)), parse_number(option, values.at(1))};
+}
+
+double parse_radius(const std::string& value) {
+  const double radius = parse_number("--radius", value);
+  if (std::isfinite(radius) && radius >= 0.0) return radius;
+  throw Failure(fmt::format("waywright: --radius: '{}' is negative or not finite; a radius is 0 or more", value));
 }
 
 std::string title_of(const std::string& name) {

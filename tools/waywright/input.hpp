@@ -23,15 +23,19 @@ namespace waywright::command {
 /// Throws Failure.
 [[nodiscard]] Scene load_scene(const std::string& name);
 
-/// Builds a world from the items of a scene. Leaves out items that the world refuses, and reports this in one line on
-/// standard error. Throws Failure if the world refuses the domain.
-[[nodiscard]] World build_world(const Scene& scene, const std::string& name);
+/// Builds a world from the items of a scene, for agents of a radius: with a radius above 0 the world keeps its bridges.
+/// Leaves out items that the world refuses, and reports this in one line on standard error. Throws Failure if the world
+/// refuses the domain.
+[[nodiscard]] World build_world(const Scene& scene, const std::string& name, double radius);
 
 /// Returns the names of the files that load_scene() reads. The second one may be missing.
 [[nodiscard]] std::vector<NamedFile> files_of_map(const std::string& name);
 
 /// Returns the point in the two values of an option. Throws Failure.
 [[nodiscard]] Point parse_point(std::string_view option, const std::vector<std::string>& values);
+
+/// Returns the radius in the value of the option `--radius`. Throws Failure unless it is a number of 0 or more.
+[[nodiscard]] double parse_radius(const std::string& value);
 
 /// Returns the name of a file without its folders. It is the title of pictures.
 [[nodiscard]] std::string title_of(const std::string& name);

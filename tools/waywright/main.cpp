@@ -54,17 +54,23 @@ constexpr const char* kPathExamples =
     "  waywright path arena.map --from 5 17 --to 44 30\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --svg path.svg --no-mesh\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --algorithm ta\n"
-    "\nPrints one JSON line: the path's length and pieces, or why there is none. Maps: .wws, .map (Moving AI),\n"
-    ".poly and .node (Triangle).\n";
+    "  waywright path field.wws --from -3 4 --to 20 -7.5 --radius 1.5 --svg path.svg\n"
+    "\nPrints one JSON line: the path's length and pieces, or why there is none. With --radius, the pieces are lines\n"
+    "and arcs of the path of the disc's centre. If only a smaller disc gets through, the line says how large it may\n"
+    "be, and which gap stops larger discs. Maps: .wws, .map (Moving AI), .poly and .node (Triangle).\n";
 constexpr const char* kScenarioExamples =
     "Examples:\n"
     "  waywright scenario arena.map arena.map.scen\n"
     "  waywright scenario arena.map arena.map.scen --algorithm ta --csv arena.csv\n"
     "  waywright scenario arena.map arena.map.scen --svg arena.svg --query 17 --query 160\n"
+    "  waywright scenario arena.map arena.map.scen --radius 0.45\n"
     "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
     "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. Each query must name the\n"
     "map, whose folders and ending do not matter, and the size of a .map. The queries with an end where two blocked\n"
-    "cells touch at a corner are counted: there the given length may start on the other side.\n";
+    "cells touch at a corner are counted: there the given length may start on the other side.\n"
+    "With --radius, all queries are for a disc. The lengths in a scenario are for points, so they are not compared:\n"
+    "the summary counts paths, queries without a path, and ends at which the disc does not fit. If the ends in the\n"
+    "scenario of a .map are whole numbers, they are cells, and the disc starts and ends at the centres of cells.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"
@@ -106,6 +112,13 @@ void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
     algorithm = *named;
   };
   command.add_option_function<std::string>("--algorithm", read, "optimal (the default), ta or tra")->type_name("NAME");
+}
+
+void add_radius(CLI::App& command, std::string& radius) {
+  command
+      .add_option("--radius", radius,
+                  "The radius of the agent, 0 or more: 0 (the default) is a point, else it is a disc")
+      ->type_name("R");
 }
 
 CLI::Option* add_theme(CLI::App& command, SvgTheme& theme) {
@@ -181,6 +194,7 @@ void add_path(CommandLine& line) {
       ->allow_extra_args(false)
       ->type_name("X Y")
       ->required();
+  add_radius(*line.path, options.radius);
   add_algorithm(*line.path, options.algorithm);
   CLI::Option* const svg = add_file_option(*line.path, "--svg", options.svg, "Draw the map and the path");
   add_picture(*line.path, options.picture, svg);
@@ -192,6 +206,7 @@ void add_scenario(CommandLine& line) {
   line.scenario = line.app.add_subcommand("scenario", "Find all paths of a scenario and sum them up");
   add_file(*line.scenario, "MAP", options.map, kAboutMap);
   add_file(*line.scenario, "SCENARIO", options.scenario, "The queries (.scen); - is standard input");
+  add_radius(*line.scenario, options.radius);
   add_algorithm(*line.scenario, options.algorithm);
   add_file_option(*line.scenario, "--csv", options.csv, "Write a line for each query");
   CLI::Option* const svg = add_file_option(*line.scenario, "--svg", options.svg,

@@ -20,12 +20,13 @@ ExitStatus path(const PathOptions& options) {
   PathQuery query;
   query.start = parse_point("--from", options.from);
   query.goal = parse_point("--to", options.to);
+  query.radius = parse_radius(options.radius);
   query.algorithm = options.algorithm;
   refuse_shared_files(files_of_map(options.map), {{"--svg", options.svg}});
   const Scene scene = load_scene(options.map);
   OutputFile svg(options.svg);
   const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.map), scene.y_down);
-  const World world = build_world(scene, options.map);
+  const World world = build_world(scene, options.map, query.radius);
 
   const Result<Path> searched = world.find_path(query);
   if (!searched.ok()) throw Failure(fmt::format("waywright: path: {}", searched.error().message()));

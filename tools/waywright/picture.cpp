@@ -32,7 +32,9 @@ std::string draw(const World& world, const SvgOverlay& overlay, const SvgOptions
 }
 
 void add_answer(SvgOverlay& overlay, const PathQuery& query, Path path) {
-  if (path.status == PathStatus::found) {
+  if (query.radius > 0.0) {
+    overlay.disc_paths.push_back({query, std::move(path)});
+  } else if (path.status == PathStatus::found) {
     overlay.paths.push_back(std::move(path));
   } else {
     overlay.failed_paths.push_back({query.start, query.goal, path.status});

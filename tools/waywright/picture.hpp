@@ -25,7 +25,7 @@ struct PictureOptions {
 /// Returns the text of the picture. Throws Failure.
 [[nodiscard]] std::string draw(const World& world, const SvgOverlay& overlay, const SvgOptions& options);
 
-/// Adds the answer of a query to the overlay: a path, or a failed path.
+/// Adds the answer of a query to the overlay: a path, a failed path, or the answer for a disc.
 void add_answer(SvgOverlay& overlay, const PathQuery& query, Path path);
 
 }  // namespace waywright::command

@@ -1,6 +1,7 @@
 #include "waywright/scenario.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -42,6 +43,17 @@ struct Answer {
 double ratio_of(const ScenarioQuery& query, const Answer& answer) {
   return query.length > 0.0 ? answer.length / query.length : 1.0;
 }
+
+/// The number of answers with a status, for a line of the summary.
+struct StatusCount {
+  PathStatus status = PathStatus::found;
+  const char* name = nullptr;
+};
+
+constexpr std::array<StatusCount, 4> kDiscCounts{{{PathStatus::found, "path found"},
+                                                  {PathStatus::no_path, "no path"},
+                                                  {PathStatus::start_blocked, "start blocked"},
+                                                  {PathStatus::goal_blocked, "goal blocked"}}};
 
 /// Two lengths are the same if they differ by no more than the precision of the given length plus the rounding errors
 /// of doubles.
@@ -99,6 +111,25 @@ void check_map(const ScenarioOptions& options, const Scene& scene, const std::ve
   }
 }
 
+/// Returns whether the ends of the queries can be cells of the map: whole numbers below its width and height.
+bool are_cells(const Scene& scene, const std::vector<ScenarioQuery>& queries) {
+  const bool counts_cells = scene.y_down;  // only such a map has cells
+  const auto is_cell = [&](const Point& end) {
+    return std::floor(end.x) == end.x && std::floor(end.y) == end.y && end.x < scene.domain.max.x &&
+           end.y < scene.domain.max.y;
+  };
+  return counts_cells && std::all_of(queries.begin(), queries.end(), [&](const ScenarioQuery& query) {
+           return is_cell(query.start) && is_cell(query.goal);
+         });
+}
+
+/// Moves each end from the first corner of its cell to the centre of the cell.
+void move_to_centres(std::vector<ScenarioQuery>& queries) {
+  for (ScenarioQuery& query : queries) {
+    for (Point* const end : {&query.start, &query.goal}) *end = {end->x + 0.5, end->y + 0.5};
+  }
+}
+
 /// Returns the indices of the queries to draw. Throws Failure.
 std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::size_t count) {
   if (options.svg.empty() != options.queries.empty()) {
@@ -117,8 +148,10 @@ std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::siz
 
 class ScenarioRun {
  public:
-  ScenarioRun(const ScenarioOptions& options, const World& world, std::vector<ScenarioQuery> queries)
-      : options_(options), world_(world), queries_(std::move(queries)) {}
+  /// `at_centres` is true if the ends of the queries have been moved to the centres of their cells.
+  ScenarioRun(const ScenarioOptions& options, double radius, bool at_centres, const World& world,
+              std::vector<ScenarioQuery> queries)
+      : options_(options), radius_(radius), at_centres_(at_centres), world_(world), queries_(std::move(queries)) {}
 
   /// Answers every query. Throws Failure if the world refuses one.
   void ask_all() {
@@ -127,11 +160,10 @@ class ScenarioRun {
     Path path;
     for (const ScenarioQuery& query : queries_) {
       progress.show(answers_.size(), queries_.size());
-      ask(query, context, path);
+      const std::chrono::duration<double, std::micro> time = ask(query, context, path);
       const bool is_ambiguous =
           is_between_cells(world_, query.start, context) || is_between_cells(world_, query.goal, context);
       ambiguous_count_ += is_ambiguous ? 1 : 0;
-      const std::chrono::duration<double, std::micro> time = path.time;
       answers_.push_back({path.status, path.length, path.expansions, time.count(), verdict_of(query, path)});
     }
   }
@@ -143,7 +175,7 @@ class ScenarioRun {
     for (const std::size_t i : chosen) {
       Path path;
       ask(queries_[i], context, path);
-      add_answer(overlay, {queries_[i].start, queries_[i].goal}, std::move(path));
+      add_answer(overlay, {queries_[i].start, queries_[i].goal, radius_}, std::move(path));
     }
     return overlay;
   }
@@ -157,7 +189,8 @@ class ScenarioRun {
       fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},", i + 1, query.start.x, query.start.y,
                      query.goal.x, query.goal.y, query.length, to_string(answer.status));
       if (answer.status == PathStatus::found) {
-        fmt::format_to(std::back_inserter(out), "{},{}", answer.length, ratio_of(query, answer));
+        fmt::format_to(std::back_inserter(out), "{},", answer.length);
+        if (!is_of_discs()) fmt::format_to(std::back_inserter(out), "{}", ratio_of(query, answer));
       } else {
         out += ',';
       }
@@ -167,31 +200,60 @@ class ScenarioRun {
   }
 
   [[nodiscard]] std::string summary() const {
-    std::string out = fmt::format("{} queries of {} through {}, algorithm {}\n", queries_.size(),
+    std::string out = fmt::format("{} queries of {} through {}, algorithm {}", queries_.size(),
                                   title_of(options_.scenario), title_of(options_.map), to_string(options_.algorithm));
+    out += is_of_discs() ? fmt::format(", radius {}\n", radius_) : "\n";
+    if (is_of_discs()) {
+      append_statuses(out);
+    } else {
+      append_verdicts(out);
+    }
+    append_percentiles(out);
+    if (is_of_discs()) out += "The lengths in the scenario are for points: they are not compared.\n";
+    if (at_centres_) out += "The ends are the centres of their cells.\n";
+    out.pop_back();
+    return out;
+  }
+
+ private:
+  [[nodiscard]] bool is_of_discs() const { return radius_ > 0.0; }
+
+  static void append_count(std::string& out, std::string_view name, std::size_t count) {
+    fmt::format_to(std::back_inserter(out), "{:<28}{:>9}\n", name, count);
+  }
+
+  template <typename Condition>
+  [[nodiscard]] std::size_t count_of(const Condition& condition) const {
+    return static_cast<std::size_t>(std::count_if(answers_.begin(), answers_.end(), condition));
+  }
+
+  void append_verdicts(std::string& out) const {
     const auto line = [&](std::string_view name, Verdict verdict) {
-      const auto count = std::count_if(answers_.begin(), answers_.end(),
-                                       [&](const Answer& answer) { return answer.verdict == verdict; });
-      fmt::format_to(std::back_inserter(out), "{:<28}{:>9}\n", name, count);
+      append_count(out, name, count_of([&](const Answer& answer) { return answer.verdict == verdict; }));
     };
     line("as given", Verdict::same);
     line("shorter than given", Verdict::shorter);
     line("longer than given", Verdict::longer);
     line("no path where one is given", Verdict::missing);
     line("a path where none is given", Verdict::surprising);
-    fmt::format_to(std::back_inserter(out), "{:<28}{:>9}\n", "an end between two cells", ambiguous_count_);
-    append_percentiles(out);
-    out.pop_back();
-    return out;
+    append_count(out, "an end between two cells", ambiguous_count_);
   }
 
- private:
-  void ask(const ScenarioQuery& query, QueryContext& context, Path& path) const {
-    PathQuery asked{query.start, query.goal};
-    asked.algorithm = options_.algorithm;
+  void append_statuses(std::string& out) const {
+    for (const StatusCount& line : kDiscCounts) {
+      append_count(out, line.name, count_of([&](const Answer& answer) { return answer.status == line.status; }));
+    }
+  }
+
+  /// Finds the path of a query. Returns the time that this took.
+  std::chrono::nanoseconds ask(const ScenarioQuery& query, QueryContext& context, Path& path) const {
+    PathQuery asked{query.start, query.goal, radius_, options_.algorithm};
     asked.wants_time = true;
+    const auto begin = std::chrono::steady_clock::now();
     const Result<void> done = world_.find_path(asked, context, path);
-    if (done.ok()) return;
+    const std::chrono::nanoseconds time = std::chrono::steady_clock::now() - begin;
+    // The library does not measure the time of a search for a disc.
+    if (done.ok()) return is_of_discs() ? time : path.time;
     const char* const hint =
         done.error().code == ErrorCode::out_of_domain ? "; is this the scenario of another map?" : "";
     throw Failure(fmt::format("{}:{}: {}{}", options_.scenario, query.line, done.error().message(), hint));
@@ -201,17 +263,23 @@ class ScenarioRun {
     std::vector<double> times;
     std::vector<double> expansions;
     std::vector<double> ratios;
+    std::vector<double> lengths;
     for (std::size_t i = 0; i < answers_.size(); ++i) {
       times.push_back(answers_[i].microseconds);
       expansions.push_back(static_cast<double>(answers_[i].expansions));
-      const bool comparable = answers_[i].status == PathStatus::found && queries_[i].length > 0.0;
-      if (comparable) ratios.push_back(ratio_of(queries_[i], answers_[i]));
+      if (answers_[i].status != PathStatus::found) continue;
+      lengths.push_back(answers_[i].length);
+      if (queries_[i].length > 0.0) ratios.push_back(ratio_of(queries_[i], answers_[i]));
     }
     fmt::format_to(std::back_inserter(out), "{:<28}{:>9}{:>11}{:>11}{:>11}{:>11}\n", "", "mean", "median", "90 %",
                    "99 %", "max");
     append_row(out, "microseconds", times, 1);
     append_row(out, "expansions", expansions, 1);
-    append_row(out, "length / given", ratios, 6);
+    if (is_of_discs()) {
+      append_row(out, "length", lengths, 3);
+    } else {
+      append_row(out, "length / given", ratios, 6);
+    }
   }
 
   /// A percentile is one of the values: the smallest that at least this percentage of all values does not exceed.
@@ -226,6 +294,8 @@ class ScenarioRun {
   }
 
   const ScenarioOptions& options_;
+  double radius_;
+  bool at_centres_;
   const World& world_;
   std::vector<ScenarioQuery> queries_;
   std::vector<Answer> answers_;
@@ -238,6 +308,7 @@ ExitStatus scenario(const ScenarioOptions& options) {
   if (options.map == "-" && options.scenario == "-") {
     throw Failure("waywright: MAP and SCENARIO cannot both be standard input");
   }
+  const double radius = parse_radius(options.radius);
   std::vector<NamedFile> inputs = files_of_map(options.map);
   inputs.push_back({"SCENARIO", options.scenario});
   refuse_shared_files(inputs, {{"--csv", options.csv}, {"--svg", options.svg}});
@@ -248,9 +319,12 @@ ExitStatus scenario(const ScenarioOptions& options) {
   OutputFile csv(options.csv);
   OutputFile svg(options.svg);
   const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.scenario), scene.y_down);
-  const World world = build_world(scene, options.map);
+  const World world = build_world(scene, options.map, radius);
+  // At a corner of a cell beside an obstacle no disc fits. A disc of radius 0.5 fits at the centre of each free cell.
+  const bool at_centres = radius > 0.0 && are_cells(scene, queries);
+  if (at_centres) move_to_centres(queries);
 
-  ScenarioRun run(options, world, std::move(queries));
+  ScenarioRun run(options, radius, at_centres, world, std::move(queries));
   run.ask_all();
   StreamWriter output(stream_beside({options.csv, options.svg}));
   output.write_line(run.summary());
