@@ -40,7 +40,13 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   void find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
   void find_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
   void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
+  void nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
+  /// nearest_fit() for a radius of 0, and for a radius above 0. The second function requires that the disc fits at the
+  /// goal, if there is one.
+  [[nodiscard]] std::optional<Point> nearest_free(const NearestFitQuery& query, detail::QueryScratch& scratch) const;
+  [[nodiscard]] std::optional<Point> nearest_fit_of_disc(const NearestFitQuery& query,
+                                                         detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
