@@ -387,11 +387,12 @@ class WAYWRIGHT_API World {
   /// @}
 
   /// @name Discs
-  /// You need this group to find out where a round agent fits, and which agents fit through the gaps between two
-  /// positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
+  /// You need this group to find out where a round agent fits, where the nearest room for it is, and which agents fit
+  /// through the gaps between two positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
   ///
   /// @code{.cpp}
-  /// const bool fits = world.fit_disc(start, 5).value().fits;  // == true
+  /// const bool fits = world.fit_disc(start, 5).value().fits;                                   // == true
+  /// const Point at = world.nearest_fit({.point = {45, 50}, .radius = 5}).value().at;  // == Point{35, 50}
   /// World rooms = World::create(world.domain(), {.keep_bridges = true}).value();
   /// rooms.insert_all(world.items()).value();
   /// const double radius = rooms.widest_path(start, goal).value().radius;  // == 20
@@ -409,14 +410,14 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<DiscFit> fit_disc(Point centre, double radius) const;
 
   /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. So if the disc fits
-  /// at the point itself, this is the answer. With a goal, the function finds the nearest point from which the disc gets
-  /// to the goal.
+  /// at the point itself, this is the answer. With a goal, the function finds the nearest point from which the disc
+  /// gets to the goal.
   ///
-  /// Whether a disc fits and whether it gets to the goal are exact. The distance is the least one up to a relative error
-  /// of 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little farther
-  /// away than the nearest position. Where the disc fits only at a single position, or only along a line between two
-  /// walls, there is an answer only if doubles can express a position there. Of equally near points, the first in (x, y)
-  /// order is the answer.
+  /// Whether a disc fits and whether it gets to the goal are exact. The distance is the least one up to a relative
+  /// error of 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little
+  /// farther away than the nearest position. Where the disc fits only at a single position, or only along a line
+  /// between two walls, there is an answer only if doubles can express a position there. Of equally near points, the
+  /// first in (x, y) order is the answer.
   ///
   /// With the radius 0, the answer is the position that a path query would take instead of a blocked end: the nearest
   /// position in or on the border of a triangle that no polygon covers.
@@ -471,8 +472,9 @@ class WAYWRIGHT_API World {
   ///   search then moves it across the wall, if this connects start and goal. This requires a world that keeps its
   ///   abstraction.
   ///
-  /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. The search
-  /// then moves no end.
+  /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. If the disc
+  /// does not fit at an end, the search takes the position that nearest_fit() finds within PathQuery::end_tolerance. It
+  /// prefers positions from which the disc gets to the other end. It moves no end across a wall for the second reason.
   ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
   /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep

@@ -1,8 +1,10 @@
+#include <optional>
 #include <utility>
 
 #include "waywright/world.hpp"
 
 #include "path/clear.hpp"
+#include "path/ends.hpp"
 #include "path/tangent.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
@@ -26,15 +28,49 @@ void append(const path::DiscPiece& piece, double radius, const Point& next, std:
 
 }  // namespace
 
-void World::Impl::find_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  path::clear(path);
+/// Moves the ends at which the disc does not fit. Returns whether it fits at both ends now. If not, writes to `path`
+/// which end is blocked.
+bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
+  const auto fits_at = [&](const Point& end) {
+    fit_disc(end, query.radius, scratch, scratch.fit);
+    return scratch.fit.fits;
+  };
+  const bool does_goal_fit = fits_at(query.goal);
   for (const bool is_start : {true, false}) {
-    fit_disc(is_start ? query.start : query.goal, query.radius, scratch, scratch.fit);
-    if (scratch.fit.fits) continue;
-    path.status = is_start ? PathStatus::start_blocked : PathStatus::goal_blocked;
-    path.blockers = scratch.fit.items;
-    return;
+    Point& end = is_start ? query.start : query.goal;
+    if (fits_at(end)) continue;
+    const std::optional<Point> other =
+        is_start && !does_goal_fit ? std::nullopt : std::optional(is_start ? query.goal : query.start);
+    const auto moved = find_disc_end(query, end, other, scratch);
+    if (!moved) {
+      path.status = is_start ? PathStatus::start_blocked : PathStatus::goal_blocked;
+      path.blockers = scratch.fit.items;
+      return false;
+    }
+    (is_start ? path.moved_start : path.moved_goal) = MovedEnd{end, *moved};
+    end = *moved;
   }
+  return true;
+}
+
+/// Returns the position nearest to a blocked end where the disc fits. If the disc gets from some of the positions
+/// within the tolerance to `other`, returns the nearest of these.
+std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Point& end,
+                                                const std::optional<Point>& other,
+                                                detail::QueryScratch& scratch) const {
+  const double tolerance = query.end_tolerance.value_or(path::default_end_tolerance(triangulation.domain()));
+  if (!(tolerance > 0.0)) return std::nullopt;
+  NearestFitQuery nearest{end, query.radius, other, tolerance};
+  if (other) {
+    if (const auto found = nearest_fit_of_disc(nearest, scratch)) return found;
+    nearest.goal.reset();
+  }
+  return nearest_fit_of_disc(nearest, scratch);
+}
+
+void World::Impl::find_disc_path(PathQuery query, detail::QueryScratch& scratch, Path& path) const {
+  path::clear(path);
+  if (!free_disc_ends(query, scratch, path)) return;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   const clearance::Bridges& bridges = clearance->bridges();
   const auto start_cell = scratch.near_walls.find_cell(walls, bridges, query.start);

@@ -38,7 +38,11 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] Kept kept() const { return {abstraction.has_value(), clearance != nullptr}; }
   // The queries behind the functions of World with these names. Requires: the query has no error.
   void find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
-  void find_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  void find_disc_path(PathQuery query, detail::QueryScratch& scratch, Path& path) const;
+  [[nodiscard]] bool free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  [[nodiscard]] std::optional<Point> find_disc_end(const PathQuery& query, const Point& end,
+                                                   const std::optional<Point>& other,
+                                                   detail::QueryScratch& scratch) const;
   void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
   void nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;

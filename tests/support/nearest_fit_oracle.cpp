@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -138,9 +139,7 @@ bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
   return is_found;
 }
 
-Real distance_between(const Point& p, const Point& q) {
-  return size({Real(p.x) - Real(q.x), Real(p.y) - Real(q.y)});
-}
+Real distance_between(const Point& p, const Point& q) { return size({Real(p.x) - Real(q.x), Real(p.y) - Real(q.y)}); }
 
 }  // namespace
 
@@ -149,6 +148,12 @@ std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, cons
   const Candidates candidates(walls, point, r);
   std::optional<Point> best;
   Real least = 0;
+  std::map<std::pair<double, double>, bool> is_free_at;
+  const auto is_point_free = [&](const Point& p) {
+    const auto [entry, is_new] = is_free_at.try_emplace({p.x, p.y});
+    if (is_new) entry->second = is_in_range(p) && is_free(walls, p, r);
+    return entry->second;
+  };
   for (const Vec& position : candidates.sorted()) {
     if (best && size(position) > least) break;
     if (!candidates.may_be_free(position, 1e-10L)) continue;
@@ -157,10 +162,11 @@ std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, cons
       if (best && distance >= least) return false;
       const Vec relative{Real(p.x) - Real(point.x), Real(p.y) - Real(point.y)};
       if (!candidates.may_be_free(relative, 64 * std::numeric_limits<Real>::epsilon())) return false;
-      if (!is_in_range(p) || !is_free(walls, p, r)) return false;
-      if (!counts(p)) return true;
-      best = p;
-      least = distance;
+      if (!is_point_free(p)) return false;
+      if (counts(p)) {
+        best = p;
+        least = distance;
+      }
       return true;
     });
   }
