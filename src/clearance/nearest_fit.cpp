@@ -66,9 +66,8 @@ std::optional<Point> NearestFit::find(const Triangulation& triangulation, constr
   if (query.radius > domain.width() || query.radius > domain.height()) return std::nullopt;
   if (goal != nullptr) reach_.begin(Cells(goal->walls, goal->bridges), goal->cell, query.radius);
   if (fits(query.point) && counts(query.point)) return query.point;
-  const double largest =
-      std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-  rounding_ = triangulation.triangulation().geometry().has_constructed() ? 0x1p-50 * largest : 0.0;
+  largest_ = std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
+  rounding_ = triangulation.triangulation().geometry().has_constructed() ? 0x1p-50 * largest_ : 0.0;
   open_.clear();
   pieces_.clear();
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -155,7 +154,7 @@ void NearestFit::push_piece(Kind kind, const Piece& piece) {
 void NearestFit::clip_line(std::uint32_t piece) {
   const Piece line = pieces_[piece];
   const double nearest = line.curve.nearest(line.interval);
-  const double reach = 2.0 * (query_.radius + length(line.curve.at(nearest)));
+  const double reach = 2.0 * (query_.radius + length(line.curve.at(nearest))) + 0x1p-40 * largest_;
   Interval window = line.interval;
   if (nearest - reach > window.low) {
     push_piece(Kind::line, {line.curve, {window.low, nearest - reach}, line.h});
@@ -281,7 +280,7 @@ void NearestFit::divide_at_gaps(const OffsetCurve& curve, HalfEdge own, HalfEdge
 /// exist only because of rounding errors.
 void NearestFit::settle(const Piece& piece) {
   const double parameter = piece.curve.nearest(piece.interval);
-  const Point from = piece.curve.at(parameter);
+  const Point from = piece.curve.at(sharpened(piece, parameter));
   const Point at = query_.point + from;
   step_ = 0x1p-53 * std::max({std::abs(at.x), std::abs(at.y), std::abs(from.x), std::abs(from.y), query_.radius});
   if (try_at(from)) return;
@@ -291,13 +290,30 @@ void NearestFit::settle(const Piece& piece) {
   follow(piece, parameter, piece.interval.high);
 }
 
+/// The wall that ends the interval at the parameter, or kNoHalfEdge.
+HalfEdge NearestFit::blocker_at(const Piece& piece, double parameter) const {
+  if (parameter == piece.interval.low) return piece.interval.low_blocker;
+  return parameter == piece.interval.high ? piece.interval.high_blocker : mesh::kNoHalfEdge;
+}
+
+/// clip() makes intervals a little longer than they are. Returns the end of the interval as precisely as doubles allow.
+/// If the angle between the two curves is small, the parameter stays as it is.
+double NearestFit::sharpened(const Piece& piece, double parameter) const {
+  const HalfEdge blocker = blocker_at(piece, parameter);
+  if (blocker == mesh::kNoHalfEdge) return parameter;
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
+  const auto blocked =
+      piece.curve.blocked_by(position(mesh.origin(blocker)), position(mesh.target(blocker)), OffsetCurve::Bias::none);
+  const double sharp = parameter == piece.interval.low ? blocked.high : blocked.low;
+  const double moved = length(piece.curve.at(sharp) - piece.curve.at(parameter));
+  return blocked.is_blocked && moved < 0x1p-42 * (largest_ + query_.radius) ? sharp : parameter;
+}
+
 /// Returns the direction from a position of the interval into the free positions: away from the curve's wall, and at
 /// the end of the interval away from the wall that blocks the curve beyond it, too.
 Point NearestFit::inward(const Piece& piece, double parameter) const {
   const Point normal = piece.curve.normal(parameter);
-  HalfEdge blocker = mesh::kNoHalfEdge;
-  if (parameter == piece.interval.low) blocker = piece.interval.low_blocker;
-  if (parameter == piece.interval.high) blocker = piece.interval.high_blocker;
+  const HalfEdge blocker = blocker_at(piece, parameter);
   if (blocker == mesh::kNoHalfEdge) return normal;
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const Point other = unit(away_from(piece.curve.at(parameter), position(mesh.origin(blocker)) - query_.point,
@@ -317,7 +333,7 @@ bool NearestFit::push_inwards(const Point& from, const Point& direction, double 
       continue;
     }
     double after = push;
-    while (after - before > least && after - before > 0x1p-40 * length(from)) {
+    while (after - before > least && after - before > 0x1p-50 * length(from)) {
       const double middle = 0.5 * (before + after);
       (try_at(from + direction * middle) ? after : before) = middle;
     }

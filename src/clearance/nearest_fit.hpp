@@ -89,6 +89,8 @@ class NearestFit {
   void divide_at_gaps(const OffsetCurve& curve, mesh::HalfEdge own, mesh::HalfEdge wall);
 
   void settle(const Piece& piece);
+  [[nodiscard]] mesh::HalfEdge blocker_at(const Piece& piece, double parameter) const;
+  [[nodiscard]] double sharpened(const Piece& piece, double parameter) const;
   [[nodiscard]] Point inward(const Piece& piece, double parameter) const;
   [[nodiscard]] bool push_inwards(const Point& from, const Point& direction, double least, double most);
   [[nodiscard]] bool try_around(const Point& position);
@@ -107,6 +109,7 @@ class NearestFit {
   Query query_;
   Best best_;
   double rounding_ = 0.0;    ///< a bound of the rounding error of a coordinate of a constructed vertex
+  double largest_ = 0.0;     ///< the largest magnitude of a coordinate of the domain
   double step_ = 0.0;        ///< the distance of neighbouring doubles near the point, or a little more
   std::vector<Entry> open_;  ///< a heap
   std::vector<Piece> pieces_;

@@ -24,6 +24,11 @@ Point unit(const Point& v) {
   return {v.x / size, v.y / size};
 }
 Point to_left(const Point& v) { return {-v.y, v.x}; }
+/// Returns 1 if rounding errors must make intervals shorter, -1 if they must make them longer, otherwise 0.
+double sign_of(OffsetCurve::Bias bias) {
+  if (bias == OffsetCurve::Bias::none) return 0.0;
+  return bias == OffsetCurve::Bias::less ? 1.0 : -1.0;
+}
 double extent_of(const Point& v) { return std::abs(v.x) + std::abs(v.y); }
 
 /// Returns a vector in the direction of the parameter of a circle.
@@ -74,6 +79,7 @@ class Arc {
     if (!(left_ > -4.0 && right_ < 4.0)) return {};
     const double low = parameter_of_direction(right_end_);
     const double high = parameter_of_direction(left_end_);
+    if (bias == OffsetCurve::Bias::none) return {true, low, high};
     if (bias == OffsetCurve::Bias::more) {
       if (left_ - right_ > 4.0 - 4.0 * kAngle) return {true, 0.0, 4.0};
       return {true, low - kAngle, high + kAngle};
@@ -163,7 +169,7 @@ Blocked OffsetCurve::line_blocked_by(const Point& a, const Point& b, Bias bias) 
   const Point from_a = a - point_;
   const Point from_b = b - point_;
   const double extent = extent_of(from_a) + extent_of(from_b) + extent_ + radius_;
-  const double slack = (bias == Bias::less ? 1.0 : -1.0) * (kUnit * extent + rounding_);
+  const double slack = sign_of(bias) * (kUnit * extent + rounding_);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const auto add = [&](double from, double to, double shrink) {
@@ -200,7 +206,7 @@ Blocked OffsetCurve::line_blocked_by(const Point& a, const Point& b, Bias bias) 
 Blocked OffsetCurve::circle_blocked_by(const Point& a, const Point& b, Bias bias) const {
   const Point p = a - centre_;
   const Point q = b - centre_;
-  const double sign = bias == Bias::less ? 1.0 : -1.0;
+  const double sign = sign_of(bias);
   const Point d = q - p;
   const double length = std::sqrt(squared_length(d));
   if (!(length > 0.0)) return {};

@@ -36,6 +36,7 @@ class OffsetCurve {
   /// How rounding errors may change the result of blocked_by().
   enum class Bias : signed char {
     less,  ///< the result lies within the exact one
+    none,  ///< the result is computed as precisely as possible
     more,  ///< the result contains the exact one
   };
 
