@@ -32,8 +32,8 @@ struct DiscFit {
 /// A query for the position nearest to a point where a disc fits, for World::nearest_fit.
 ///
 /// @code{.cpp}
-/// const NearestFit near = world.nearest_fit({.point = {45, 50}, .radius = 5, .limit = 20}).value();
-/// const Point at = near.at;  // == Point{35, 50}
+/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5, .limit = 20}).value();
+/// const Point at = nearest.at;  // == Point{35, 50}
 /// @endcode
 struct NearestFitQuery {
   Point point;
@@ -48,8 +48,8 @@ struct NearestFitQuery {
 /// The answer of World::nearest_fit.
 ///
 /// @code{.cpp}
-/// const NearestFit near = world.nearest_fit({.point = {45, 50}, .radius = 5}).value();
-/// if (near.is_found) std::printf("%s, %g away\n", to_string(near.at).c_str(), near.distance);
+/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5}).value();
+/// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
 /// @endcode
 struct NearestFit {
   bool is_found = false;  ///< whether the disc fits somewhere; if not, all other members are zero

@@ -415,9 +415,10 @@ class WAYWRIGHT_API World {
   ///
   /// Whether a disc fits and whether it gets to the goal are exact. The distance is the least one up to a relative
   /// error of 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little
-  /// farther away than the nearest position. Where the disc fits only at a single position, or only along a line
-  /// between two walls, there is an answer only if doubles can express a position there. Of equally near points, the
-  /// first in (x, y) order is the answer.
+  /// farther away than the nearest position. In a corner where the disc just fits between two walls, few points of
+  /// doubles are free. There the answer can lie up to about a millionth of the radius farther away than the nearest of
+  /// them. Where the disc fits only at a single position, or only along a line between two walls, there is an answer
+  /// only if doubles can express a position there. Of equally near points, the first in (x, y) order is the answer.
   ///
   /// With the radius 0, the answer is the position that a path query would take instead of a blocked end: the nearest
   /// position in or on the border of a triangle that no polygon covers.
