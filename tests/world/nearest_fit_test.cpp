@@ -223,6 +223,18 @@ TEST(NearestFit, IsConnectedWithTheGoal) {
   EXPECT_EQ(at({5, 7}, 1.25, {6, 6}).at, (Point{5, 7}));
 }
 
+// The gap below the wall is shorter than the diameter by two ulps. So the line above the floor consists of two pieces,
+// one on the left and one on the right of the gap, although doubles cannot tell where one ends and the other begins.
+TEST(NearestFit, LiesBeyondAGapThatIsTooNarrowByRoundingOnly) {
+  World world = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
+  world.insert_segment({10, 2}, {10, 10}, 1).value();
+  const double radius = std::nextafter(1.0, 2.0);
+  const NearestFit fit = world.nearest_fit({.point = {5, 0}, .radius = radius, .goal = Point{15, 5}}).value();
+  ASSERT_TRUE(fit.is_found);
+  EXPECT_GT(fit.at.x, 10);
+  EXPECT_NEAR(fit.distance, std::sqrt(26.0), 1e-6);
+}
+
 TEST(NearestFit, OfRadiusZeroIsWhereAPathCanStart) {
   World world = world_of_rooms();
   const auto at = [&](const Point& point) { return world.nearest_fit({.point = point}).value(); };
