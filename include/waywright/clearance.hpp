@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "waywright/id.hpp"
@@ -25,6 +27,36 @@ struct DiscFit {
   std::vector<ItemId> items;
 
   friend bool operator==(const DiscFit&, const DiscFit&) = default;
+};
+
+/// A query for the position nearest to a point where a disc fits, for World::nearest_fit.
+///
+/// @code{.cpp}
+/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5, .limit = 20}).value();
+/// const Point at = nearest.at;  // == Point{35, 50}
+/// @endcode
+struct NearestFitQuery {
+  Point point;
+  double radius = 0.0;  ///< the radius of the disc, 0 or more
+  /// If it is set, only positions count from which the disc gets to this point. If the disc does not fit at the goal,
+  /// no position counts.
+  std::optional<Point> goal{};
+  /// The largest distance of the answer from `point`, 0 or more.
+  double limit = std::numeric_limits<double>::infinity();
+};
+
+/// The answer of World::nearest_fit.
+///
+/// @code{.cpp}
+/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5}).value();
+/// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
+/// @endcode
+struct NearestFit {
+  bool is_found = false;  ///< whether the disc fits somewhere; if not, all other members are zero
+  Point at;               ///< where the disc fits: World::fit_disc says so exactly
+  double distance = 0.0;  ///< from the query's point to `at`
+
+  friend bool operator==(const NearestFit&, const NearestFit&) = default;
 };
 
 /// The answer of World::widest_path: the largest disc that gets from a start to a goal, and the gap that stops every

@@ -64,8 +64,7 @@ struct PathQuery {
   Point start;
   Point goal;
   /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
-  /// (WorldOptions::keep_bridges). The answer is then the shortest path for every algorithm, in Path::pieces. This
-  /// version does not move the ends of such a path.
+  /// (WorldOptions::keep_bridges). The answer is then the shortest path for every algorithm, in Path::pieces.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};

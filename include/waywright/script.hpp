@@ -38,11 +38,12 @@ struct ScriptLine {
   std::uint32_t line = 0;                  ///< the line in the text, from 1
   Item item;                               ///< insert and replace: the item; remove: its id; clear: its points
   Point from;                              ///< for locate, ray, disc, nearest and path
-  Point to;                                ///< for ray and path
+  Point to;                                ///< for ray and path; for nearest, the goal if there is one
   double radius = 0.0;                     ///< for ray, disc, nearest and path
   bool has_radius = false;                 ///< for ray: whether the line gives a radius
   std::optional<PathAlgorithm> algorithm;  ///< for path, if the line names one
   std::optional<double> end_tolerance;     ///< for path, if the line gives one
+  bool has_goal = false;                   ///< for nearest: whether the line gives a goal
 };
 
 /// Returns the first word of the line: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...

@@ -391,11 +391,12 @@ class WAYWRIGHT_API World {
   /// @}
 
   /// @name Discs
-  /// You need this group to find out where a round agent fits, and which agents fit through the gaps between two
-  /// positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
+  /// You need this group to find out where a round agent fits, where the nearest room for it is, and which agents fit
+  /// through the gaps between two positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
   ///
   /// @code{.cpp}
-  /// const bool fits = world.fit_disc(start, 5).value().fits;  // == true
+  /// const bool fits = world.fit_disc(start, 5).value().fits;                                   // == true
+  /// const Point at = world.nearest_fit({.point = {45, 50}, .radius = 5}).value().at;  // == Point{35, 50}
   /// World rooms = World::create(world.domain(), {.keep_bridges = true}).value();
   /// rooms.insert_all(world.items()).value();
   /// const double radius = rooms.widest_path(start, goal).value().radius;  // == 20
@@ -435,6 +436,33 @@ class WAYWRIGHT_API World {
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
+  /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. So if the disc fits
+  /// at the point itself, this is the answer. With a goal, the function finds the nearest point from which the disc
+  /// gets to the goal.
+  ///
+  /// Whether a disc fits and whether it gets to the goal are exact. The distance is the least one up to a relative
+  /// error of 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little
+  /// farther away than the nearest position. In a corner where the disc just fits between two walls, few points of
+  /// doubles are free. There the answer can lie up to about a millionth of the radius farther away than the nearest of
+  /// them. Where the disc fits only at a single position, or only along a line between two walls, there is an answer
+  /// only if doubles can express a position there. Of equally near points, the first in (x, y) order is the answer.
+  ///
+  /// With the radius 0, the answer is the position that a path query would take instead of a blocked end: the nearest
+  /// position in or on the border of a triangle that no polygon covers.
+  ///
+  /// Error::index is 0 for the point and 1 for the goal.
+  /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
+  /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
+  /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
+  /// its abstraction.
+  /// Cost: n log n in the walls that are not farther away than the answer's distance plus the radius, and for each of
+  /// them the triangles near the positions where the disc touches it. With a goal, also the gaps that the disc can
+  /// pass, up to the number that two searches need until they meet. Allocates nothing if `context` has been used for a
+  /// query of the same size before; if the radius is 0 and the point is blocked, exact arithmetic may allocate.
+  [[nodiscard]] Result<void> nearest_fit(const NearestFitQuery& query, QueryContext& context, NearestFit& fit) const;
+  /// @copydoc nearest_fit(const NearestFitQuery&, QueryContext&, NearestFit&) const
+  [[nodiscard]] Result<NearestFit> nearest_fit(const NearestFitQuery& query) const;
+
   /// Finds the largest disc that gets from `start` to `goal`, and the gap that stops every larger disc. All comparisons
   /// are exact. The disc must also fit at the two ends themselves: see fit_disc().
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges
@@ -472,8 +500,9 @@ class WAYWRIGHT_API World {
   ///   search then moves it across the wall, if this connects start and goal. This requires a world that keeps its
   ///   abstraction.
   ///
-  /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. The search
-  /// then moves no end.
+  /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. If the disc
+  /// does not fit at an end, the search takes the position that nearest_fit() finds within PathQuery::end_tolerance. It
+  /// prefers positions from which the disc gets to the other end. It moves no end across a wall for the second reason.
   ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
   /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep

@@ -32,7 +32,7 @@ constexpr std::array kGrammars{
     Grammar{"locate", "locate X Y", ScriptLineKind::locate},
     Grammar{"ray", "ray X1 Y1 X2 Y2 [RADIUS]", ScriptLineKind::ray},
     Grammar{"disc", "disc X Y RADIUS", ScriptLineKind::disc},
-    Grammar{"nearest", "nearest X Y RADIUS", ScriptLineKind::nearest},
+    Grammar{"nearest", "nearest X Y RADIUS [goal X2 Y2]", ScriptLineKind::nearest},
     Grammar{"path", "path X1 Y1 X2 Y2 RADIUS [ALGORITHM] [tolerance DISTANCE]", ScriptLineKind::path},
     Grammar{"clear", "clear N X1 Y1 ... XN YN", ScriptLineKind::clear},
     Grammar{"check", "check", ScriptLineKind::check},
@@ -69,6 +69,7 @@ class ScriptParser {
   bool read_points(std::uint64_t count, Rings& rings);
   bool read_ray_radius(ScriptLine& line);
   bool read_path_options(ScriptLine& line);
+  bool read_goal(ScriptLine& line);
 
   /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line(std::string_view& word);
@@ -220,8 +221,9 @@ bool ScriptParser::read_rest(ScriptLine& line, const Grammar& grammar) {
     case ScriptLineKind::ray:
       return point(line.from) && point(line.to) && read_ray_radius(line);
     case ScriptLineKind::disc:
-    case ScriptLineKind::nearest:
       return point(line.from) && number(line.radius);
+    case ScriptLineKind::nearest:
+      return point(line.from) && number(line.radius) && read_goal(line);
     case ScriptLineKind::path:
       return point(line.from) && point(line.to) && number(line.radius) && read_path_options(line);
     case ScriptLineKind::clear:
@@ -307,6 +309,13 @@ bool ScriptParser::read_path_options(ScriptLine& line) {
   if (line.algorithm && !words_.next(word)) return true;
   if (word != "tolerance") return fail(line.algorithm ? "'tolerance'" : "'optimal', 'ta', 'tra' or 'tolerance'", word);
   return number(line.end_tolerance.emplace());
+}
+
+bool ScriptParser::read_goal(ScriptLine& line) {
+  std::string_view word;
+  if (!words_.next(word)) return true;
+  line.has_goal = true;
+  return word == "goal" ? point(line.to) : fail("'goal' or no more", word);
 }
 
 /// Returns whether a world over `domain` accepts the shape.

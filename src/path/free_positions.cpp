@@ -111,11 +111,14 @@ double FreePositions::distance_to(HalfEdge h) const {
 }
 
 bool FreePositions::is_open(HalfEdge h, const Connection& connection) {
-  if (cover_->is_covered(*triangulation_, h)) return false;
-  if (connection.components == nullptr) return true;
-  const nav::Components::Id own = connection.components->component_of(mesh::face(h));
-  return std::any_of(connection.faces->begin(), connection.faces->end(),
-                     [&](HalfEdge other) { return connection.components->component_of(mesh::face(other)) == own; });
+  return !cover_->is_covered(*triangulation_, h) && connection.contains(h);
+}
+
+bool FreePositions::Connection::contains(HalfEdge h) const {
+  if (components == nullptr) return true;
+  const nav::Components::Id own = components->component_of(mesh::face(h));
+  return std::any_of(faces->begin(), faces->end(),
+                     [&](HalfEdge other) { return components->component_of(mesh::face(other)) == own; });
 }
 
 /// Tries the candidates in the order of their exact distances. Returns a free point at the nearest position of the

@@ -27,6 +27,9 @@ class FreePositions {
   struct Connection {
     const nav::Components* components = nullptr;  ///< null if every open face counts as open
     const std::vector<mesh::HalfEdge>* faces = nullptr;
+
+    /// Returns whether the face of `h` is connected with one of the faces.
+    [[nodiscard]] bool contains(mesh::HalfEdge h) const;
   };
 
   /// Returns the nearest free position, rounded to a free point, or nothing if its distance is larger than `limit`. An

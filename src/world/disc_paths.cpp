@@ -1,12 +1,14 @@
 #include <chrono>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "waywright/world.hpp"
 
 #include "path/clear.hpp"
+#include "path/ends.hpp"
 #include "path/pieces.hpp"
 #include "path/tangent.hpp"
 #include "world/query_scratch.hpp"
@@ -22,11 +24,11 @@ namespace {
 /// without length, and an arc that turns by less than a double can express.
 void append(const path::DiscPiece& piece, double radius, const Point& next, std::vector<PathPiece>& pieces) {
   if (!(piece.from == piece.to)) pieces.push_back({PathPiece::Kind::line, piece.from, piece.to, {}, 0.0, 0.0, 0.0});
-  if (piece.side == 0) return;
-  const Point spoke{piece.side * piece.direction.y, -piece.side * piece.direction.x};
+  if (piece.turn == 0) return;
+  const Point spoke{piece.turn * piece.direction.y, -piece.turn * piece.direction.x};
   const double start_angle = path::angle_of(spoke);
   const double end_angle =
-      start_angle + piece.side * path::turning_angle(piece.direction, piece.end_direction, piece.side);
+      start_angle + piece.turn * path::turning_angle(piece.direction, piece.end_direction, piece.turn);
   if (end_angle != start_angle) {
     pieces.push_back({PathPiece::Kind::arc, piece.to, next, piece.centre, radius, start_angle, end_angle});
   } else if (!pieces.empty()) {
@@ -51,24 +53,53 @@ void append_pieces(detail::DiscSearch& disc, Path& path) {
 
 }  // namespace
 
-/// Returns whether the disc is free at an end. If it is not, writes the reason to the answer.
-bool World::Impl::is_end_free(const Point& end, double radius, PathStatus blocked, detail::QueryScratch& scratch,
-                              Path& path) const {
-  fit_disc(end, radius, scratch, scratch.fit);
+/// Moves the ends at which the disc does not fit. Returns whether it fits at both ends now. If not, writes to `path`
+/// which end is blocked.
+bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
+  fit_disc(query.goal, query.radius, scratch, scratch.fit);
+  const std::optional<Point> goal = scratch.fit.fits ? std::optional(query.goal) : std::nullopt;
+  return free_disc_end(query, true, goal, scratch, path) && free_disc_end(query, false, query.start, scratch, path);
+}
+
+/// Does this for one end. `other` is the other end, if the disc fits there.
+bool World::Impl::free_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
+                                detail::QueryScratch& scratch, Path& path) const {
+  Point& end = is_start ? query.start : query.goal;
+  fit_disc(end, query.radius, scratch, scratch.fit);
   if (scratch.fit.fits) return true;
-  path.status = blocked;
-  path.blockers = scratch.fit.items;
-  return false;
+  const auto moved = find_disc_end(query, end, other, scratch);
+  if (!moved) {
+    path.status = is_start ? PathStatus::start_blocked : PathStatus::goal_blocked;
+    path.blockers = scratch.fit.items;
+    return false;
+  }
+  (is_start ? path.moved_start : path.moved_goal) = MovedEnd{end, *moved};
+  end = *moved;
+  return true;
+}
+
+/// Returns the position nearest to a blocked end where the disc fits. If the disc gets from some of the positions
+/// within the tolerance to `other`, returns the nearest of these.
+std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Point& end,
+                                                const std::optional<Point>& other,
+                                                detail::QueryScratch& scratch) const {
+  const double tolerance = query.end_tolerance.value_or(path::default_end_tolerance(triangulation.domain()));
+  if (!(tolerance > 0.0)) return std::nullopt;
+  NearestFitQuery nearest{end, query.radius, other, tolerance};
+  if (other) {
+    if (const auto found = nearest_fit_of_disc(nearest, scratch)) return found;
+    nearest.goal.reset();
+  }
+  return nearest_fit_of_disc(nearest, scratch);
 }
 
 /// Prepares searches from a start, for one goal after the other. Requires: the disc is free there.
 void World::Impl::set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
-  const clearance::Bridges& bridges = clearance->bridges();
+  const bool has_abstraction = abstraction && &walls == &triangulation;
   disc.start = start;
-  disc.map.emplace(path::DiscMap{walls, {walls, bridges}, radius, start});
-  disc.start_cell = *scratch.near_walls.find_cell(walls, bridges, start);
+  disc.map.emplace(walls, clearance->bridges(), radius, start, has_abstraction ? &abstraction->core() : nullptr);
 }
 
 /// Starts the search for a goal. Requires: the disc is free there.
@@ -76,8 +107,7 @@ void World::Impl::begin_disc_search(const Point& goal, detail::QueryScratch& scr
   detail::DiscSearch& disc = scratch.disc_search;
   disc.goal = goal;
   disc.is_done = false;
-  const auto goal_cell = scratch.near_walls.find_cell(disc.map->walls, clearance->bridges(), goal);
-  disc.search.begin(*disc.map, disc.start, disc.start_cell, goal, *goal_cell);
+  disc.search.begin(*disc.map, disc.start, goal);
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
@@ -87,12 +117,10 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
   disc.is_done = true;
   disc.begun.reset();
   if (query.wants_time) disc.begun = std::chrono::steady_clock::now();
-  if (!is_end_free(query.start, query.radius, PathStatus::start_blocked, scratch, path) ||
-      !is_end_free(query.goal, query.radius, PathStatus::goal_blocked, scratch, path)) {
-    return true;
-  }
-  set_disc_start(query.start, query.radius, scratch);
-  begin_disc_search(query.goal, scratch);
+  PathQuery freed = query;
+  if (!free_disc_ends(freed, scratch, path)) return true;
+  set_disc_start(freed.start, query.radius, scratch);
+  begin_disc_search(freed.goal, scratch);
   return false;
 }
 
@@ -121,7 +149,8 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
     path.radius = query.radius;
   }
   if (paths.empty()) return;
-  if (!is_end_free(query.start, query.radius, PathStatus::start_blocked, scratch, paths.front())) {
+  PathQuery freed{.start = query.start, .goal = {}, .radius = query.radius, .end_tolerance = query.end_tolerance};
+  if (!free_disc_end(freed, true, std::nullopt, scratch, paths.front())) {
     for (Path& path : paths) {
       path.status = PathStatus::start_blocked;
       path.blockers = scratch.fit.items;
@@ -129,12 +158,15 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
     return;
   }
   scratch.disc_search.begun.reset();
-  set_disc_start(query.start, query.radius, scratch);
+  set_disc_start(freed.start, query.radius, scratch);
+  const std::optional<MovedEnd> moved_start = paths.front().moved_start;
   std::size_t expansions = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Path& path = paths[i];
-    if (!is_end_free(query.goals[i], query.radius, PathStatus::goal_blocked, scratch, path)) continue;
-    begin_disc_search(query.goals[i], scratch);
+    path.moved_start = moved_start;
+    freed.goal = query.goals[i];
+    if (!free_disc_end(freed, false, freed.start, scratch, path)) continue;
+    begin_disc_search(freed.goal, scratch);
     step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();

@@ -8,6 +8,7 @@
 #include "waywright/query_context.hpp"
 
 #include "clearance/near_walls.hpp"
+#include "clearance/nearest_fit.hpp"
 #include "clearance/widest_gap.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
@@ -15,6 +16,7 @@
 #include "nav/kept_cover.hpp"
 #include "path/disc_optimal.hpp"
 #include "path/finder.hpp"
+#include "path/free_positions.hpp"
 #include "path/polyline_walk.hpp"
 
 namespace waywright::detail {
@@ -37,6 +39,9 @@ struct QueryScratch {
   constraint::CanonicalOrder order;
   constraint::SweptDisc swept_disc;
   clearance::NearWalls near_walls;
+  clearance::NearestFit nearest_fit;
+  path::FreePositions free_positions;
+  std::vector<mesh::HalfEdge> goal_faces;
   clearance::WidestGapFinder widest_gap_finder;
   clearance::WidestGap widest_gap;
   path::Finder finder;

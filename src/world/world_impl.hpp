@@ -47,12 +47,22 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Continues until `path.expansions` reaches `limit`.
   bool step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const;
   void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
+  void nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
   // The steps of find_disc_paths_from() and begin_disc_path().
-  bool is_end_free(const Point& end, double radius, PathStatus blocked, detail::QueryScratch& scratch,
-                   Path& path) const;
+  [[nodiscard]] bool free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  [[nodiscard]] bool free_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
+                                   detail::QueryScratch& scratch, Path& path) const;
+  [[nodiscard]] std::optional<Point> find_disc_end(const PathQuery& query, const Point& end,
+                                                   const std::optional<Point>& other,
+                                                   detail::QueryScratch& scratch) const;
   void set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const;
   void begin_disc_search(const Point& goal, detail::QueryScratch& scratch) const;
+  /// nearest_fit() for a radius of 0, and for a radius above 0. The second function requires that the disc fits at the
+  /// goal, if there is one.
+  [[nodiscard]] std::optional<Point> nearest_free(const NearestFitQuery& query, detail::QueryScratch& scratch) const;
+  [[nodiscard]] std::optional<Point> nearest_fit_of_disc(const NearestFitQuery& query,
+                                                         detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 

@@ -102,6 +102,10 @@ TEST(ParseScript, ReadsTheOtherOperations) {
   EXPECT_EQ(nearest.kind, ScriptLineKind::nearest);
   EXPECT_EQ(nearest.from, (Point{3, 4}));
   EXPECT_EQ(nearest.radius, 0.25);
+  EXPECT_FALSE(nearest.has_goal);
+  const ScriptLine with_goal = parsed_one("nearest 3 4 0.25 goal 5 6");
+  EXPECT_TRUE(with_goal.has_goal);
+  EXPECT_EQ(with_goal.to, (Point{5, 6}));
 }
 
 TEST(ParseScript, ReadsPathsWithOrWithoutAnAlgorithm) {

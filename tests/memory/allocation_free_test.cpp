@@ -48,6 +48,7 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   std::vector<CrossedItem> crossed;
   std::vector<Item> items;
   DiscFit fit;
+  NearestFit nearest;
   WidestPath widest;
   RayHit hit;
   Shape shape;
@@ -61,6 +62,9 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
       world.items_in({point - Point{20, 10}, point + Point{90, 60}}, context, in).value();
       world.items_in({{2000, 2000}, {3000, 3000}}, context, in).value();
       world.fit_disc(point, 5.0 + i, context, fit).value();
+      world.nearest_fit({.point = point, .radius = 1.0 + 0.1 * i}, context, nearest).value();
+      answers += nearest.is_found ? 1 : 0;
+      world.nearest_fit({.point = point, .radius = 1, .goal = nearest.at}, context, nearest).value();
       world.widest_path(point, {1000 - point.y, point.x}, context, widest).value();
       world.sweep_disc(point, {1000 - point.y, point.x}, 0.1 + 0.25 * (i % 8), context, hit).value();
       world.sweep_disc({1 + point.x, 2}, {1 + point.x, 990}, 1, context, hit).value();
@@ -111,6 +115,7 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
   std::vector<ItemId> ids;
   std::vector<CrossedItem> crossed;
   DiscFit fit;
+  NearestFit nearest;
   WidestPath widest;
   RayHit hit;
   std::vector<Item> items(3, {77, Shape::polygon({{1, 2}, {3, 4}})});
@@ -128,6 +133,9 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
     ASSERT_EQ(ids, world.items_in(box).value());
     world.fit_disc(point, 5.0 + i, context, fit).value();
     ASSERT_EQ(fit, world.fit_disc(point, 5.0 + i).value());
+    const NearestFitQuery query{.point = point, .radius = 2, .goal = other};
+    world.nearest_fit(query, context, nearest).value();
+    ASSERT_EQ(nearest, world.nearest_fit(query).value());
     world.widest_path(point, other, context, widest).value();
     ASSERT_EQ(widest, world.widest_path(point, other).value());
     world.sweep_disc(point, other, 0.5 * i, context, hit).value();

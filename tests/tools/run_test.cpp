@@ -100,6 +100,16 @@ TEST(RunCommand, PrintsWhetherADiscFitsAndWhatStopsIt) {
             "{\"line\":12,\"op\":\"disc\",\"free\":false,\"items\":[7]}\n");
 }
 
+TEST(RunCommand, PrintsTheNearestPositionWhereADiscFits) {
+  const std::string walls = kHead + "segment 4 5 0 5 4\nsegment 9 5 6 5 10\n";
+  const auto result = run_script(walls + "nearest 4.5 2 1\nnearest 4.5 2 1.5 goal 8 5\nnearest 4.5 2 6\n");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out,
+            "{\"line\":5,\"op\":\"nearest\",\"found\":true,\"at\":[4,2]}\n"
+            "{\"line\":6,\"op\":\"nearest\",\"found\":true,\"at\":[6.5,2]}\n"
+            "{\"line\":7,\"op\":\"nearest\",\"found\":false}\n");
+}
+
 TEST(RunCommand, PrintsAPathInTheFormatsShape) {
   const auto result = run_script(kHead + "path 1 1 5 4 0 ta\n");
   EXPECT_EQ(result.out, R"({"line":3,"op":"path","found":true,"length":5,"pieces":[{"line":[1,1,5,4]}]})"
@@ -228,7 +238,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"ray 1 1 2 inf", "ray", "coordinate-range"}, Refusal{"ray 1 1 2 2 -1", "ray", "bad-radius"},
         Refusal{"disc 11 1 2", "disc", "out-of-domain"}, Refusal{"disc 1 nan 2", "disc", "coordinate-range"},
         Refusal{"disc 1 1 -2", "disc", "bad-radius"}, Refusal{"disc 1 1 inf", "disc", "bad-radius"},
-        Refusal{"disc 1 1 nan", "disc", "bad-radius"}, Refusal{"nearest 1 1 0", "nearest", "not-supported"},
+        Refusal{"disc 1 1 nan", "disc", "bad-radius"}, Refusal{"nearest 11 1 0", "nearest", "out-of-domain"},
+        Refusal{"nearest 1 1 1 goal 1 11", "nearest", "out-of-domain"},
         Refusal{"nearest 1 1 nan", "nearest", "bad-radius"}, Refusal{"nearest 1 1 inf", "nearest", "bad-radius"}));
 
 // 2^-20 of the domain's largest coordinate is 0.0000095.

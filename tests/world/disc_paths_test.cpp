@@ -59,6 +59,45 @@ TEST(DiscPaths, NameTheItemsThatBlockAnEnd) {
   EXPECT_EQ(goal.blockers, (std::vector<ItemId>{ItemId{}}));
 }
 
+TEST(DiscPaths, StartAndEndAtTheNearestPositionWithinTheTolerance) {
+  const World world = two_walls();
+  const Path path = world.find_path({.start = {48, 50}, .goal = {80, 97}, .radius = 5, .end_tolerance = 3}).value();
+  ASSERT_EQ(path.status, PathStatus::found);
+  EXPECT_EQ(path.moved_start, (MovedEnd{{48, 50}, {45, 50}}));
+  EXPECT_EQ(path.moved_goal, (MovedEnd{{80, 97}, {80, 95}}));
+  EXPECT_EQ(path.pieces.front().from, (Point{45, 50}));
+  EXPECT_EQ(path.pieces.back().to, (Point{80, 95}));
+  const Path blocked =
+      world.find_path({.start = {45, 50}, .goal = {80, 97}, .radius = 5, .end_tolerance = 1.5}).value();
+  EXPECT_EQ(blocked.status, PathStatus::goal_blocked);
+  EXPECT_FALSE(blocked.moved_goal);
+  EXPECT_EQ(blocked.blockers, (std::vector<ItemId>{ItemId{}}));
+}
+
+TEST(DiscPaths, MoveAnEndThatRoundingHasBlocked) {
+  const World world = two_walls();
+  const Point start{45.00001, 50};
+  EXPECT_TRUE(world.find_path({.start = start, .goal = {80, 50}, .radius = 5}).value().moved_start);
+  const Path refused = world.find_path({.start = start, .goal = {80, 50}, .radius = 5, .end_tolerance = 0}).value();
+  EXPECT_EQ(refused.status, PathStatus::start_blocked);
+}
+
+// The disc does not pass the gap from y = 60 to y = 70. The end is nearer to the wrong side of the wall.
+TEST(DiscPaths, PreferPositionsThatAreConnectedWithTheOtherEnd) {
+  const World world = two_walls();
+  const PathQuery query{.start = {48, 50}, .goal = {80, 50}, .radius = 6, .end_tolerance = 10};
+  const Path path = world.find_path(query).value();
+  ASSERT_EQ(path.status, PathStatus::found);
+  EXPECT_EQ(path.moved_start->to, (Point{56, 50}));
+  const Path back = world.find_path({.start = {80, 50}, .goal = {48, 50}, .radius = 6, .end_tolerance = 10}).value();
+  EXPECT_EQ(back.moved_goal->to, (Point{56, 50}));
+  // No connected position is within the tolerance.
+  const Path near = world.find_path({.start = {48, 50}, .goal = {80, 50}, .radius = 6, .end_tolerance = 5}).value();
+  EXPECT_EQ(near.status, PathStatus::no_path);
+  EXPECT_EQ(near.moved_start->to, (Point{44, 50}));
+  EXPECT_EQ(near.widest->radius, 5);
+}
+
 TEST(DiscPaths, NeedBridges) {
   const World world = World::create({{0, 0}, {100, 100}}).value();
   const auto refused = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5});

@@ -142,6 +142,13 @@ std::string json_line(const Request& request, const DiscFit& fit) {
   return out + "]}";
 }
 
+std::string json_line(const Request& request, const NearestFit& fit) {
+  if (!fit.is_found) return opening(request) + R"(,"found":false})";
+  std::string out = opening(request) + R"(,"found":true,"at":[)";
+  append_point(out, fit.at);
+  return out + "]}";
+}
+
 std::string json_line(const Request& request, bool is_clear) {
   return opening(request) + fmt::format(R"(,"clear":{}}})", is_clear);
 }

@@ -30,6 +30,7 @@ enum class RayOf : std::uint8_t { point, disc };
 [[nodiscard]] std::string json_line(const Request& request, const Path& path);
 [[nodiscard]] std::string json_line(const Request& request, const RayHit& hit, RayOf of);
 [[nodiscard]] std::string json_line(const Request& request, const DiscFit& fit);
+[[nodiscard]] std::string json_line(const Request& request, const NearestFit& fit);
 [[nodiscard]] std::string json_line(const Request& request, bool is_clear);
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);

@@ -24,9 +24,10 @@ namespace waywright::command {
 namespace {
 
 World create_world(const Script& script, const std::string& name) {
-  // Only paths of discs need the bridges, which make changes slower.
+  // Only queries that ask where a disc gets to need the bridges, which make changes slower.
   const bool has_discs = std::any_of(script.lines.begin(), script.lines.end(), [](const ScriptLine& line) {
-    return line.kind == ScriptLineKind::path && line.radius > 0.0;
+    const bool has_two_ends = line.kind == ScriptLineKind::path || line.has_goal;
+    return has_two_ends && line.radius > 0.0;
   });
   Result<World> world = World::create(script.domain, {.keep_bridges = has_discs});
   if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", name, script.domain_line, world.error().message()));

@@ -1,10 +1,7 @@
 #include "runner.hpp"
 
-#include <cmath>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "json_lines.hpp"
 #include "picture.hpp"
@@ -14,8 +11,6 @@ namespace waywright::command {
 namespace {
 
 Request request_of(const ScriptLine& operation) { return {to_string(operation), operation.line}; }
-
-bool has_radius(ScriptLineKind kind) { return kind == ScriptLineKind::nearest; }
 
 }  // namespace
 
@@ -43,9 +38,9 @@ Outcome Runner::carry_out(const ScriptLine& operation) {
     case ScriptLineKind::disc:
       return fit_disc(operation);
     case ScriptLineKind::nearest:
-      break;
+      return find_nearest_fit(operation);
   }
-  return refuse_unsupported(operation);
+  return Outcome::done;
 }
 
 bool Runner::validate_after(const ScriptLine& operation) {
@@ -100,6 +95,16 @@ Outcome Runner::fit_disc(const ScriptLine& operation) {
   return Outcome::done;
 }
 
+Outcome Runner::find_nearest_fit(const ScriptLine& operation) {
+  NearestFitQuery query{.point = operation.from, .radius = operation.radius};
+  if (operation.has_goal) query.goal = operation.to;
+  NearestFit fit;
+  const Result<void> searched = world_.nearest_fit(query, context_, fit);
+  if (!searched.ok()) return refuse(operation, searched.error());
+  output_.write_line(json_line(request_of(operation), fit));
+  return Outcome::done;
+}
+
 Outcome Runner::find_path(const ScriptLine& operation) {
   PathQuery query{operation.from, operation.to, operation.radius, operation.algorithm.value_or(PathAlgorithm::optimal)};
   query.end_tolerance = operation.end_tolerance;
@@ -131,18 +136,6 @@ void Runner::clear_queries() {
 Outcome Runner::refuse(const ScriptLine& operation, const Error& error) {
   output_.write_line(json_line(request_of(operation), error));
   return Outcome::refused;
-}
-
-Outcome Runner::refuse_unsupported(const ScriptLine& operation) {
-  Error error;
-  if (has_radius(operation.kind) && !(std::isfinite(operation.radius) && operation.radius >= 0.0)) {
-    error.code = ErrorCode::bad_radius;
-    error.words = fmt::format("the radius {} is negative or not finite", operation.radius);
-  } else {
-    error.code = ErrorCode::not_supported;
-    error.words = fmt::format("this version does not carry out '{}'", to_string(operation));
-  }
-  return refuse(operation, error);
 }
 
 }  // namespace waywright::command

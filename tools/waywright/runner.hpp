@@ -32,12 +32,12 @@ class Runner {
   Outcome locate(const ScriptLine& operation);
   Outcome cast_ray(const ScriptLine& operation);
   Outcome fit_disc(const ScriptLine& operation);
+  Outcome find_nearest_fit(const ScriptLine& operation);
   Outcome find_path(const ScriptLine& operation);
   Outcome test_clear(const ScriptLine& operation);
   Outcome check(const ScriptLine& operation);
   void clear_queries();
   Outcome refuse(const ScriptLine& operation, const Error& error);
-  Outcome refuse_unsupported(const ScriptLine& operation);
 
   World& world_;
   StreamWriter& output_;

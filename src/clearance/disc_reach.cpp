@@ -1,0 +1,82 @@
+#include "clearance/disc_reach.hpp"
+
+#include "exact/gap.hpp"
+
+namespace waywright::clearance {
+
+void DiscReach::begin(const Cells& cells, const CellEdge& goal, double radius) {
+  goal_ = goal;
+  radius_ = radius;
+  states_.grow_to(cells.key_count());
+  stamp_.next(4, states_);
+  from_goal_.clear();
+  enter(cells, goal, State::reached, from_goal_);
+}
+
+DiscReach::State DiscReach::state(const Cells& cells, const CellEdge& gate) const {
+  const std::uint32_t entry = states_[cells.key(gate)];
+  return entry < stamp_.value() ? State::unknown : static_cast<State>(entry - stamp_.value());
+}
+
+DiscReach::State DiscReach::state_of_cell(const Cells& cells, const CellEdge& edge) const {
+  CellEdge at = edge;
+  do {
+    if (at == goal_) return State::reached;
+    if (at.is_gate()) {
+      if (const State known = state(cells, at); known != State::unknown) return known;
+    }
+    at = cells.next(at);
+  } while (at != edge);
+  return State::unknown;
+}
+
+/// Gives a cell its state, and appends its wide gates to `gates`.
+void DiscReach::enter(const Cells& cells, const CellEdge& edge, State state, std::vector<CellEdge>& gates) {
+  CellEdge at = edge;
+  do {
+    if (at.is_gate()) {
+      set_state(cells.key(at), state);
+      if (state == State::entered) entered_.push_back(cells.key(at));
+      if (exact::compare_to_diameter(cells.gap(at), radius_) >= 0) gates.push_back(at);
+    }
+    at = cells.next(at);
+  } while (at != edge);
+}
+
+/// Gives the cells that the search from a cell has entered their final state.
+void DiscReach::finish(State state) {
+  for (const std::uint32_t key : entered_) set_state(key, state);
+  if (state == State::reached) from_goal_.insert(from_goal_.end(), from_cell_.begin(), from_cell_.end());
+}
+
+bool DiscReach::is_reached(const Cells& cells, const CellEdge& edge) {
+  const State known = state_of_cell(cells, edge);
+  if (known != State::unknown) return known == State::reached;
+  entered_.clear();
+  from_cell_.clear();
+  enter(cells, edge, State::entered, from_cell_);
+  while (!from_cell_.empty() && !from_goal_.empty()) {
+    const CellEdge out = cells.across(from_cell_.back());
+    from_cell_.pop_back();
+    const State beyond = state(cells, out);
+    if (beyond == State::reached) {
+      finish(State::reached);
+      return true;
+    }
+    if (beyond == State::unknown) enter(cells, out, State::entered, from_cell_);
+    const CellEdge in = cells.across(from_goal_.back());
+    from_goal_.pop_back();
+    const State found = state(cells, in);
+    if (found == State::entered) {
+      finish(State::reached);
+      return true;
+    }
+    if (found == State::unknown) enter(cells, in, State::reached, from_goal_);
+  }
+  // The search from the cell may have entered only some of the cells that are connected with it. Later calls would
+  // otherwise enter the others.
+  finish(State::not_reached);
+  return false;
+}
+
+}  // namespace waywright::clearance
