@@ -6,359 +6,365 @@
 
 namespace waywright::path {
 
-using clearance::CellEdge;
+using mesh::HalfEdge;
 using mesh::Vertex;
 
 namespace {
 
-/// Two directions that differ by less than this count as equal when the search decides which corners and gates are in
-/// view. If a view is too wide, this only costs time. If a disc just fits between two vertices, the tangent between
-/// their circles has a length of about the square root of the rounding error, so its direction is uncertain by 2^-26.
-constexpr double kSameDirection = 0x1p-23;
-/// Allows for rounding: a line may be nearer to a wall than the radius, by at most this fraction of the radius.
+/// Two directions that differ by less than this count as equal. If a window is too wide, this only costs time.
+constexpr double kSameDirection = 0x1p-40;
+/// Allows for rounding: a line may be nearer to a vertex than the radius, by at most this fraction of the radius.
 constexpr double kNearness = 0x1p-34;
+/// When the search has followed a window over this many faces, it computes the bound of the window again.
+constexpr int kFacesBetweenLooks = 8;
 
-double squared_distance(const Point& p, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double length = squared_length(along);
-  const double share = length > 0.0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-  return squared_length(p - lerp(a, b, share));
-}
+Point opposite(const Point& v) { return {-v.x, -v.y}; }
 
+/// Returns (1, 0) if the length is 0.
 Point unit(const Point& v) {
   const double size = length(v);
-  return {v.x / size, v.y / size};
+  return size > 0.0 ? Point{v.x / size, v.y / size} : Point{1.0, 0.0};
 }
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const Point& start, const CellEdge& start_cell, const Point& goal,
-                        const CellEdge& goal_cell) {
+void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goal) {
   map_ = &map;
   start_ = start - map.origin;
   goal_ = goal - map.origin;
-  goal_cell_ = goal_cell;
   is_found_ = false;
+  least_ = map.radius * (1.0 - kNearness);
   roots_.clear();
-  nodes_.clear();
+  windows_.clear();
+  turns_.clear();
+  failed_.clear();
+  at_once_.clear();
   open_.clear();
   stamp_.next(1, reached_);
-  reached_.grow_to(std::size_t{2} * map.walls.topology().vertex_slots());
-  roots_.push_back({{start_, 0}, mesh::kNoVertex, {1.0, 0.0}, 0.0, start_cell, kNone, 0.0, kNone});
-  view_.load(map, start_cell);
-  look({0, start_cell, true, true, {1.0, 0.0}, {1.0, 0.0}});
+  reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
+  const locate::Located at_goal = map.walls.triangulation().locate(goal);
+  goal_face_ = at_goal.h;
+  goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
+  if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
+  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, {1.0, 0.0}, 0.0, kNone, 0.0, kNone});
+  leave_start(map.walls.triangulation().locate(start));
 }
 
 bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
-  while (!open_.empty() && expansions < limit) {
-    const std::uint32_t i = open_.pop();
-    const Node node = nodes_[i];
-    ++expansions;
-    if (node.kind == Kind::window) {
-      view_.load(*map_, node.edge);
-      look({node.root, node.cell, false, false, node.right, node.left});
-    } else if (node.kind == Kind::contact) {
-      expand_contact(node);
-    } else if (is_clear(node.cell, touching_point(roots_[node.root].contact, node.right, map_->radius), goal_,
-                        roots_[node.root].vertex, mesh::kNoVertex)) {
-      is_found_ = true;
-      length_ = node.length;
-      last_root_ = node.root;
-      last_direction_ = node.right;
-      return true;
+  expansions_ = expansions;
+  while (!is_found_ && !open_.empty() && expansions_ < limit) {
+    at_once_bound_ = open_.least_bound();
+    const std::uint32_t node = open_.pop();
+    if (node % 2 != 0) {
+      expand(Turn(turns_[node / 2]));
+    } else {
+      follow(windows_[node / 2]);
+    }
+    while (!at_once_.empty()) {
+      const Window next = at_once_.back();
+      at_once_.pop_back();
+      follow(next);
     }
   }
-  return open_.empty();
+  expansions = expansions_;
+  return is_found_ || open_.empty();
 }
 
-void DiscOptimal::push(double bound, const Node& node) {
-  nodes_.push_back(node);
-  open_.push(bound, static_cast<std::uint32_t>(nodes_.size() - 1));
+// If the position lies behind the beginning of the line, the path has passed it on its way around the root.
+int DiscOptimal::side_of(const Root& root, const Point& direction, const Point& position) const {
+  const Point to = position - root.end.contact.centre;
+  const int turn = root.end.contact.side;
+  const double offset = cross(direction, to) + turn * map_->radius;
+  if (turn != 0 && dot(direction, to) < 0.0 && turn * offset < map_->radius) return -turn;
+  return offset > 0.0 ? 1 : offset < 0.0 ? -1 : 0;
 }
 
-void DiscOptimal::expand_contact(const Node& node) {
-  const Contact contact{map_->walls.triangulation().geometry().rounded(number(node.vertex)) - map_->origin, node.side};
-  Reached& reached = reached_[2 * number(node.vertex) + (node.side > 0 ? 1 : 0)];
-  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone};
-  if (is_dominated(node, reached.root)) return;
-  const Root& before = roots_[node.root];
-  if (!is_clear(node.cell, touching_point(before.contact, node.right, map_->radius),
-                touching_point(contact, node.right, map_->radius), before.vertex, node.vertex)) {
+void DiscOptimal::leave_start(const locate::Located& location) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  at_once_bound_ = -1.0;
+  const bool is_on_edge = location.kind == locate::LocatedKind::edge;
+  for (const HalfEdge first : {location.h, mesh.twin(location.h)}) {
+    if (first != location.h && !is_on_edge) break;
+    if (is_goal_face(mesh::face(first))) push_goal(0, {unit(goal_ - start_), waywright::length(goal_ - start_)});
+    for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
+      if ((h == first && is_on_edge) || map_->is_closed(h)) continue;
+      const Vertex left = mesh.target(h);
+      const Vertex right = mesh.origin(h);
+      offer({mesh.twin(h),
+             0,
+             {{unit(map_->position(right) - start_), right}, {unit(map_->position(left) - start_), left}}});
+    }
+  }
+}
+
+//        apex            The window has entered the face across `entry`, from below: its left end is the edge's
+//       /    \           origin.
+//   origin - target
+void DiscOptimal::follow(Window window) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  for (int faces = 1;; ++faces) {
+    ++expansions_;
+    if (is_goal_face(mesh::face(window.entry))) reach_goal(window);
+    const Root& root = roots_[window.root];
+    const Point apex = map_->position(mesh.apex(window.entry));
+    const HalfEdge right_exit = mesh::next(window.entry);
+    const HalfEdge left_exit = mesh::previous(window.entry);
+    HalfEdge exit{};
+    if (const int from_left = side_of(root, window.bounds[1].direction, apex); from_left >= 0) {
+      note_turn(window, 1, from_left > 0);
+      exit = right_exit;
+      if (from_left == 0) window.bounds[1].anchor = mesh.apex(window.entry);
+    } else if (const int from_right = side_of(root, window.bounds[0].direction, apex); from_right <= 0) {
+      note_turn(window, -1, from_right < 0);
+      exit = left_exit;
+      if (from_right == 0) window.bounds[0].anchor = mesh.apex(window.entry);
+    } else {
+      return divide(window, apex);
+    }
+    if (map_->is_closed(exit)) return;
+    window.entry = mesh.twin(exit);
+    if (faces % kFacesBetweenLooks == 0) return offer(window);
+  }
+}
+
+/// Continues a window in a face whose apex lies between the bounds of the window.
+void DiscOptimal::divide(const Window& window, const Point& apex) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const auto line = tangent(roots_[window.root].end.contact, {apex, 0}, map_->radius);
+  if (!line) return;
+  for (const int side : {1, 0}) {
+    const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
+    if (map_->is_closed(exit)) continue;
+    Window beyond = window;
+    beyond.entry = mesh.twin(exit);
+    beyond.bounds[1 - side] = {line->direction, mesh.apex(window.entry)};
+    offer(beyond);
+  }
+}
+
+/// Notes the turn around the end of the window's edge if the bound on this side goes through it and there may be a path
+/// behind it. `sees_apex` says whether a path that turns can leave the face across the far edge.
+void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const HalfEdge corner = side > 0 ? window.entry : mesh::next(window.entry);
+  const Vertex v = mesh.origin(corner);
+  const Bound& at = window.bounds[side > 0 ? 1 : 0];
+  if (at.anchor != v && !(at.anchor == kContinuation && is_touched_by(window, side, v))) return;
+  const HalfEdge near_edge = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
+  const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
+  const bool can_continue = !map_->is_closed(near_edge) || (sees_apex && !map_->is_closed(far_edge));
+  if (!can_continue && !is_goal_face(mesh::face(window.entry))) return;
+  const auto line = tangent(roots_[window.root].end.contact, end_at(v, side).contact, map_->radius);
+  if (line) push_turn(window.root, corner, side, *line);
+}
+
+/// Returns whether the disc touches the vertex if it goes on from the root in the direction in which it has come.
+/// `side` is the side of the line on which the vertex lies.
+bool DiscOptimal::is_touched_by(const Window& window, int side, Vertex v) const {
+  const Root& root = roots_[window.root];
+  const Point& direction = window.bounds[side > 0 ? 1 : 0].direction;
+  const Point to = map_->position(v) - root.end.contact.centre;
+  const double offset = cross(direction, to) + root.end.contact.side * map_->radius;
+  return dot(direction, to) > 0.0 && std::abs(offset) < map_->radius;
+}
+
+void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line) {
+  const Vertex v = map_->mesh().origin(corner);
+  const double length = length_to(roots_[root], line.direction) + line.length;
+  const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
+  turns_.push_back({corner, root, v, turn, line, length});
+  open_.push(length + distance(touching, goal_), static_cast<std::uint32_t>(2 * turns_.size() - 1));
+}
+
+void DiscOptimal::reach_goal(const Window& window) {
+  const auto line = tangent(roots_[window.root].end.contact, {goal_, 0}, map_->radius);
+  if (!line) return;
+  if (cross(window.bounds[0].direction, line->direction) < -kSameDirection) return;
+  if (cross(line->direction, window.bounds[1].direction) < -kSameDirection) return;
+  push_goal(window.root, *line);
+}
+
+void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
+  const double length = length_to(roots_[root], line.direction) + line.length;
+  turns_.push_back({goal_face_, root, mesh::kNoVertex, 0, line, length});
+  open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
+}
+
+void DiscOptimal::offer(const Window& window) {
+  if (cross(window.bounds[0].direction, window.bounds[1].direction) < -kSameDirection) return;
+  const double least = bound(window);
+  if (least <= at_once_bound_) {
+    at_once_.push_back(window);
     return;
   }
-  roots_.push_back({contact, node.vertex, node.right, node.length, node.edge, node.root, 0.0, reached.root});
-  reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
-  turn(reached.root, node.edge);
+  windows_.push_back(window);
+  open_.push(least, static_cast<std::uint32_t>(2 * windows_.size() - 2));
 }
 
-/// Returns whether an earlier path to the contact can also turn to the node's direction, and is then not longer.
-bool DiscOptimal::is_dominated(const Node& node, std::uint32_t first) const {
+/// A lower bound of the length of the paths through the window. If the line begins beyond the edge, the edge says nothing
+/// about the length.
+double DiscOptimal::bound(const Window& window) const {
+  const Root& root = roots_[window.root];
+  const Point& nearest = window.bounds[root.end.contact.side < 0 ? 1 : 0].direction;
+  const Point from = touching_point(root.end.contact, nearest, map_->radius);
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Point right_to_left[] = {map_->position(mesh.target(window.entry)), map_->position(mesh.origin(window.entry))};
+  const bool is_beyond = cross(right_to_left[1] - right_to_left[0], from - right_to_left[0]) < 0.0;
+  return length_to(root, nearest) +
+         (is_beyond ? distance(from, goal_) : distance_via_segment(from, right_to_left[0], right_to_left[1], goal_));
+}
+
+void DiscOptimal::expand(const Turn& turn) {
+  ++expansions_;
+  if (turn.vertex == mesh::kNoVertex) {
+    if (!test(turn, {{goal_, 0}, mesh::kNoVertex}, goal_face_)) return;
+    is_found_ = true;
+    length_ = turn.length;
+    last_root_ = turn.root;
+    last_direction_ = turn.line.direction;
+    at_once_.clear();
+    return;
+  }
+  Reached& reached = reached_[2 * number(turn.vertex) + (turn.turn > 0 ? 1 : 0)];
+  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone};
+  if (is_dominated(turn, reached.root) || has_failed(turn, reached.failed)) return;
+  const DiscLine::End end = end_at(turn.vertex, turn.turn);
+  const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
+  const HalfEdge corner = corner_towards(turn.corner, touching - end.contact.centre, turn.turn);
+  if (corner == mesh::kNoHalfEdge) return;
+  const HalfEdge face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
+  if (face == mesh::kNoHalfEdge || !test(turn, end, face)) {
+    failed_.push_back({turn.root, reached.failed});
+    reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
+    return;
+  }
+  roots_.push_back({end, turn.line.direction, turn.length, turn.root, 0.0, reached.root});
+  reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
+  turn_around(reached.root, corner);
+}
+
+/// Returns whether an earlier path to the contact can also turn to the same direction, and is then not longer.
+bool DiscOptimal::is_dominated(const Turn& turn, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
-    const double order = turning_order(root.direction, node.right, node.side);
+    const double order = turning_order(root.direction, turn.line.direction, turn.turn);
     const bool is_same = order > 4.0 - kSameDirection;
     if (order > root.reach && !is_same) continue;
-    const double length = is_same ? root.length : length_to(root, node.right);
-    if (length <= node.length) return true;
+    const double length = is_same ? root.length : length_to(root, turn.line.direction);
+    if (length <= turn.length) return true;
   }
   return false;
 }
 
-/// Looks from a root into the cells around its vertex, one after the other, in the order in which the path turns
-/// through them. Stops at a wall, at a gate that is too narrow, or when the path has turned by 180 degrees.
-void DiscOptimal::turn(std::uint32_t root, const CellEdge& first) {
-  const int side = roots_[root].contact.side;
-  const Point arrival = roots_[root].direction;
-  Point from = arrival;
-  CellEdge edge = first;
-  for (bool goes_on = true; goes_on;) {
-    view_.load(*map_, edge);
-    const std::size_t last = view_.size() - 1;
-    const Point spoke = unit((side > 0 ? view_.from(last) : view_.to(0)) - view_.from(0));
-    Point to = side > 0 ? left_of(spoke) : Point{spoke.y, -spoke.x};
-    double order = turning_order(arrival, to, side);
-    if (order > 4.0 - kSameDirection) {
-      order = 0.0;
-      to = from;
-    }
-    if (order > 2.0 || order < roots_[root].reach) {
-      order = 2.0;
-      to = {-arrival.x, -arrival.y};
-      goes_on = false;
-    }
-    roots_[root].reach = order;
-    look({root, edge, true, false, side > 0 ? from : to, side > 0 ? to : from});
-    const CellView::Edge& border = view_[side > 0 ? last : 0];
-    if (!border.is_passable) return;
-    const CellEdge beyond = map_->cells.across(border.edge);
-    edge = side > 0 ? beyond : map_->cells.next(beyond);
-    from = to;
-  }
-}
-
-void DiscOptimal::look(const View& view) {
-  look_for_goal(view);
-  look_for_contacts(view);
-  look_through_gates(view);
-}
-
-bool DiscOptimal::is_in_view(const View& view, const Point& direction) const {
-  if (view.is_full) return true;
-  const double order = turning_order(view.right, direction, 1);
-  // No view is wider than 180 degrees. In a view of one direction, rounding may have exchanged the bounds.
-  const double width = turning_order(view.right, view.left, 1);
-  return order <= (width > 3.0 ? 0.0 : width) + kSameDirection || order >= 4.0 - kSameDirection;
-}
-
-/// Returns whether the position lies beyond a gate, seen from the cell.
-bool DiscOptimal::is_behind(std::size_t gate, const Point& position) const {
-  return cross(view_.to(gate) - view_.from(gate), position - view_.from(gate)) < 0.0;
-}
-
-/// Returns whether the direction points from a corner of the cell into the cell. If the corner is the end of a wall
-/// inside the cell, every direction points into the cell.
-bool DiscOptimal::is_in_corner(std::size_t corner, const Point& direction) const {
-  const std::size_t before = corner == 0 ? view_.size() - 1 : corner - 1;
-  const CellEdge& out = view_[corner].edge;
-  const CellEdge& in = view_[before].edge;
-  if (!out.is_gate() && !in.is_gate() && out.h == map_->walls.topology().twin(in.h)) return true;
-  const Point along = view_.to(corner) - view_.from(corner);
-  const double order = turning_order(along, direction, 1);
-  const double end = turning_order(along, view_.from(before) - view_.from(corner), 1);
-  return order <= end + kSameDirection || order >= 4.0 - kSameDirection;
-}
-
-/// Returns whether a corner of the cell is too near to a line from a root.
-bool DiscOptimal::is_obstructed(const Root& root, const Point& direction, double length, Vertex target) const {
-  const double least = map_->radius * (1.0 - kNearness);
-  for (std::size_t i = 0; i < view_.size(); ++i) {
-    const Vertex v = view_[i].vertex;
-    if (v == mesh::kNoVertex || v == target || v == root.vertex) continue;
-    const Point to = view_.from(i) - root.contact.centre;
-    const double along = dot(direction, to);
-    if (along <= 0.0 || along >= length) continue;
-    if (std::abs(cross(direction, to) + root.contact.side * map_->radius) < least) return true;
+/// Returns whether the line from the same root to the same contact failed its test before.
+bool DiscOptimal::has_failed(const Turn& turn, std::uint32_t first) const {
+  for (std::uint32_t i = first; i != kNone; i = failed_[i].next) {
+    if (failed_[i].root == turn.root) return true;
   }
   return false;
 }
 
-void DiscOptimal::look_for_goal(const View& view) {
-  bool has_goal = false;
-  for (std::size_t i = 0; i < view_.size(); ++i) has_goal = has_goal || view_[i].edge == goal_cell_;
-  if (!has_goal) return;
-  const Root& root = roots_[view.root];
-  if (root.contact.side == 0 && root.contact.centre == goal_) {
-    return push(0.0, {Kind::goal, 0, view.root, mesh::kNoVertex, {}, view.cell, {1.0, 0.0}, {1.0, 0.0}, 0.0});
+/// Tests the line of a turn. If vertices beside the line are in the way, adds the turns around them.
+bool DiscOptimal::test(const Turn& turn, const DiscLine::End& end, HalfEdge face) {
+  if (line_.is_clear(*map_, roots_[turn.root].end, end, turn.line, face)) return true;
+  for (const int side : {1, -1}) {
+    const DiscLine::Obstacle& obstacle = side > 0 ? line_.left() : line_.right();
+    if (obstacle.vertex != mesh::kNoVertex) push_turn(turn.root, obstacle.corner, side, obstacle.line);
   }
-  const auto line = tangent(root.contact, {goal_, 0}, map_->radius);
-  if (!line || !is_in_view(view, line->direction)) return;
-  if (is_obstructed(root, line->direction, line->length, mesh::kNoVertex)) return;
-  const double length = length_to(root, line->direction) + line->length;
-  push(length, {Kind::goal, 0, view.root, mesh::kNoVertex, {}, view.cell, line->direction, line->direction, length});
+  return false;
 }
 
-void DiscOptimal::look_for_contacts(const View& view) {
-  const Root root = roots_[view.root];
-  for (std::size_t i = 0; i < view_.size(); ++i) {
-    const Vertex v = view_[i].vertex;
-    if (v == mesh::kNoVertex || v == root.vertex) continue;
-    for (const int side : {1, -1}) {
-      const Contact contact{view_.from(i), side};
-      const auto line = tangent(root.contact, contact, map_->radius);
-      if (!line || !is_in_view(view, line->direction)) continue;
-      const Point touching = touching_point(contact, line->direction, map_->radius);
-      if (!is_in_corner(i, touching - contact.centre)) continue;
-      if (is_obstructed(root, line->direction, line->length, v)) continue;
-      const double length = length_to(root, line->direction) + line->length;
-      push(length + distance(touching, goal_),
-           {Kind::contact, side, view.root, v, view_[i].edge, view.cell, line->direction, line->direction, length});
+/// Returns the corner at the same vertex that contains a direction. Looks at the corners around the vertex that no wall
+/// separates from `corner`. Returns kNoHalfEdge if there is none.
+HalfEdge DiscOptimal::corner_towards(HalfEdge corner, const Point& direction, int turn) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Point from = map_->position(mesh.origin(corner));
+  const auto contains = [&](HalfEdge h) {
+    return cross(map_->position(mesh.target(h)) - from, direction) >= 0.0 &&
+           cross(map_->position(mesh.apex(h)) - from, direction) < 0.0;
+  };
+  for (const int side : {-turn, turn}) {
+    for (HalfEdge at = corner;;) {
+      if (contains(at)) return at;
+      const HalfEdge spoke = side < 0 ? at : mesh.next_around(at);
+      if (mesh.is_fixed(spoke)) break;
+      at = side < 0 ? mesh.previous_around(at) : spoke;
+      if (at == corner) return mesh::kNoHalfEdge;
     }
   }
+  return mesh::kNoHalfEdge;
 }
 
-// A cell may lie on both sides of a bridge. A straight line does not cross this bridge twice.
-void DiscOptimal::look_through_gates(const View& view) {
-  const CellEdge& entry = view_[0].edge;
-  for (std::size_t gate = view.is_inside ? 0 : 1; gate < view_.size(); ++gate) {
-    const bool is_entry = !view.is_inside && view_[gate].edge == map_->cells.across(entry);
-    if (view_[gate].is_passable && !is_entry) look_through(view, gate);
-  }
-}
-
-/// Offers the window of a gate of the cell. The window contains the directions in view in which a line crosses the gate
-/// at a position where the disc is free. On its way to the gate, the line leaves the corners before the gate on its
-/// right and the corners after the gate on its left.
-void DiscOptimal::look_through(const View& view, std::size_t gate) {
-  const Root& root = roots_[view.root];
-  const Point along = unit(view_.to(gate) - view_.from(gate));
-  const Point right_end = view_.from(gate) + Point{along.x * map_->radius, along.y * map_->radius};
-  const Point left_end = view_.to(gate) - Point{along.x * map_->radius, along.y * map_->radius};
-  const auto to_right = tangent(root.contact, {right_end, 0}, map_->radius);
-  const auto to_left = tangent(root.contact, {left_end, 0}, map_->radius);
-  if (!to_right || !to_left) return;
-  Point right = to_right->direction;
-  Point left = to_left->direction;
-  if (cross(right, left) < -kSameDirection) return;
-  if (view.is_full) return clip_at_start(view, gate, 0, right, left);
-  const View of_gate{view.root, view.cell, true, false, right, left};
-  if (cross(view.right, right) < 0.0) right = view.right;
-  if (cross(left, view.left) < 0.0) left = view.left;
-  for (const Point& bound : {right, left}) {
-    if (!is_in_view(view, bound) || !is_in_view(of_gate, bound)) return;
-  }
-  const std::size_t end = view.is_inside ? view_.size() : view_.size() + 1;
-  for (std::size_t i = 1; i <= gate; ++i) close_in(view, gate, i, -1, left, right);
-  for (std::size_t i = gate + 1; i < end; ++i) close_in(view, gate, i, 1, right, left);
-  if (cross(right, left) >= -kSameDirection) offer(view, gate, right, left);
-}
-
-/// Moves a bound of a window inwards, so that lines to the gate do not come too near to a corner of this cell. Ignores
-/// a corner that would close the whole window: a line may pass this corner before the other bound becomes valid.
-void DiscOptimal::close_in(const View& view, std::size_t gate, std::size_t corner, int side, const Point& other,
-                           Point& bound) const {
-  const std::size_t i = corner == view_.size() ? 0 : corner;
-  const Root& root = roots_[view.root];
-  const Vertex v = view_[i].vertex;
-  if (v == mesh::kNoVertex || v == root.vertex) return;
-  const auto line = tangent(root.contact, {view_.from(i), side}, map_->radius);
-  if (!line) return;
-  if (side * cross(bound, line->direction) >= 0.0 || side * cross(other, line->direction) < 0.0) return;
-  const Point touching = touching_point({view_.from(i), side}, line->direction, map_->radius);
-  if (is_behind(gate, touching) || (!view.is_inside && is_behind(0, touching))) return;
-  bound = line->direction;
-}
-
-/// Replaces the last steps of look_through() if the root is the start. From the start, a line may pass each corner on
-/// the left or on the right. So each corner from number `corner` on removes from the window the directions in which the
-/// corner is too near to the line. This can divide the window into two.
-void DiscOptimal::clip_at_start(const View& view, std::size_t gate, std::size_t corner, const Point& right,
-                                const Point& left) {
-  const Root& root = roots_[view.root];
-  for (std::size_t i = corner; i < view_.size(); ++i) {
-    if (view_[i].vertex == mesh::kNoVertex) continue;
-    const auto on_left = tangent(root.contact, {view_.from(i), 1}, map_->radius);
-    const auto on_right = tangent(root.contact, {view_.from(i), -1}, map_->radius);
-    if (!on_left || !on_right) continue;
-    if (is_behind(gate, touching_point({view_.from(i), 1}, on_left->direction, map_->radius))) continue;
-    if (is_behind(gate, touching_point({view_.from(i), -1}, on_right->direction, map_->radius))) continue;
-    if (cross(right, on_right->direction) <= 0.0 || cross(on_left->direction, left) <= 0.0) continue;
-    if (dot(right, on_right->direction) < 0.0 && dot(left, on_left->direction) < 0.0) continue;
-    if (cross(right, on_left->direction) >= 0.0) clip_at_start(view, gate, i + 1, right, on_left->direction);
-    if (cross(on_right->direction, left) >= 0.0) clip_at_start(view, gate, i + 1, on_right->direction, left);
-    return;
-  }
-  if (cross(right, left) >= -kSameDirection) offer(view, gate, right, left);
-}
-
-/// Returns whether a line in the given direction, from the root of the view, crosses the gate on its way out of the
-/// cell. Without this test, a window that is too wide could make the search go around a vertex without end.
-bool DiscOptimal::crosses(const View& view, std::size_t gate, const Point& direction) const {
-  const double size = waywright::length(direction);
-  if (size < kSameDirection) return true;
-  const Point unit_direction{direction.x / size, direction.y / size};
-  const Point from = touching_point(roots_[view.root].contact, unit_direction, map_->radius);
-  const Point along = view_.to(gate) - view_.from(gate);
-  const double across = cross(along, unit_direction);
-  if (!(across < 0.0)) return false;
-  const double at = cross(along, view_.from(gate) - from) / across;
-  const Point position = from + Point{unit_direction.x * at, unit_direction.y * at};
-  const double share = dot(position - view_.from(gate), along) / squared_length(along);
-  return at > -kSameDirection * waywright::length(along) && share > -kSameDirection && share < 1.0 + kSameDirection &&
-         (view.is_inside || !is_behind(0, position));
-}
-
-void DiscOptimal::offer(const View& view, std::size_t gate, const Point& right, const Point& left) {
-  const Root& root = roots_[view.root];
-  if (!crosses(view, gate, right + left)) return;
-  const Point& nearest = root.contact.side < 0 ? left : right;
-  const Point from = touching_point(root.contact, nearest, map_->radius);
-  const double bound = length_to(root, nearest) + distance_via_segment(from, view_.from(gate), view_.to(gate), goal_);
-  push(bound, {Kind::window, 0, view.root, mesh::kNoVertex, map_->cells.across(view_[gate].edge), view.cell, right,
-               left, 0.0});
-}
-
-/// Walks from cell to cell along a straight line. Returns whether the disc is free everywhere on it. The line starts in
-/// `cell`. Ignores the walls that end at the two vertices.
-bool DiscOptimal::is_clear(const CellEdge& cell, const Point& from, const Point& to, Vertex from_vertex,
-                           Vertex to_vertex) {
-  const double radius = map_->radius * (1.0 - kNearness);
-  const Point along = to - from;
-  CellEdge edge = cell;
-  CellEdge last;  // the gate through which the line came, seen from the cell before
-  for (double progress = -kSameDirection;;) {
-    walk_.load(*map_, edge);
-    double nearest = HUGE_VAL;
-    std::size_t exit = walk_.size();
-    for (std::size_t i = 0; i < walk_.size(); ++i) {
-      const Point& a = walk_.from(i);
-      const Point& b = walk_.to(i);
-      const Vertex v = walk_[i].vertex;
-      if (v != mesh::kNoVertex && v != from_vertex && v != to_vertex &&
-          squared_distance(a, from, to) < radius * radius) {
-        return false;
-      }
-      const Point side = b - a;
-      const double before = cross(side, from - a);
-      const double after = cross(side, to - a);
-      if (!(after < 0.0) || cross(along, a - from) * cross(along, b - from) > 0.0 || walk_[i].edge == last) continue;
-      const double at = before / (before - after);
-      if (walk_[i].edge.is_gate() ? at > progress && at < nearest && at <= 1.0 : before > 0.0) {
-        if (!walk_[i].edge.is_gate()) return false;
-        nearest = at;
-        exit = i;
-      }
+/// Makes the windows of the lines that leave a root. `corner` contains the position at which the path reaches the root.
+/// Goes from corner to corner in the direction of the turn, up to a wall or a bridge that is too short, or until the
+/// path has turned by 180 degrees.
+///
+/// Directions are numbers, their *orders*: 0 is the direction in which the path arrives, 1 and 2 are 90 and 180 degrees
+/// farther in the direction of the turn. -1 is the direction from the vertex to the position of arrival.
+void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Root root = roots_[root_index];
+  const Contact& contact = root.end.contact;
+  const int turn = contact.side;
+  const auto order_of = [&](const Point& direction, double least) {
+    const double order = turning_order(root.direction, direction, turn);
+    return order - 4.0 >= least - kSameDirection ? order - 4.0 : order >= least - kSameDirection ? order : order + 4.0;
+  };
+  Bound first{root.direction, kContinuation};
+  double first_order = 0.0;
+  double spoke_order = -1.0;
+  double reach = 2.0;
+  HalfEdge at = corner;
+  do {
+    // `spoke` is the edge at the vertex to which the turn comes next.
+    const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    const Vertex end = mesh.target(spoke);
+    // A closed bridge to a foot in this corner ends the turn before the spoke.
+    const auto foot = map_->closed_foot(at);
+    const bool has_foot = foot && order_of(*foot - contact.centre, spoke_order) <=
+                                      order_of(map_->position(end) - contact.centre, spoke_order);
+    const bool is_closed = has_foot || map_->is_closed(spoke);
+    const Point to_end = has_foot ? *foot - contact.centre : map_->position(end) - contact.centre;
+    const double end_order = order_of(to_end, spoke_order);
+    const auto line_to_end = tangent(contact, {contact.centre + to_end, 0}, map_->radius);
+    const Bound next{line_to_end ? line_to_end->direction : unit(to_end), has_foot ? mesh::kNoVertex : end};
+    const double next_order = order_of(next.direction, spoke_order);
+    Bound last = next;
+    double last_order = next_order;
+    if (last_order > 2.0) last.direction = opposite(root.direction);
+    if (end_order > 2.0 + kSameDirection) last.anchor = mesh::kNoVertex;
+    if (is_goal_face(mesh::face(at))) {
+      const auto line = tangent(contact, {goal_, 0}, map_->radius);
+      const double order = line ? order_of(line->direction, first_order) : 4.0;
+      if (order <= 2.0 + kSameDirection) push_goal(root_index, *line);
     }
-    if (exit == walk_.size()) return true;
-    if (!walk_[exit].is_passable) return false;
-    last = walk_[exit].edge;
-    edge = map_->cells.across(last);
-    progress = nearest;
-  }
+    const HalfEdge far_edge = mesh::next(at);
+    if (last_order >= first_order - kSameDirection && !map_->is_closed(far_edge)) {
+      Window window{mesh.twin(far_edge), root_index, {first, last}};
+      if (turn < 0) std::swap(window.bounds[0], window.bounds[1]);
+      offer(window);
+    }
+    if (is_closed) {
+      reach = std::clamp(end_order, 0.0, 2.0);
+      break;
+    }
+    spoke_order = end_order;
+    if (next_order > first_order) {
+      first = next;
+      first_order = next_order;
+    } else if (const auto line = tangent(contact, {contact.centre + to_end, -turn}, map_->radius);
+               line && order_of(line->direction, 0.0) <= 2.0) {
+      // The disc touches the vertex if it goes straight on.
+      push_turn(root_index, mesh.twin(spoke), -turn, *line);
+    }
+    at = turn > 0 ? spoke : mesh.previous_around(at);
+  } while (first_order <= 2.0 && spoke_order <= 2.0 && at != corner);
+  roots_[root_index].reach = reach;
 }
 
 double DiscOptimal::arc(const Root& root, const Point& direction) const {
-  if (root.contact.side == 0) return 0.0;
-  const double angle = turning_angle(root.direction, direction, root.contact.side);
+  if (root.end.contact.side == 0 || direction == root.direction) return 0.0;
+  const double angle = turning_angle(root.direction, direction, root.end.contact.side);
   return angle < 2 * kPi - 1.0 ? map_->radius * angle : 0.0;
 }
 
@@ -369,15 +375,16 @@ void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) const {
   std::uint32_t after_root = kNone;
   for (std::uint32_t i = last_root_; i != kNone; i = roots_[i].before) {
     const Root& root = roots_[i];
+    const Contact& contact = root.end.contact;
     DiscPiece piece;
-    piece.from = touching_point(root.contact, direction, map_->radius) + map_->origin;
+    piece.from = touching_point(contact, direction, map_->radius) + map_->origin;
     piece.to = to + map_->origin;
     piece.direction = direction;
     if (pieces.size() > count) {
       const DiscPiece& after = pieces.back();
       const Root& next = roots_[after_root];
-      piece.centre = next.contact.centre + map_->origin;
-      piece.side = arc(next, after.direction) == 0.0 ? 0 : next.contact.side;
+      piece.centre = next.end.contact.centre + map_->origin;
+      piece.turn = arc(next, after.direction) == 0.0 ? 0 : next.end.contact.side;
       piece.end_direction = after.direction;
     }
     if (pieces.size() > count && direction == pieces.back().direction) {
@@ -386,9 +393,9 @@ void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) const {
       pieces.push_back(piece);
     }
     if (arc(root, direction) == 0.0 && root.before != kNone) {
-      pieces.back().from = touching_point(root.contact, root.direction, map_->radius) + map_->origin;
+      pieces.back().from = touching_point(contact, root.direction, map_->radius) + map_->origin;
     }
-    to = touching_point(root.contact, root.direction, map_->radius);
+    to = touching_point(contact, root.direction, map_->radius);
     direction = root.direction;
     after_root = i;
   }

@@ -16,12 +16,12 @@ namespace {
 /// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends.
 void append(const path::DiscPiece& piece, double radius, const Point& next, std::vector<PathPiece>& pieces) {
   if (!(piece.from == piece.to)) pieces.push_back({PathPiece::Kind::line, piece.from, piece.to, {}, 0.0, 0.0, 0.0});
-  if (piece.side == 0) return;
-  const Point spoke{piece.side * piece.direction.y, -piece.side * piece.direction.x};
+  if (piece.turn == 0) return;
+  const Point spoke{piece.turn * piece.direction.y, -piece.turn * piece.direction.x};
   const double start_angle = path::angle_of(spoke);
-  const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.side);
+  const double angle = path::turning_angle(piece.direction, piece.end_direction, piece.turn);
   pieces.push_back(
-      {PathPiece::Kind::arc, piece.to, next, piece.centre, radius, start_angle, start_angle + piece.side * turn});
+      {PathPiece::Kind::arc, piece.to, next, piece.centre, radius, start_angle, start_angle + piece.turn * angle});
 }
 
 }  // namespace
@@ -37,11 +37,9 @@ void World::Impl::find_disc_path(const PathQuery& query, detail::QueryScratch& s
   }
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   const clearance::Bridges& bridges = clearance->bridges();
-  const auto start_cell = scratch.near_walls.find_cell(walls, bridges, query.start);
-  const auto goal_cell = scratch.near_walls.find_cell(walls, bridges, query.goal);
-  const path::DiscMap map{walls, {walls, bridges}, query.radius, query.start};
+  const path::DiscMap map{walls, bridges, query.radius, query.start};
   path::DiscOptimal& search = scratch.disc_search;
-  search.begin(map, query.start, *start_cell, query.goal, *goal_cell);
+  search.begin(map, query.start, query.goal);
   while (!search.step(path.expansions + 1024, path.expansions)) {
   }
   if (!search.is_found()) {

@@ -33,26 +33,23 @@ class Map {
   }
 
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
-    const auto start_cell = near_.find_cell(walls_, *bridges_, start);
-    const auto goal_cell = near_.find_cell(walls_, *bridges_, goal);
-    if (!start_cell || !goal_cell) return std::nullopt;
-    const path::DiscMap map{walls_, {walls_, *bridges_}, radius, start};
-    search_.begin(map, start, *start_cell, goal, *goal_cell);
+    const path::DiscMap map{walls_, *bridges_, radius, start};
+    search_.begin(map, start, goal);
     std::size_t expansions = 0;
-    EXPECT_TRUE(search_.step(1000000, expansions));
+    EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;
     std::vector<path::DiscPiece> pieces;
     search_.write_path(pieces);
     std::vector<disc::Piece> result;
     for (const path::DiscPiece& piece : pieces) {
       if (!(piece.from == piece.to)) result.push_back(disc::Piece::line(piece.from, piece.to));
-      if (piece.side == 0) continue;
+      if (piece.turn == 0) continue;
       const auto angle_at = [&](const Point& direction) {
-        return std::atan2(-piece.side * direction.x, piece.side * direction.y);
+        return std::atan2(-piece.turn * direction.x, piece.turn * direction.y);
       };
       const double from = angle_at(piece.direction);
-      const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.side);
-      if (turn > 0.0) result.push_back(disc::Piece::arc(piece.centre, radius, from, from + piece.side * turn));
+      const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.turn);
+      if (turn > 0.0) result.push_back(disc::Piece::arc(piece.centre, radius, from, from + piece.turn * turn));
     }
     return result;
   }
@@ -61,7 +58,6 @@ class Map {
  private:
   constraint::ExactTriangulation walls_;
   std::optional<clearance::Bridges> bridges_;
-  clearance::NearWalls near_;
   path::DiscOptimal search_;
 };
 
