@@ -5,6 +5,7 @@
 #include "clearance/bridges.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "exact/gap.hpp"
+#include "nav/two_core.hpp"
 
 namespace waywright::path {
 
@@ -16,6 +17,7 @@ struct DiscMap {
   const clearance::Bridges& bridges;
   double radius;
   Point origin;
+  const nav::TwoCore* core = nullptr;  ///< of the walls, or null: the search leaves out dead ends
 
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
   /// The position of a vertex, relative to `origin`.

@@ -1,6 +1,8 @@
 #include "path/disc_optimal.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "path/distance.hpp"
 
@@ -19,6 +21,13 @@ constexpr double kNearness = 0x1p-34;
 constexpr int kFacesBetweenLooks = 8;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
+
+double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double squared = squared_length(along);
+  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+  return squared_length(p - lerp(a, b, share));
+}
 
 /// Returns (1, 0) if the length is 0.
 Point unit(const Point& v) {
@@ -40,14 +49,57 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   failed_.clear();
   at_once_.clear();
   open_.clear();
-  stamp_.next(1, reached_);
+  stamp_.next(1, reached_, goals_below_);
   reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
   const locate::Located at_goal = map.walls.triangulation().locate(goal);
   goal_face_ = at_goal.h;
   goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
   if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
+  count_goal_faces();
   roots_.push_back({{{start_, 0}, mesh::kNoVertex}, {1.0, 0.0}, 0.0, kNone, 0.0, kNone});
   leave_start(map.walls.triangulation().locate(start));
+}
+
+/// Counts the goal faces at each face of the chains that lead from them up to the core.
+void DiscOptimal::count_goal_faces() {
+  if (map_->core == nullptr) return;
+  const nav::TwoCore& core = *map_->core;
+  goals_below_.grow_to(map_->mesh().face_slots());
+  const std::size_t count = goal_faces_[0] == goal_faces_[1] ? 1 : 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (mesh::Face f = goal_faces_[i]; !core.is_core(f);) {
+      GoalsBelow& below = goals_below_[number(f)];
+      if (below.query != stamp_.value()) below = {stamp_.value(), 0};
+      ++below.count;
+      const HalfEdge up = core.towards_core(f);
+      if (up == mesh::kNoHalfEdge) break;
+      f = mesh::face(map_->mesh().twin(up));
+    }
+  }
+}
+
+/// Returns whether a dead end without the goal lies beyond the edge. Requires: the edge is no wall.
+bool DiscOptimal::is_dead_end(HalfEdge exit) const {
+  const nav::TwoCore& core = *map_->core;
+  const auto goals_below = [&](mesh::Face f) {
+    const GoalsBelow& below = goals_below_[number(f)];
+    return below.query == stamp_.value() ? below.count : 0;
+  };
+  if (core.leads_up(exit)) return goals_below(mesh::face(exit)) == (goal_faces_[0] == goal_faces_[1] ? 1U : 2U);
+  return goals_below(mesh::face(map_->mesh().twin(exit))) == 0;
+}
+
+/// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a dead
+/// end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
+/// beyond the edge.
+bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
+  if (map_->is_closed(exit)) return true;
+  if (map_->core != nullptr && !map_->core->is_passage(exit) && is_dead_end(exit)) return true;
+  const Point a = map_->position(map_->mesh().origin(exit));
+  const Point b = map_->position(map_->mesh().target(exit));
+  if (squared_length(b - a) >= 4 * least_ * least_) return false;
+  return root.end.contact.side == 0 ||
+         squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
 }
 
 bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
@@ -87,7 +139,7 @@ void DiscOptimal::leave_start(const locate::Located& location) {
     if (first != location.h && !is_on_edge) break;
     if (is_goal_face(mesh::face(first))) push_goal(0, {unit(goal_ - start_), waywright::length(goal_ - start_)});
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
-      if ((h == first && is_on_edge) || map_->is_closed(h)) continue;
+      if ((h == first && is_on_edge) || is_excluded(roots_[0], h)) continue;
       const Vertex left = mesh.target(h);
       const Vertex right = mesh.origin(h);
       offer({mesh.twin(h),
@@ -121,7 +173,7 @@ void DiscOptimal::follow(Window window) {
     } else {
       return divide(window, apex);
     }
-    if (map_->is_closed(exit)) return;
+    if (is_excluded(root, exit)) return;
     window.entry = mesh.twin(exit);
     if (faces % kFacesBetweenLooks == 0) return offer(window);
   }
@@ -134,7 +186,7 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
   if (!line) return;
   for (const int side : {1, 0}) {
     const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
-    if (map_->is_closed(exit)) continue;
+    if (is_excluded(roots_[window.root], exit)) continue;
     Window beyond = window;
     beyond.entry = mesh.twin(exit);
     beyond.bounds[1 - side] = {line->direction, mesh.apex(window.entry)};
@@ -152,9 +204,10 @@ void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   if (at.anchor != v && !(at.anchor == kContinuation && is_touched_by(window, side, v))) return;
   const HalfEdge near_edge = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
   const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool can_continue = !map_->is_closed(near_edge) || (sees_apex && !map_->is_closed(far_edge));
+  const Root& root = roots_[window.root];
+  const bool can_continue = !is_excluded(root, near_edge) || (sees_apex && !is_excluded(root, far_edge));
   if (!can_continue && !is_goal_face(mesh::face(window.entry))) return;
-  const auto line = tangent(roots_[window.root].end.contact, end_at(v, side).contact, map_->radius);
+  const auto line = tangent(root.end.contact, end_at(v, side).contact, map_->radius);
   if (line) push_turn(window.root, corner, side, *line);
 }
 
@@ -170,6 +223,9 @@ bool DiscOptimal::is_touched_by(const Window& window, int side, Vertex v) const 
 
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line) {
   const Vertex v = map_->mesh().origin(corner);
+  Reached& reached = reached_[2 * number(v) + (turn > 0 ? 1 : 0)];
+  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone, kNone};
+  if (std::exchange(reached.noted, root) == root) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
   turns_.push_back({corner, root, v, turn, line, length});
@@ -204,14 +260,24 @@ void DiscOptimal::offer(const Window& window) {
 /// A lower bound of the length of the paths through the window. If the line begins beyond the edge, the edge says nothing
 /// about the length.
 double DiscOptimal::bound(const Window& window) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
   const Point& nearest = window.bounds[root.end.contact.side < 0 ? 1 : 0].direction;
   const Point from = touching_point(root.end.contact, nearest, map_->radius);
-  const mesh::TriangleMesh& mesh = map_->mesh();
-  const Point right_to_left[] = {map_->position(mesh.target(window.entry)), map_->position(mesh.origin(window.entry))};
-  const bool is_beyond = cross(right_to_left[1] - right_to_left[0], from - right_to_left[0]) < 0.0;
-  return length_to(root, nearest) +
-         (is_beyond ? distance(from, goal_) : distance_via_segment(from, right_to_left[0], right_to_left[1], goal_));
+  const Point left_end = map_->position(mesh.origin(window.entry));
+  const Point edge = map_->position(mesh.target(window.entry)) - left_end;
+  if (cross(edge, from - left_end) > 0.0) return root.length + least_arc(root, nearest) + distance(from, goal_);
+  const Point goal = on_left(left_end, edge, goal_);
+  for (const int side : {1, -1}) {
+    const Point& direction = window.bounds[side > 0 ? 1 : 0].direction;
+    const Point begin = touching_point(root.end.contact, direction, map_->radius);
+    const bool is_before_edge = cross(edge, begin - left_end) <= 0.0 && cross(edge, direction) > 0.0;
+    if (!is_before_edge || !(side * cross(direction, goal - begin) > 0.0)) continue;
+    const std::optional<Point> end = meeting(begin, direction, left_end, edge);
+    if (!end) break;
+    return root.length + least_arc(root, direction) + distance_via_point(begin, *end, goal);
+  }
+  return root.length + least_arc(root, nearest) + distance(from, goal);
 }
 
 void DiscOptimal::expand(const Turn& turn) {
@@ -226,7 +292,6 @@ void DiscOptimal::expand(const Turn& turn) {
     return;
   }
   Reached& reached = reached_[2 * number(turn.vertex) + (turn.turn > 0 ? 1 : 0)];
-  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone};
   if (is_dominated(turn, reached.root) || has_failed(turn, reached.failed)) return;
   const DiscLine::End end = end_at(turn.vertex, turn.turn);
   const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
@@ -274,24 +339,21 @@ bool DiscOptimal::test(const Turn& turn, const DiscLine::End& end, HalfEdge face
   return false;
 }
 
-/// Returns the corner at the same vertex that contains a direction. Looks at the corners around the vertex that no wall
-/// separates from `corner`. Returns kNoHalfEdge if there is none.
+/// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
+/// direction of the turn. Returns kNoHalfEdge if the direction leads out of the domain.
 HalfEdge DiscOptimal::corner_towards(HalfEdge corner, const Point& direction, int turn) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Point from = map_->position(mesh.origin(corner));
   const auto contains = [&](HalfEdge h) {
-    return cross(map_->position(mesh.target(h)) - from, direction) >= 0.0 &&
+    return !map_->walls.triangulation().is_ghost_face(h) &&
+           cross(map_->position(mesh.target(h)) - from, direction) >= 0.0 &&
            cross(map_->position(mesh.apex(h)) - from, direction) < 0.0;
   };
-  for (const int side : {-turn, turn}) {
-    for (HalfEdge at = corner;;) {
-      if (contains(at)) return at;
-      const HalfEdge spoke = side < 0 ? at : mesh.next_around(at);
-      if (mesh.is_fixed(spoke)) break;
-      at = side < 0 ? mesh.previous_around(at) : spoke;
-      if (at == corner) return mesh::kNoHalfEdge;
-    }
-  }
+  HalfEdge at = corner;
+  do {
+    if (contains(at)) return at;
+    at = turn > 0 ? mesh.previous_around(at) : mesh.next_around(at);
+  } while (at != corner);
   return mesh::kNoHalfEdge;
 }
 
@@ -339,7 +401,7 @@ void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
       if (order <= 2.0 + kSameDirection) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
-    if (last_order >= first_order - kSameDirection && !map_->is_closed(far_edge)) {
+    if (last_order >= first_order - kSameDirection && !is_excluded(root, far_edge)) {
       Window window{mesh.twin(far_edge), root_index, {first, last}};
       if (turn < 0) std::swap(window.bounds[0], window.bounds[1]);
       offer(window);
@@ -360,6 +422,13 @@ void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
     at = turn > 0 ? spoke : mesh.previous_around(at);
   } while (first_order <= 2.0 && spoke_order <= 2.0 && at != corner);
   roots_[root_index].reach = reach;
+}
+
+/// A lower bound of arc(): the first terms of the series that gives the angle from the length of the chord.
+double DiscOptimal::least_arc(const Root& root, const Point& direction) const {
+  if (root.end.contact.side == 0) return 0.0;
+  const double square = squared_length(direction - root.direction);
+  return map_->radius * std::sqrt(square) * (1.0 + square * (1.0 / 24 + square * (3.0 / 640)));
 }
 
 double DiscOptimal::arc(const Root& root, const Point& direction) const {

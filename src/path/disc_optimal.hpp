@@ -102,6 +102,9 @@ class DiscOptimal {
     return {{map_->position(v), turn}, v};
   }
 
+  void count_goal_faces();
+  [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_excluded(const Root& root, mesh::HalfEdge exit) const;
   void leave_start(const locate::Located& location);
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
@@ -126,6 +129,7 @@ class DiscOptimal {
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
     return root.length + arc(root, direction);
   }
+  [[nodiscard]] double least_arc(const Root& root, const Point& direction) const;
   [[nodiscard]] double bound(const Window& window) const;
 
   const DiscMap* map_ = nullptr;
@@ -151,9 +155,16 @@ class DiscOptimal {
   struct Reached {
     std::uint32_t query;
     std::uint32_t root;    ///< the last root there
+    std::uint32_t noted;   ///< the root of the last turn there
     std::uint32_t failed;  ///< the last line to it that failed its test, in `failed_`
   };
   memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn
+  /// For a face in a dead end: how many goal faces lie in its subtree, including the face itself.
+  struct GoalsBelow {
+    std::uint32_t query;
+    std::uint32_t count;
+  };
+  memory::ZeroedArray<GoalsBelow> goals_below_;  ///< by face outside the core
   memory::Stamp stamp_;
 };
 
