@@ -56,7 +56,7 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
   if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
   count_goal_faces();
-  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, {1.0, 0.0}, 0.0, kNone, 0.0, kNone});
+  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, kNone});
   leave_start(map.walls.triangulation().locate(start));
 }
 
@@ -292,33 +292,49 @@ void DiscOptimal::expand(const Turn& turn) {
     return;
   }
   Reached& reached = reached_[2 * number(turn.vertex) + (turn.turn > 0 ? 1 : 0)];
-  if (is_dominated(turn, reached.root) || has_failed(turn, reached.failed)) return;
+  if (has_failed(turn, reached.failed)) return;
   const DiscLine::End end = end_at(turn.vertex, turn.turn);
   const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
   const HalfEdge corner = corner_towards(turn.corner, touching - end.contact.centre, turn.turn);
-  if (corner == mesh::kNoHalfEdge) return;
+  if (corner == mesh::kNoHalfEdge || is_dominated(turn, corner, reached.root)) return;
   const HalfEdge face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
   if (face == mesh::kNoHalfEdge || !test(turn, end, face)) {
     failed_.push_back({turn.root, reached.failed});
     reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
     return;
   }
-  roots_.push_back({end, turn.line.direction, turn.length, turn.root, 0.0, reached.root});
+  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, reached.root});
   reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
   turn_around(reached.root, corner);
 }
 
-/// Returns whether an earlier path to the contact can also turn to the same direction, and is then not longer.
-bool DiscOptimal::is_dominated(const Turn& turn, std::uint32_t first) const {
+/// Returns whether an earlier path to the contact, continued along the circle in either direction, is not longer.
+bool DiscOptimal::is_dominated(const Turn& turn, HalfEdge corner, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
-    const double order = turning_order(root.direction, turn.line.direction, turn.turn);
-    const bool is_same = order > 4.0 - kSameDirection;
-    if (order > root.reach && !is_same) continue;
-    const double length = is_same ? root.length : length_to(root, turn.line.direction);
-    if (length <= turn.length) return true;
+    if (root.length > turn.length) continue;
+    const bool is_before = turn.turn * cross(root.direction, turn.line.direction) >= 0.0;
+    const double angle = turning_angle(root.direction, turn.line.direction, is_before ? turn.turn : -turn.turn);
+    if (root.length + map_->radius * angle > turn.length) continue;
+    if (is_before ? are_on_one_arc(root.corner, corner, turn.turn) : are_on_one_arc(corner, root.corner, turn.turn)) {
+      return true;
+    }
   }
   return false;
+}
+
+/// Returns whether a disc can move along the circle around a vertex from one corner to another, in the direction of the
+/// turn.
+bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  for (HalfEdge at = from;;) {
+    if (map_->closed_foot(at)) return false;
+    if (at == to) return true;
+    const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    if (map_->is_closed(spoke)) return false;
+    at = turn > 0 ? spoke : mesh.previous_around(at);
+    if (at == from) return false;
+  }
 }
 
 /// Returns whether the line from the same root to the same contact failed its test before.
@@ -375,7 +391,6 @@ void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
   Bound first{root.direction, kContinuation};
   double first_order = 0.0;
   double spoke_order = -1.0;
-  double reach = 2.0;
   HalfEdge at = corner;
   do {
     // `spoke` is the edge at the vertex to which the turn comes next.
@@ -406,10 +421,7 @@ void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
       if (turn < 0) std::swap(window.bounds[0], window.bounds[1]);
       offer(window);
     }
-    if (is_closed) {
-      reach = std::clamp(end_order, 0.0, 2.0);
-      break;
-    }
+    if (is_closed) return;
     spoke_order = end_order;
     if (next_order > first_order) {
       first = next;
@@ -421,7 +433,6 @@ void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
     }
     at = turn > 0 ? spoke : mesh.previous_around(at);
   } while (first_order <= 2.0 && spoke_order <= 2.0 && at != corner);
-  roots_[root_index].reach = reach;
 }
 
 /// A lower bound of arc(): the first terms of the series that gives the angle from the length of the chord.

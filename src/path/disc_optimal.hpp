@@ -62,10 +62,10 @@ class DiscOptimal {
   /// A contact that the search has reached, or the start.
   struct Root {
     DiscLine::End end;
+    mesh::HalfEdge corner;         ///< starts at the vertex and contains the position of the disc when it arrives
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
     std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
-    double reach = 0.0;            ///< how far the path can turn here, as turning_order() from `direction`
     std::uint32_t next = kNone;    ///< another root at the same contact
   };
 
@@ -116,7 +116,8 @@ class DiscOptimal {
   void offer(const Window& window);
 
   void expand(const Turn& turn);
-  [[nodiscard]] bool is_dominated(const Turn& turn, std::uint32_t first) const;
+  [[nodiscard]] bool is_dominated(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
+  [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
   [[nodiscard]] bool has_failed(const Turn& turn, std::uint32_t first) const;
   [[nodiscard]] bool test(const Turn& turn, const DiscLine::End& end, mesh::HalfEdge face);
   [[nodiscard]] mesh::HalfEdge corner_towards(mesh::HalfEdge corner, const Point& direction, int turn) const;
