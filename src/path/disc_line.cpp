@@ -54,7 +54,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
     if (v != mesh::kNoVertex) look_at_feet(v);
   }
   if (!is_blocked_) walk(face);
-  return !is_blocked_ && left().vertex == mesh::kNoVertex && right().vertex == mesh::kNoVertex;
+  return !is_blocked_;
 }
 
 /// Walks along the line from its end to its start, so left and right are exchanged.
@@ -69,35 +69,44 @@ void DiscLine::walk(HalfEdge face) {
   HalfEdge exit = mesh::kNoHalfEdge;
   visited_[number(mesh::face(face))] = stamp_.value();
   for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
-    look_at_vertex(h, offset(mesh.origin(h)) > 0.0 ? -1 : 1);
+    look_at_vertex(h);
     const bool is_exit =
         exit == mesh::kNoHalfEdge && is_beyond(h) && offset(mesh.origin(h)) <= 0.0 && offset(mesh.target(h)) >= 0.0;
     if (is_exit) exit = h;
   }
   for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
-    if (h != exit) look_beside(h, offset(mesh.origin(h)) + offset(mesh.target(h)) > 0.0 ? -1 : 1);
+    if (h != exit) look_beside(h);
   }
-  while (exit != mesh::kNoHalfEdge && !is_blocked_) {
-    if (map_->is_closed(exit)) {
-      is_blocked_ = true;
-      return;
-    }
+  while (exit != mesh::kNoHalfEdge) {
+    if (map_->is_closed(exit)) return look_at_closed(exit);
     const HalfEdge entry = mesh.twin(exit);
     visited_[number(mesh::face(entry))] = stamp_.value();
     const bool is_apex_left = offset(mesh.apex(entry)) > 0.0;
-    look_at_vertex(mesh::previous(entry), is_apex_left ? -1 : 1);
+    look_at_vertex(mesh::previous(entry));
     const HalfEdge left = mesh::previous(entry);
     const HalfEdge right = mesh::next(entry);
     exit = is_apex_left ? right : left;
-    look_beside(is_apex_left ? left : right, is_apex_left ? -1 : 1);
+    look_beside(is_apex_left ? left : right);
     if (is_beyond(exit)) continue;
-    look_beside(exit, is_apex_left ? 1 : -1);
+    look_beside(exit);
     return;
   }
 }
 
-/// Visits the faces beyond `h` that are near the line. They lie left of the line if `side` is 1, and right if it is -1.
-void DiscLine::look_beside(HalfEdge h, int side) {
+/// The line crosses a wall, or a gap that is too narrow. If it passes an end of it on the wrong side and near enough,
+/// the path has to turn around this end.
+void DiscLine::look_at_closed(HalfEdge exit) {
+  is_blocked_ = true;
+  for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {
+    const Vertex v = map_->mesh().origin(corner);
+    const Point position = map_->position(v);
+    if (v == from_.vertex || v == to_.vertex || squared_distance(position) >= least_) continue;
+    note_obstacle(corner);
+  }
+}
+
+/// Visits the faces beyond `h` that are near the line.
+void DiscLine::look_beside(HalfEdge h) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   to_enter_.assign({h});
   while (!to_enter_.empty()) {
@@ -113,11 +122,12 @@ void DiscLine::look_beside(HalfEdge h, int side) {
     const Point a = map_->position(mesh.origin(at));
     const Point b = map_->position(mesh.target(at));
     // The edge does not cross the line. So the nearest positions include an end of the edge or an end of the line.
-    const double nearest = std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
-                                     squared_distance_to_segment(end_, a, b)});
+    const double nearest =
+        std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
+                  squared_distance_to_segment(end_, a, b)});
     if (nearest >= least_) continue;
     visited_[number(mesh::face(beyond))] = stamp_.value();
-    look_at_vertex(mesh::previous(beyond), side);
+    look_at_vertex(mesh::previous(beyond));
     to_enter_.push_back(mesh::next(beyond));
     to_enter_.push_back(mesh::previous(beyond));
   }
@@ -138,7 +148,7 @@ void DiscLine::look_at_wall(HalfEdge h) {
 }
 
 /// `corner` starts at the vertex.
-void DiscLine::look_at_vertex(HalfEdge corner, int side) {
+void DiscLine::look_at_vertex(HalfEdge corner) {
   const Vertex v = map_->mesh().origin(corner);
   if (v == from_.vertex || v == to_.vertex) return;
   const Point position = map_->position(v);
@@ -146,15 +156,24 @@ void DiscLine::look_at_vertex(HalfEdge corner, int side) {
   if (squared > touched_) return;
   look_at_feet(v);
   if (squared >= least_) return;
-  const auto line = tangent(from_.contact, {position, side}, map_->radius);
-  if (!line) {
-    is_blocked_ = true;
-    return;
+  note_obstacle(corner);
+}
+
+/// The path passes the obstacle on the same side as the straight line from centre to centre, with which the search saw
+/// the end of the line.
+void DiscLine::note_obstacle(HalfEdge corner) {
+  const Vertex v = map_->mesh().origin(corner);
+  const Point position = map_->position(v);
+  is_blocked_ = true;
+  const double across = cross(to_.contact.centre - from_.contact.centre, position - from_.contact.centre);
+  for (const int side : {1, -1}) {
+    if (side * across < 0.0) continue;
+    const auto line = tangent(from_.contact, {position, side}, map_->radius);
+    if (!line) continue;
+    Obstacle& first = obstacles_[side > 0 ? 1 : 0];
+    const bool is_first = first.vertex == mesh::kNoVertex || side * cross(line->direction, first.line.direction) > 0.0;
+    if (is_first) first = {v, corner, *line};
   }
-  Obstacle& first = obstacles_[side > 0 ? 1 : 0];
-  const bool is_first =
-      first.vertex == mesh::kNoVertex || side * cross(line->direction, first.line.direction) > 0.0;
-  if (is_first) first = {v, corner, *line};
 }
 
 /// Tests the bridges from the vertex to feet that the line crosses.

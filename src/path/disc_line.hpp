@@ -47,9 +47,11 @@ class DiscLine {
 
  private:
   void walk(mesh::HalfEdge face);
-  void look_beside(mesh::HalfEdge h, int side);
+  void look_beside(mesh::HalfEdge h);
   void look_at_wall(mesh::HalfEdge h);
-  void look_at_vertex(mesh::HalfEdge corner, int side);
+  void look_at_closed(mesh::HalfEdge exit);
+  void look_at_vertex(mesh::HalfEdge corner);
+  void note_obstacle(mesh::HalfEdge corner);
   [[nodiscard]] bool crosses_foot(mesh::HalfEdge corner) const;
   void look_at_feet(mesh::Vertex v);
   [[nodiscard]] double squared_distance(const Point& p) const;

@@ -17,6 +17,9 @@ namespace {
 constexpr double kSameDirection = 0x1p-40;
 /// Allows for rounding: a line may be nearer to a vertex than the radius, by at most this fraction of the radius.
 constexpr double kNearness = 0x1p-34;
+/// If a line leaves a root in a direction that differs by more than this from those in which the path can turn, it
+/// turns back.
+constexpr double kTurnsBack = 0x1p-23;
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenLooks = 8;
 
@@ -56,7 +59,7 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
   if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
   count_goal_faces();
-  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, kNone});
+  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, 2.0, kNone});
   leave_start(map.walls.triangulation().locate(start));
 }
 
@@ -89,8 +92,8 @@ bool DiscOptimal::is_dead_end(HalfEdge exit) const {
   return goals_below(mesh::face(map_->mesh().twin(exit))) == 0;
 }
 
-/// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a dead
-/// end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
+/// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a
+/// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
 /// beyond the edge.
 bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
   if (map_->is_closed(exit)) return true;
@@ -108,7 +111,7 @@ bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
     at_once_bound_ = open_.least_bound();
     const std::uint32_t node = open_.pop();
     if (node % 2 != 0) {
-      expand(Turn(turns_[node / 2]));
+      expand(node / 2);
     } else {
       follow(windows_[node / 2]);
     }
@@ -122,13 +125,15 @@ bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
   return is_found_ || open_.empty();
 }
 
-// If the position lies behind the beginning of the line, the path has passed it on its way around the root.
-int DiscOptimal::side_of(const Root& root, const Point& direction, const Point& position) const {
-  const Point to = position - root.end.contact.centre;
-  const int turn = root.end.contact.side;
-  const double offset = cross(direction, to) + turn * map_->radius;
-  if (turn != 0 && dot(direction, to) < 0.0 && turn * offset < map_->radius) return -turn;
-  return offset > 0.0 ? 1 : offset < 0.0 ? -1 : 0;
+int DiscOptimal::side_of(const Window& window, int side, const Point& position) const {
+  const double across =
+      cross(window.bounds[side > 0 ? 1 : 0].direction, position - roots_[window.root].end.contact.centre);
+  return across > 0.0 ? 1 : across < 0.0 ? -1 : 0;
+}
+
+/// Returns whether a path that leaves the root in this direction turns back there. Allows for rounding.
+bool DiscOptimal::turns_back(const Root& root, const Point& direction) const {
+  return root.end.contact.side * cross(root.direction, direction) < -kTurnsBack;
 }
 
 void DiscOptimal::leave_start(const locate::Located& location) {
@@ -142,9 +147,7 @@ void DiscOptimal::leave_start(const locate::Located& location) {
       if ((h == first && is_on_edge) || is_excluded(roots_[0], h)) continue;
       const Vertex left = mesh.target(h);
       const Vertex right = mesh.origin(h);
-      offer({mesh.twin(h),
-             0,
-             {{unit(map_->position(right) - start_), right}, {unit(map_->position(left) - start_), left}}});
+      offer({mesh.twin(h), 0, {{map_->position(right) - start_, right}, {map_->position(left) - start_, left}}});
     }
   }
 }
@@ -162,11 +165,11 @@ void DiscOptimal::follow(Window window) {
     const HalfEdge right_exit = mesh::next(window.entry);
     const HalfEdge left_exit = mesh::previous(window.entry);
     HalfEdge exit{};
-    if (const int from_left = side_of(root, window.bounds[1].direction, apex); from_left >= 0) {
+    if (const int from_left = side_of(window, 1, apex); from_left >= 0) {
       note_turn(window, 1, from_left > 0);
       exit = right_exit;
       if (from_left == 0) window.bounds[1].anchor = mesh.apex(window.entry);
-    } else if (const int from_right = side_of(root, window.bounds[0].direction, apex); from_right <= 0) {
+    } else if (const int from_right = side_of(window, -1, apex); from_right <= 0) {
       note_turn(window, -1, from_right < 0);
       exit = left_exit;
       if (from_right == 0) window.bounds[0].anchor = mesh.apex(window.entry);
@@ -182,14 +185,12 @@ void DiscOptimal::follow(Window window) {
 /// Continues a window in a face whose apex lies between the bounds of the window.
 void DiscOptimal::divide(const Window& window, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
-  const auto line = tangent(roots_[window.root].end.contact, {apex, 0}, map_->radius);
-  if (!line) return;
   for (const int side : {1, 0}) {
     const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
     if (is_excluded(roots_[window.root], exit)) continue;
     Window beyond = window;
     beyond.entry = mesh.twin(exit);
-    beyond.bounds[1 - side] = {line->direction, mesh.apex(window.entry)};
+    beyond.bounds[1 - side] = {apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
     offer(beyond);
   }
 }
@@ -201,53 +202,48 @@ void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   const HalfEdge corner = side > 0 ? window.entry : mesh::next(window.entry);
   const Vertex v = mesh.origin(corner);
   const Bound& at = window.bounds[side > 0 ? 1 : 0];
-  if (at.anchor != v && !(at.anchor == kContinuation && is_touched_by(window, side, v))) return;
+  if (at.anchor != v) return;
   const HalfEdge near_edge = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
   const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
   const Root& root = roots_[window.root];
   const bool can_continue = !is_excluded(root, near_edge) || (sees_apex && !is_excluded(root, far_edge));
   if (!can_continue && !is_goal_face(mesh::face(window.entry))) return;
   const auto line = tangent(root.end.contact, end_at(v, side).contact, map_->radius);
-  if (line) push_turn(window.root, corner, side, *line);
+  if (line) push_turn(window.root, corner, side, *line, kNone);
 }
 
-/// Returns whether the disc touches the vertex if it goes on from the root in the direction in which it has come.
-/// `side` is the side of the line on which the vertex lies.
-bool DiscOptimal::is_touched_by(const Window& window, int side, Vertex v) const {
-  const Root& root = roots_[window.root];
-  const Point& direction = window.bounds[side > 0 ? 1 : 0].direction;
-  const Point to = map_->position(v) - root.end.contact.centre;
-  const double offset = cross(direction, to) + root.end.contact.side * map_->radius;
-  return dot(direction, to) > 0.0 && std::abs(offset) < map_->radius;
-}
-
-void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line) {
+/// Adds a turn, unless the path would have to turn back at the root to get there: such a path is not the shortest.
+void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
+  if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
-  Reached& reached = reached_[2 * number(v) + (turn > 0 ? 1 : 0)];
-  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone, kNone};
-  if (std::exchange(reached.noted, root) == root) return;
+  Reached& reached = reached_at(v, turn);
+  if (then == kNone && std::exchange(reached.noted, root) == root) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
-  turns_.push_back({corner, root, v, turn, line, length});
+  turns_.push_back({corner, root, v, turn, line, length, then});
   open_.push(length + distance(touching, goal_), static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
+DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
+  Reached& reached = reached_[2 * number(v) + (turn > 0 ? 1 : 0)];
+  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone, kNone};
+  return reached;
+}
+
 void DiscOptimal::reach_goal(const Window& window) {
+  if (side_of(window, 1, goal_) > 0 || side_of(window, -1, goal_) < 0) return;
   const auto line = tangent(roots_[window.root].end.contact, {goal_, 0}, map_->radius);
-  if (!line) return;
-  if (cross(window.bounds[0].direction, line->direction) < -kSameDirection) return;
-  if (cross(line->direction, window.bounds[1].direction) < -kSameDirection) return;
-  push_goal(window.root, *line);
+  if (line) push_goal(window.root, *line);
 }
 
 void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
+  if (turns_back(roots_[root], line.direction)) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
-  turns_.push_back({goal_face_, root, mesh::kNoVertex, 0, line, length});
+  turns_.push_back({goal_face_, root, mesh::kNoVertex, 0, line, length, kNone});
   open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
 void DiscOptimal::offer(const Window& window) {
-  if (cross(window.bounds[0].direction, window.bounds[1].direction) < -kSameDirection) return;
   const double least = bound(window);
   if (least <= at_once_bound_) {
     at_once_.push_back(window);
@@ -257,59 +253,91 @@ void DiscOptimal::offer(const Window& window) {
   open_.push(least, static_cast<std::uint32_t>(2 * windows_.size() - 2));
 }
 
-/// A lower bound of the length of the paths through the window. If the line begins beyond the edge, the edge says nothing
-/// about the length.
+/// A lower bound of the length of the paths through the window. If the disc is beyond the edge when it reaches the
+/// root, the edge says nothing about the length.
 double DiscOptimal::bound(const Window& window) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
-  const Point& nearest = window.bounds[root.end.contact.side < 0 ? 1 : 0].direction;
-  const Point from = touching_point(root.end.contact, nearest, map_->radius);
-  const Point left_end = map_->position(mesh.origin(window.entry));
-  const Point edge = map_->position(mesh.target(window.entry)) - left_end;
-  if (cross(edge, from - left_end) > 0.0) return root.length + least_arc(root, nearest) + distance(from, goal_);
-  const Point goal = on_left(left_end, edge, goal_);
-  for (const int side : {1, -1}) {
-    const Point& direction = window.bounds[side > 0 ? 1 : 0].direction;
-    const Point begin = touching_point(root.end.contact, direction, map_->radius);
-    const bool is_before_edge = cross(edge, begin - left_end) <= 0.0 && cross(edge, direction) > 0.0;
-    if (!is_before_edge || !(side * cross(direction, goal - begin) > 0.0)) continue;
-    const std::optional<Point> end = meeting(begin, direction, left_end, edge);
-    if (!end) break;
-    return root.length + least_arc(root, direction) + distance_via_point(begin, *end, goal);
-  }
-  return root.length + least_arc(root, nearest) + distance(from, goal);
+  const Point from = touching_point(root.end.contact, root.direction, map_->radius);
+  const Point left = map_->position(mesh.origin(window.entry));
+  const Point right = map_->position(mesh.target(window.entry));
+  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, goal_);
+  return root.length + distance_via_segment(from, left, right, goal_);
 }
 
-void DiscOptimal::expand(const Turn& turn) {
+// Takes the turn by value: new turns may move the memory of `turns_`.
+void DiscOptimal::expand(std::uint32_t index) {
   ++expansions_;
-  if (turn.vertex == mesh::kNoVertex) {
-    if (!test(turn, {{goal_, 0}, mesh::kNoVertex}, goal_face_)) return;
-    is_found_ = true;
-    length_ = turn.length;
-    last_root_ = turn.root;
-    last_direction_ = turn.line.direction;
-    at_once_.clear();
-    return;
+  const Turn turn = turns_[index];
+  const Root& from = roots_[turn.root];
+  const double order = turning_order(from.direction, turn.line.direction, from.end.contact.side);
+  if (from.end.contact.side != 0 && order > from.reach + kTurnsBack && order < 4.0 - kTurnsBack) return;
+  if (turn.vertex == mesh::kNoVertex) return try_goal(index);
+  Reached& reached = reached_at(turn.vertex, turn.turn);
+  if (const std::uint32_t failed = failed_line(turn, reached.failed); failed != kNone) {
+    return push_obstacles(index, failed_[failed].left, failed_[failed].right);
   }
-  Reached& reached = reached_[2 * number(turn.vertex) + (turn.turn > 0 ? 1 : 0)];
-  if (has_failed(turn, reached.failed)) return;
   const DiscLine::End end = end_at(turn.vertex, turn.turn);
   const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
   const HalfEdge corner = corner_towards(turn.corner, touching - end.contact.centre, turn.turn);
-  if (corner == mesh::kNoHalfEdge || is_dominated(turn, corner, reached.root)) return;
-  const HalfEdge face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
-  if (face == mesh::kNoHalfEdge || !test(turn, end, face)) {
-    failed_.push_back({turn.root, reached.failed});
-    reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
-    return;
+  if (corner == mesh::kNoHalfEdge) return;
+  if (const std::uint32_t better = dominating_root(turn, corner, reached.root); better != kNone) {
+    return go_on(better, turn.then);
   }
-  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, reached.root});
+  const HalfEdge face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
+  if (face == mesh::kNoHalfEdge) return;
+  if (!line_.is_clear(*map_, from.end, end, turn.line, face)) {
+    failed_.push_back({turn.root, reached.failed, line_.left(), line_.right()});
+    reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
+    return push_obstacles(index, line_.left(), line_.right());
+  }
+  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, 2.0, reached.root});
   reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
   turn_around(reached.root, corner);
+  go_on(static_cast<std::uint32_t>(roots_.size() - 1), turn.then);
 }
 
-/// Returns whether an earlier path to the contact, continued along the circle in either direction, is not longer.
-bool DiscOptimal::is_dominated(const Turn& turn, HalfEdge corner, std::uint32_t first) const {
+void DiscOptimal::try_goal(std::uint32_t index) {
+  const Turn turn = turns_[index];
+  if (!line_.is_clear(*map_, roots_[turn.root].end, {{goal_, 0}, mesh::kNoVertex}, turn.line, goal_face_)) {
+    return push_obstacles(index, line_.left(), line_.right());
+  }
+  is_found_ = true;
+  length_ = turn.length;
+  last_root_ = turn.root;
+  last_direction_ = turn.line.direction;
+  at_once_.clear();
+}
+
+/// Adds the turns around the vertices that are in the way of a line. Behind them, the path goes on to the end of the
+/// line.
+void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right) {
+  for (const int side : {1, -1}) {
+    const DiscLine::Obstacle obstacle = side > 0 ? left : right;
+    if (obstacle.vertex == mesh::kNoVertex) continue;
+    bool is_repeated = false;
+    for (std::uint32_t i = index; i != kNone; i = turns_[i].then) {
+      is_repeated = is_repeated || (turns_[i].vertex == obstacle.vertex && turns_[i].turn == side);
+    }
+    if (!is_repeated) push_turn(turns_[index].root, obstacle.corner, side, obstacle.line, index);
+  }
+}
+
+/// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
+void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
+  if (then == kNone) return;
+  const Turn next = turns_[then];
+  if (next.vertex == mesh::kNoVertex) {
+    if (const auto line = tangent(roots_[root].end.contact, {goal_, 0}, map_->radius)) push_goal(root, *line);
+    return;
+  }
+  const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
+  if (line && next.vertex != roots_[root].end.vertex) push_turn(root, next.corner, next.turn, *line, next.then);
+}
+
+/// Returns a root at the same contact whose path, continued along the circle in either direction, is not longer; or
+/// kNone.
+std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
     if (root.length > turn.length) continue;
@@ -317,10 +345,18 @@ bool DiscOptimal::is_dominated(const Turn& turn, HalfEdge corner, std::uint32_t 
     const double angle = turning_angle(root.direction, turn.line.direction, is_before ? turn.turn : -turn.turn);
     if (root.length + map_->radius * angle > turn.length) continue;
     if (is_before ? are_on_one_arc(root.corner, corner, turn.turn) : are_on_one_arc(corner, root.corner, turn.turn)) {
-      return true;
+      return i;
     }
   }
-  return false;
+  return kNone;
+}
+
+/// Returns the entry in `failed_` of the line from the same root to the same contact, or kNone.
+std::uint32_t DiscOptimal::failed_line(const Turn& turn, std::uint32_t first) const {
+  for (std::uint32_t i = first; i != kNone; i = failed_[i].next) {
+    if (failed_[i].root == turn.root) return i;
+  }
+  return kNone;
 }
 
 /// Returns whether a disc can move along the circle around a vertex from one corner to another, in the direction of the
@@ -335,24 +371,6 @@ bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
     at = turn > 0 ? spoke : mesh.previous_around(at);
     if (at == from) return false;
   }
-}
-
-/// Returns whether the line from the same root to the same contact failed its test before.
-bool DiscOptimal::has_failed(const Turn& turn, std::uint32_t first) const {
-  for (std::uint32_t i = first; i != kNone; i = failed_[i].next) {
-    if (failed_[i].root == turn.root) return true;
-  }
-  return false;
-}
-
-/// Tests the line of a turn. If vertices beside the line are in the way, adds the turns around them.
-bool DiscOptimal::test(const Turn& turn, const DiscLine::End& end, HalfEdge face) {
-  if (line_.is_clear(*map_, roots_[turn.root].end, end, turn.line, face)) return true;
-  for (const int side : {1, -1}) {
-    const DiscLine::Obstacle& obstacle = side > 0 ? line_.left() : line_.right();
-    if (obstacle.vertex != mesh::kNoVertex) push_turn(turn.root, obstacle.corner, side, obstacle.line);
-  }
-  return false;
 }
 
 /// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
@@ -373,73 +391,55 @@ HalfEdge DiscOptimal::corner_towards(HalfEdge corner, const Point& direction, in
   return mesh::kNoHalfEdge;
 }
 
-/// Makes the windows of the lines that leave a root. `corner` contains the position at which the path reaches the root.
-/// Goes from corner to corner in the direction of the turn, up to a wall or a bridge that is too short, or until the
-/// path has turned by 180 degrees.
+/// Makes the windows of a root. `corner` contains the position at which the path reaches the root. Goes from corner to
+/// corner in the direction of the turn, up to a wall or a gap that is too narrow, or until the path has turned by 180
+/// degrees.
 ///
 /// Directions are numbers, their *orders*: 0 is the direction in which the path arrives, 1 and 2 are 90 and 180 degrees
 /// farther in the direction of the turn. -1 is the direction from the vertex to the position of arrival.
 void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root root = roots_[root_index];
-  const Contact& contact = root.end.contact;
-  const int turn = contact.side;
-  const auto order_of = [&](const Point& direction, double least) {
-    const double order = turning_order(root.direction, direction, turn);
-    return order - 4.0 >= least - kSameDirection ? order - 4.0 : order >= least - kSameDirection ? order : order + 4.0;
-  };
-  Bound first{root.direction, kContinuation};
-  double first_order = 0.0;
-  double spoke_order = -1.0;
+  const Point& centre = root.end.contact.centre;
+  const int turn = root.end.contact.side;
+  Bound first{{turn * root.direction.y, -turn * root.direction.x}, mesh::kNoVertex};
+  double order = -1.0;
   HalfEdge at = corner;
   do {
     // `spoke` is the edge at the vertex to which the turn comes next.
     const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
     const Vertex end = mesh.target(spoke);
-    // A closed bridge to a foot in this corner ends the turn before the spoke.
-    const auto foot = map_->closed_foot(at);
-    const bool has_foot = foot && order_of(*foot - contact.centre, spoke_order) <=
-                                      order_of(map_->position(end) - contact.centre, spoke_order);
-    const bool is_closed = has_foot || map_->is_closed(spoke);
-    const Point to_end = has_foot ? *foot - contact.centre : map_->position(end) - contact.centre;
-    const double end_order = order_of(to_end, spoke_order);
-    const auto line_to_end = tangent(contact, {contact.centre + to_end, 0}, map_->radius);
-    const Bound next{line_to_end ? line_to_end->direction : unit(to_end), has_foot ? mesh::kNoVertex : end};
-    const double next_order = order_of(next.direction, spoke_order);
-    Bound last = next;
-    double last_order = next_order;
-    if (last_order > 2.0) last.direction = opposite(root.direction);
-    if (end_order > 2.0 + kSameDirection) last.anchor = mesh::kNoVertex;
+    Bound last{map_->position(end) - centre, end};
+    const double end_order = turning_order(root.direction, last.direction, turn);
+    order = end_order - 4.0 >= order ? end_order - 4.0 : end_order;
+    if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
     if (is_goal_face(mesh::face(at))) {
-      const auto line = tangent(contact, {goal_, 0}, map_->radius);
-      const double order = line ? order_of(line->direction, first_order) : 4.0;
-      if (order <= 2.0 + kSameDirection) push_goal(root_index, *line);
+      if (const auto line = tangent(root.end.contact, {goal_, 0}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
-    if (last_order >= first_order - kSameDirection && !is_excluded(root, far_edge)) {
+    if (!is_excluded(root, far_edge)) {
       Window window{mesh.twin(far_edge), root_index, {first, last}};
       if (turn < 0) std::swap(window.bounds[0], window.bounds[1]);
       offer(window);
     }
-    if (is_closed) return;
-    spoke_order = end_order;
-    if (next_order > first_order) {
-      first = next;
-      first_order = next_order;
-    } else if (const auto line = tangent(contact, {contact.centre + to_end, -turn}, map_->radius);
-               line && order_of(line->direction, 0.0) <= 2.0) {
-      // The disc touches the vertex if it goes straight on.
-      push_turn(root_index, mesh.twin(spoke), -turn, *line);
+    if (const auto foot = map_->closed_foot(at)) {
+      // A bridge to a foot before the arrival does not matter.
+      const double foot_order = turning_order(root.direction, *foot - centre, turn);
+      const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
+      if (reach >= 0.0) {
+        roots_[root_index].reach = reach;
+        return;
+      }
     }
+    if (order > 2.0) return;
+    if (map_->is_closed(spoke)) {
+      // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
+      roots_[root_index].reach = mesh.is_fixed(spoke) ? order : order + 1.0;
+      return;
+    }
+    first = last;
     at = turn > 0 ? spoke : mesh.previous_around(at);
-  } while (first_order <= 2.0 && spoke_order <= 2.0 && at != corner);
-}
-
-/// A lower bound of arc(): the first terms of the series that gives the angle from the length of the chord.
-double DiscOptimal::least_arc(const Root& root, const Point& direction) const {
-  if (root.end.contact.side == 0) return 0.0;
-  const double square = squared_length(direction - root.direction);
-  return map_->radius * std::sqrt(square) * (1.0 + square * (1.0 / 24 + square * (3.0 / 640)));
+  } while (at != corner);
 }
 
 double DiscOptimal::arc(const Root& root, const Point& direction) const {

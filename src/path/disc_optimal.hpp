@@ -56,9 +56,6 @@ class DiscOptimal {
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// The anchor of a bound that goes straight on from the root in the direction in which the path has come.
-  static constexpr mesh::Vertex kContinuation{0xfffffffe};
-
   /// A contact that the search has reached, or the start.
   struct Root {
     DiscLine::End end;
@@ -66,13 +63,14 @@ class DiscOptimal {
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
     std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
+    double reach = 2.0;            ///< how far the path can turn here, as turning_order() from `direction`
     std::uint32_t next = kNone;    ///< another root at the same contact
   };
 
-  /// A bound of a window, in a direction from its root.
+  /// A bound of a window: a ray from the centre of its root.
   struct Bound {
     Point direction;
-    mesh::Vertex anchor = mesh::kNoVertex;  ///< the vertex that the line touches, or kNoVertex
+    mesh::Vertex anchor = mesh::kNoVertex;  ///< the vertex through which the line goes, or kNoVertex
   };
   struct Window {
     mesh::HalfEdge entry;  ///< in the face beyond the edge
@@ -86,21 +84,30 @@ class DiscOptimal {
     mesh::Vertex vertex;  ///< kNoVertex at the goal
     int turn;             ///< 1 if the path turns left around the vertex, -1 if right, 0 at the goal
     Tangent line;
-    double length;  ///< of the path to the end of the line
+    double length;       ///< of the path to the end of the line
+    std::uint32_t then;  ///< the turn, in `turns_`, that the path attempts next, or kNone
   };
 
   /// A line that failed its test.
   struct Failed {
     std::uint32_t root;  ///< where the line starts
     std::uint32_t next;
+    DiscLine::Obstacle left;
+    DiscLine::Obstacle right;
   };
 
-  /// Where an apex lies relative to the lines of a window that has one direction: 1 if left, -1 if right, 0 if it is too
-  /// near.
-  [[nodiscard]] int side_of(const Root& root, const Point& direction, const Point& position) const;
-  [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const {
-    return {{map_->position(v), turn}, v};
-  }
+  struct Reached {
+    std::uint32_t query;
+    std::uint32_t root;    ///< the last root there
+    std::uint32_t noted;   ///< the root of the last turn there
+    std::uint32_t failed;  ///< the last line to it that failed its test, in `failed_`
+  };
+
+  [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
+  /// Where a position lies relative to the bound on this side: 1 if left, -1 if right, 0 if on it.
+  [[nodiscard]] int side_of(const Window& window, int side, const Point& position) const;
+  [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
+  [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
   void count_goal_faces();
   [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
@@ -109,17 +116,18 @@ class DiscOptimal {
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
   void note_turn(const Window& window, int side, bool sees_apex);
-  [[nodiscard]] bool is_touched_by(const Window& window, int side, mesh::Vertex v) const;
-  void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line);
+  void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
   void reach_goal(const Window& window);
   void push_goal(std::uint32_t root, const Tangent& line);
   void offer(const Window& window);
 
-  void expand(const Turn& turn);
-  [[nodiscard]] bool is_dominated(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
+  void expand(std::uint32_t index);
+  void try_goal(std::uint32_t index);
+  void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
+  void go_on(std::uint32_t root, std::uint32_t then);
+  [[nodiscard]] std::uint32_t dominating_root(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
+  [[nodiscard]] std::uint32_t failed_line(const Turn& turn, std::uint32_t first) const;
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
-  [[nodiscard]] bool has_failed(const Turn& turn, std::uint32_t first) const;
-  [[nodiscard]] bool test(const Turn& turn, const DiscLine::End& end, mesh::HalfEdge face);
   [[nodiscard]] mesh::HalfEdge corner_towards(mesh::HalfEdge corner, const Point& direction, int turn) const;
   void turn_around(std::uint32_t root, mesh::HalfEdge corner);
 
@@ -130,7 +138,6 @@ class DiscOptimal {
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
     return root.length + arc(root, direction);
   }
-  [[nodiscard]] double least_arc(const Root& root, const Point& direction) const;
   [[nodiscard]] double bound(const Window& window) const;
 
   const DiscMap* map_ = nullptr;
@@ -153,12 +160,6 @@ class DiscOptimal {
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
   OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turns_` + 1
   DiscLine line_;
-  struct Reached {
-    std::uint32_t query;
-    std::uint32_t root;    ///< the last root there
-    std::uint32_t noted;   ///< the root of the last turn there
-    std::uint32_t failed;  ///< the last line to it that failed its test, in `failed_`
-  };
   memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn
   /// For a face in a dead end: how many goal faces lie in its subtree, including the face itself.
   struct GoalsBelow {
