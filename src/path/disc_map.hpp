@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "clearance/bridges.hpp"
@@ -9,15 +10,29 @@
 
 namespace waywright::path {
 
-/// The input of a search for the path of a disc: the walls of a world, their bridges, and the radius of the disc. The
-/// search uses positions relative to `origin`, which the caller chooses near the query, so that doubles are precise far
-/// from (0, 0).
-struct DiscMap {
+/// The input of a search for the path of a disc: the walls of a world, their bridges, and the radius of the disc.
+class DiscMap {
+ public:
+  /// `core` is the two-core of the walls, or null. The search uses it to leave out dead ends.
+  DiscMap(const constraint::ExactTriangulation& walls, const clearance::Bridges& bridges, double radius,
+          const Point& start, const nav::TwoCore* core = nullptr)
+      : walls(walls), bridges(bridges), core(core), exact_radius_(radius) {
+    const Box& domain = walls.domain();
+    const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
+    const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
+    if (largest > 1024.0 * extent) origin = start;
+    this->radius = std::max(radius, kLeastRadius * extent);
+  }
+
   const constraint::ExactTriangulation& walls;
   const clearance::Bridges& bridges;
+  const nav::TwoCore* core;
+  /// The radius for computations in doubles. It is larger than the exact radius if that one is so small that doubles
+  /// cannot tell a position at this distance from a vertex from the vertex itself.
   double radius;
+  /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
+  /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.
   Point origin;
-  const nav::TwoCore* core = nullptr;  ///< of the walls, or null: the search leaves out dead ends
 
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
   /// The position of a vertex, relative to `origin`.
@@ -33,7 +48,7 @@ struct DiscMap {
     const exact::Geometry& geometry = walls.triangulation().geometry();
     const Point& from = geometry.rounded(number(mesh().origin(h)));
     const Point& to = geometry.rounded(number(mesh().target(h)));
-    return exact::compare_to_diameter({from, to, to}, radius) < 0;
+    return exact::compare_to_diameter({from, to, to}, exact_radius_) < 0;
   }
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
   /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.
@@ -44,9 +59,14 @@ struct DiscMap {
     const constraint::Side& side = walls.any_side(bridges.foot(foot).wall);
     const exact::Gap gap{geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
                          geometry.rounded(number(side.to))};
-    if (exact::compare_to_diameter(gap, radius) >= 0) return std::nullopt;
+    if (exact::compare_to_diameter(gap, exact_radius_) >= 0) return std::nullopt;
     return exact::end(gap) - origin;
   }
+
+ private:
+  static constexpr double kLeastRadius = 0x1p-44;
+
+  double exact_radius_;
 };
 
 }  // namespace waywright::path

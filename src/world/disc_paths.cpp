@@ -38,7 +38,7 @@ void World::Impl::find_disc_path(const PathQuery& query, detail::QueryScratch& s
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   const clearance::Bridges& bridges = clearance->bridges();
   const bool has_abstraction = abstraction && &walls == &triangulation;
-  const path::DiscMap map{walls, bridges, query.radius, query.start, has_abstraction ? &abstraction->core() : nullptr};
+  const path::DiscMap map(walls, bridges, query.radius, query.start, has_abstraction ? &abstraction->core() : nullptr);
   path::DiscOptimal& search = scratch.disc_search;
   search.begin(map, query.start, query.goal);
   while (!search.step(path.expansions + 1024, path.expansions)) {
