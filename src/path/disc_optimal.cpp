@@ -1,364 +1,450 @@
 #include "path/disc_optimal.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "path/distance.hpp"
 
 namespace waywright::path {
 
-using clearance::CellEdge;
+using mesh::HalfEdge;
 using mesh::Vertex;
 
 namespace {
 
-/// Two directions that differ by less than this count as equal when the search decides which corners and gates are in
-/// view. If a view is too wide, this only costs time. If a disc just fits between two vertices, the tangent between
-/// their circles has a length of about the square root of the rounding error, so its direction is uncertain by 2^-26.
-constexpr double kSameDirection = 0x1p-23;
-/// Allows for rounding: a line may be nearer to a wall than the radius, by at most this fraction of the radius.
+/// Two directions that differ by less than this count as equal. If a window is too wide, this only costs time.
+constexpr double kSameDirection = 0x1p-40;
+/// Allows for rounding: a line may be nearer to a vertex than the radius, by at most this fraction of the radius.
 constexpr double kNearness = 0x1p-34;
+/// If a line leaves a root in a direction that differs by more than this from those in which the path can turn, it
+/// turns back.
+constexpr double kTurnsBack = 0x1p-23;
+/// When the search has followed a window over this many faces, it computes the bound of the window again.
+constexpr int kFacesBetweenLooks = 8;
 
-double squared_distance(const Point& p, const Point& a, const Point& b) {
+Point opposite(const Point& v) { return {-v.x, -v.y}; }
+
+double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const Point along = b - a;
-  const double length = squared_length(along);
-  const double share = length > 0.0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0.0;
+  const double squared = squared_length(along);
+  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
   return squared_length(p - lerp(a, b, share));
 }
 
+/// Returns (1, 0) if the length is 0.
 Point unit(const Point& v) {
   const double size = length(v);
-  return {v.x / size, v.y / size};
+  return size > 0.0 ? Point{v.x / size, v.y / size} : Point{1.0, 0.0};
 }
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const Point& start, const CellEdge& start_cell, const Point& goal,
-                        const CellEdge& goal_cell) {
+void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goal) {
   map_ = &map;
   start_ = start - map.origin;
   goal_ = goal - map.origin;
-  goal_cell_ = goal_cell;
   is_found_ = false;
+  least_ = map.radius * (1.0 - kNearness);
   roots_.clear();
-  nodes_.clear();
+  windows_.clear();
+  turns_.clear();
+  failed_.clear();
+  at_once_.clear();
   open_.clear();
-  stamp_.next(1, reached_);
-  reached_.grow_to(std::size_t{2} * map.walls.topology().vertex_slots());
-  roots_.push_back({{start_, 0}, mesh::kNoVertex, {1.0, 0.0}, 0.0, start_cell, kNone, 0.0, kNone});
-  view_.load(map, start_cell);
-  look({0, start_cell, true, true, {1.0, 0.0}, {1.0, 0.0}});
+  stamp_.next(1, reached_, goals_below_);
+  reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
+  const locate::Located at_goal = map.walls.triangulation().locate(goal);
+  goal_face_ = at_goal.h;
+  goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
+  if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
+  count_goal_faces();
+  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, 2.0, kNone});
+  leave_start(map.walls.triangulation().locate(start));
+}
+
+/// Counts the goal faces at each face of the chains that lead from them up to the core.
+void DiscOptimal::count_goal_faces() {
+  if (map_->core == nullptr) return;
+  const nav::TwoCore& core = *map_->core;
+  goals_below_.grow_to(map_->mesh().face_slots());
+  const std::size_t count = goal_faces_[0] == goal_faces_[1] ? 1 : 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (mesh::Face f = goal_faces_[i]; !core.is_core(f);) {
+      GoalsBelow& below = goals_below_[number(f)];
+      if (below.query != stamp_.value()) below = {stamp_.value(), 0};
+      ++below.count;
+      const HalfEdge up = core.towards_core(f);
+      if (up == mesh::kNoHalfEdge) break;
+      f = mesh::face(map_->mesh().twin(up));
+    }
+  }
+}
+
+/// Returns whether a dead end without the goal lies beyond the edge. Requires: the edge is no wall.
+bool DiscOptimal::is_dead_end(HalfEdge exit) const {
+  const nav::TwoCore& core = *map_->core;
+  const auto goals_below = [&](mesh::Face f) {
+    const GoalsBelow& below = goals_below_[number(f)];
+    return below.query == stamp_.value() ? below.count : 0;
+  };
+  if (core.leads_up(exit)) return goals_below(mesh::face(exit)) == (goal_faces_[0] == goal_faces_[1] ? 1U : 2U);
+  return goals_below(mesh::face(map_->mesh().twin(exit))) == 0;
+}
+
+/// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a
+/// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
+/// beyond the edge.
+bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
+  if (map_->is_closed(exit)) return true;
+  if (map_->core != nullptr && !map_->core->is_passage(exit) && is_dead_end(exit)) return true;
+  const Point a = map_->position(map_->mesh().origin(exit));
+  const Point b = map_->position(map_->mesh().target(exit));
+  if (squared_length(b - a) >= 4 * least_ * least_) return false;
+  return root.end.contact.side == 0 ||
+         squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
 }
 
 bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
-  while (!open_.empty() && expansions < limit) {
-    const std::uint32_t i = open_.pop();
-    const Node node = nodes_[i];
-    ++expansions;
-    if (node.kind == Kind::window) {
-      view_.load(*map_, node.edge);
-      look({node.root, node.cell, false, false, node.right, node.left});
-    } else if (node.kind == Kind::contact) {
-      expand_contact(node);
-    } else if (is_clear(node.cell, touching_point(roots_[node.root].contact, node.right, map_->radius), goal_,
-                        roots_[node.root].vertex, mesh::kNoVertex)) {
-      is_found_ = true;
-      length_ = node.length;
-      last_root_ = node.root;
-      last_direction_ = node.right;
-      return true;
+  expansions_ = expansions;
+  while (!is_found_ && !open_.empty() && expansions_ < limit) {
+    at_once_bound_ = open_.least_bound();
+    const std::uint32_t node = open_.pop();
+    if (node % 2 != 0) {
+      expand(node / 2);
+    } else {
+      follow(windows_[node / 2]);
+    }
+    while (!at_once_.empty()) {
+      const Window next = at_once_.back();
+      at_once_.pop_back();
+      follow(next);
     }
   }
-  return open_.empty();
+  expansions = expansions_;
+  return is_found_ || open_.empty();
 }
 
-void DiscOptimal::push(double bound, const Node& node) {
-  nodes_.push_back(node);
-  open_.push(bound, static_cast<std::uint32_t>(nodes_.size() - 1));
+int DiscOptimal::side_of(const Window& window, int side, const Point& position) const {
+  const double across =
+      cross(window.bounds[side > 0 ? 1 : 0].direction, position - roots_[window.root].end.contact.centre);
+  return across > 0.0 ? 1 : across < 0.0 ? -1 : 0;
 }
 
-void DiscOptimal::expand_contact(const Node& node) {
-  const Contact contact{map_->walls.triangulation().geometry().rounded(number(node.vertex)) - map_->origin, node.side};
-  Reached& reached = reached_[2 * number(node.vertex) + (node.side > 0 ? 1 : 0)];
-  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone};
-  if (is_dominated(node, reached.root)) return;
-  const Root& before = roots_[node.root];
-  if (!is_clear(node.cell, touching_point(before.contact, node.right, map_->radius),
-                touching_point(contact, node.right, map_->radius), before.vertex, node.vertex)) {
+/// Returns whether a path that leaves the root in this direction turns back there. Allows for rounding.
+bool DiscOptimal::turns_back(const Root& root, const Point& direction) const {
+  return root.end.contact.side * cross(root.direction, direction) < -kTurnsBack;
+}
+
+void DiscOptimal::leave_start(const locate::Located& location) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  at_once_bound_ = -1.0;
+  const bool is_on_edge = location.kind == locate::LocatedKind::edge;
+  for (const HalfEdge first : {location.h, mesh.twin(location.h)}) {
+    if (first != location.h && !is_on_edge) break;
+    if (is_goal_face(mesh::face(first))) push_goal(0, {unit(goal_ - start_), waywright::length(goal_ - start_)});
+    for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
+      if ((h == first && is_on_edge) || is_excluded(roots_[0], h)) continue;
+      const Vertex left = mesh.target(h);
+      const Vertex right = mesh.origin(h);
+      offer({mesh.twin(h), 0, {{map_->position(right) - start_, right}, {map_->position(left) - start_, left}}});
+    }
+  }
+}
+
+//        apex            The window has entered the face across `entry`, from below: its left end is the edge's
+//       /    \           origin.
+//   origin - target
+void DiscOptimal::follow(Window window) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  for (int faces = 1;; ++faces) {
+    ++expansions_;
+    if (is_goal_face(mesh::face(window.entry))) reach_goal(window);
+    const Root& root = roots_[window.root];
+    const Point apex = map_->position(mesh.apex(window.entry));
+    const HalfEdge right_exit = mesh::next(window.entry);
+    const HalfEdge left_exit = mesh::previous(window.entry);
+    HalfEdge exit{};
+    if (const int from_left = side_of(window, 1, apex); from_left >= 0) {
+      note_turn(window, 1, from_left > 0);
+      exit = right_exit;
+      if (from_left == 0) window.bounds[1].anchor = mesh.apex(window.entry);
+    } else if (const int from_right = side_of(window, -1, apex); from_right <= 0) {
+      note_turn(window, -1, from_right < 0);
+      exit = left_exit;
+      if (from_right == 0) window.bounds[0].anchor = mesh.apex(window.entry);
+    } else {
+      return divide(window, apex);
+    }
+    if (is_excluded(root, exit)) return;
+    window.entry = mesh.twin(exit);
+    if (faces % kFacesBetweenLooks == 0) return offer(window);
+  }
+}
+
+/// Continues a window in a face whose apex lies between the bounds of the window.
+void DiscOptimal::divide(const Window& window, const Point& apex) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  for (const int side : {1, 0}) {
+    const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
+    if (is_excluded(roots_[window.root], exit)) continue;
+    Window beyond = window;
+    beyond.entry = mesh.twin(exit);
+    beyond.bounds[1 - side] = {apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
+    offer(beyond);
+  }
+}
+
+/// Notes the turn around the end of the window's edge if the bound on this side goes through it and there may be a path
+/// behind it. `sees_apex` says whether a path that turns can leave the face across the far edge.
+void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const HalfEdge corner = side > 0 ? window.entry : mesh::next(window.entry);
+  const Vertex v = mesh.origin(corner);
+  const Bound& at = window.bounds[side > 0 ? 1 : 0];
+  if (at.anchor != v) return;
+  const HalfEdge near_edge = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
+  const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
+  const Root& root = roots_[window.root];
+  const bool can_continue = !is_excluded(root, near_edge) || (sees_apex && !is_excluded(root, far_edge));
+  if (!can_continue && !is_goal_face(mesh::face(window.entry))) return;
+  const auto line = tangent(root.end.contact, end_at(v, side).contact, map_->radius);
+  if (line) push_turn(window.root, corner, side, *line, kNone);
+}
+
+/// Adds a turn, unless the path would have to turn back at the root to get there: such a path is not the shortest.
+void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
+  if (turns_back(roots_[root], line.direction)) return;
+  const Vertex v = map_->mesh().origin(corner);
+  Reached& reached = reached_at(v, turn);
+  if (then == kNone && std::exchange(reached.noted, root) == root) return;
+  const double length = length_to(roots_[root], line.direction) + line.length;
+  const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
+  turns_.push_back({corner, root, v, turn, line, length, then});
+  open_.push(length + distance(touching, goal_), static_cast<std::uint32_t>(2 * turns_.size() - 1));
+}
+
+DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
+  Reached& reached = reached_[2 * number(v) + (turn > 0 ? 1 : 0)];
+  if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone, kNone};
+  return reached;
+}
+
+void DiscOptimal::reach_goal(const Window& window) {
+  if (side_of(window, 1, goal_) > 0 || side_of(window, -1, goal_) < 0) return;
+  const auto line = tangent(roots_[window.root].end.contact, {goal_, 0}, map_->radius);
+  if (line) push_goal(window.root, *line);
+}
+
+void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
+  if (turns_back(roots_[root], line.direction)) return;
+  const double length = length_to(roots_[root], line.direction) + line.length;
+  turns_.push_back({goal_face_, root, mesh::kNoVertex, 0, line, length, kNone});
+  open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
+}
+
+void DiscOptimal::offer(const Window& window) {
+  const double least = bound(window);
+  if (least <= at_once_bound_) {
+    at_once_.push_back(window);
     return;
   }
-  roots_.push_back({contact, node.vertex, node.right, node.length, node.edge, node.root, 0.0, reached.root});
-  reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
-  turn(reached.root, node.edge);
+  windows_.push_back(window);
+  open_.push(least, static_cast<std::uint32_t>(2 * windows_.size() - 2));
 }
 
-/// Returns whether an earlier path to the contact can also turn to the node's direction, and is then not longer.
-bool DiscOptimal::is_dominated(const Node& node, std::uint32_t first) const {
+/// A lower bound of the length of the paths through the window. If the disc is beyond the edge when it reaches the
+/// root, the edge says nothing about the length.
+double DiscOptimal::bound(const Window& window) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Root& root = roots_[window.root];
+  const Point from = touching_point(root.end.contact, root.direction, map_->radius);
+  const Point left = map_->position(mesh.origin(window.entry));
+  const Point right = map_->position(mesh.target(window.entry));
+  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, goal_);
+  return root.length + distance_via_segment(from, left, right, goal_);
+}
+
+// Takes the turn by value: new turns may move the memory of `turns_`.
+void DiscOptimal::expand(std::uint32_t index) {
+  ++expansions_;
+  const Turn turn = turns_[index];
+  const Root& from = roots_[turn.root];
+  const double order = turning_order(from.direction, turn.line.direction, from.end.contact.side);
+  if (from.end.contact.side != 0 && order > from.reach + kTurnsBack && order < 4.0 - kTurnsBack) return;
+  if (turn.vertex == mesh::kNoVertex) return try_goal(index);
+  Reached& reached = reached_at(turn.vertex, turn.turn);
+  if (const std::uint32_t failed = failed_line(turn, reached.failed); failed != kNone) {
+    return push_obstacles(index, failed_[failed].left, failed_[failed].right);
+  }
+  const DiscLine::End end = end_at(turn.vertex, turn.turn);
+  const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
+  const HalfEdge corner = corner_towards(turn.corner, touching - end.contact.centre, turn.turn);
+  if (corner == mesh::kNoHalfEdge) return;
+  if (const std::uint32_t better = dominating_root(turn, corner, reached.root); better != kNone) {
+    return go_on(better, turn.then);
+  }
+  const HalfEdge face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
+  if (face == mesh::kNoHalfEdge) return;
+  if (!line_.is_clear(*map_, from.end, end, turn.line, face)) {
+    failed_.push_back({turn.root, reached.failed, line_.left(), line_.right()});
+    reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
+    return push_obstacles(index, line_.left(), line_.right());
+  }
+  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, 2.0, reached.root});
+  reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
+  turn_around(reached.root, corner);
+  go_on(static_cast<std::uint32_t>(roots_.size() - 1), turn.then);
+}
+
+void DiscOptimal::try_goal(std::uint32_t index) {
+  const Turn turn = turns_[index];
+  if (!line_.is_clear(*map_, roots_[turn.root].end, {{goal_, 0}, mesh::kNoVertex}, turn.line, goal_face_)) {
+    return push_obstacles(index, line_.left(), line_.right());
+  }
+  is_found_ = true;
+  length_ = turn.length;
+  last_root_ = turn.root;
+  last_direction_ = turn.line.direction;
+  at_once_.clear();
+}
+
+/// Adds the turns around the vertices that are in the way of a line. Behind them, the path goes on to the end of the
+/// line.
+void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right) {
+  for (const int side : {1, -1}) {
+    const DiscLine::Obstacle obstacle = side > 0 ? left : right;
+    if (obstacle.vertex == mesh::kNoVertex) continue;
+    bool is_repeated = false;
+    for (std::uint32_t i = index; i != kNone; i = turns_[i].then) {
+      is_repeated = is_repeated || (turns_[i].vertex == obstacle.vertex && turns_[i].turn == side);
+    }
+    if (!is_repeated) push_turn(turns_[index].root, obstacle.corner, side, obstacle.line, index);
+  }
+}
+
+/// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
+void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
+  if (then == kNone) return;
+  const Turn next = turns_[then];
+  if (next.vertex == mesh::kNoVertex) {
+    if (const auto line = tangent(roots_[root].end.contact, {goal_, 0}, map_->radius)) push_goal(root, *line);
+    return;
+  }
+  const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
+  if (line && next.vertex != roots_[root].end.vertex) push_turn(root, next.corner, next.turn, *line, next.then);
+}
+
+/// Returns a root at the same contact whose path, continued along the circle in either direction, is not longer; or
+/// kNone.
+std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
-    const double order = turning_order(root.direction, node.right, node.side);
-    const bool is_same = order > 4.0 - kSameDirection;
-    if (order > root.reach && !is_same) continue;
-    const double length = is_same ? root.length : length_to(root, node.right);
-    if (length <= node.length) return true;
-  }
-  return false;
-}
-
-/// Looks from a root into the cells around its vertex, one after the other, in the order in which the path turns
-/// through them. Stops at a wall, at a gate that is too narrow, or when the path has turned by 180 degrees.
-void DiscOptimal::turn(std::uint32_t root, const CellEdge& first) {
-  const int side = roots_[root].contact.side;
-  const Point arrival = roots_[root].direction;
-  Point from = arrival;
-  CellEdge edge = first;
-  for (bool goes_on = true; goes_on;) {
-    view_.load(*map_, edge);
-    const std::size_t last = view_.size() - 1;
-    const Point spoke = unit((side > 0 ? view_.from(last) : view_.to(0)) - view_.from(0));
-    Point to = side > 0 ? left_of(spoke) : Point{spoke.y, -spoke.x};
-    double order = turning_order(arrival, to, side);
-    if (order > 4.0 - kSameDirection) {
-      order = 0.0;
-      to = from;
-    }
-    if (order > 2.0 || order < roots_[root].reach) {
-      order = 2.0;
-      to = {-arrival.x, -arrival.y};
-      goes_on = false;
-    }
-    roots_[root].reach = order;
-    look({root, edge, true, false, side > 0 ? from : to, side > 0 ? to : from});
-    const CellView::Edge& border = view_[side > 0 ? last : 0];
-    if (!border.is_passable) return;
-    const CellEdge beyond = map_->cells.across(border.edge);
-    edge = side > 0 ? beyond : map_->cells.next(beyond);
-    from = to;
-  }
-}
-
-void DiscOptimal::look(const View& view) {
-  look_for_goal(view);
-  look_for_contacts(view);
-  look_through_gates(view);
-}
-
-bool DiscOptimal::is_in_view(const View& view, const Point& direction) const {
-  if (view.is_full) return true;
-  const double order = turning_order(view.right, direction, 1);
-  // No view is wider than 180 degrees. In a view of one direction, rounding may have exchanged the bounds.
-  const double width = turning_order(view.right, view.left, 1);
-  return order <= (width > 3.0 ? 0.0 : width) + kSameDirection || order >= 4.0 - kSameDirection;
-}
-
-/// Returns whether the position lies beyond a gate, seen from the cell.
-bool DiscOptimal::is_behind(std::size_t gate, const Point& position) const {
-  return cross(view_.to(gate) - view_.from(gate), position - view_.from(gate)) < 0.0;
-}
-
-/// Returns whether the direction points from a corner of the cell into the cell. If the corner is the end of a wall
-/// inside the cell, every direction points into the cell.
-bool DiscOptimal::is_in_corner(std::size_t corner, const Point& direction) const {
-  const std::size_t before = corner == 0 ? view_.size() - 1 : corner - 1;
-  const CellEdge& out = view_[corner].edge;
-  const CellEdge& in = view_[before].edge;
-  if (!out.is_gate() && !in.is_gate() && out.h == map_->walls.topology().twin(in.h)) return true;
-  const Point along = view_.to(corner) - view_.from(corner);
-  const double order = turning_order(along, direction, 1);
-  const double end = turning_order(along, view_.from(before) - view_.from(corner), 1);
-  return order <= end + kSameDirection || order >= 4.0 - kSameDirection;
-}
-
-/// Returns whether a corner of the cell is too near to a line from a root.
-bool DiscOptimal::is_obstructed(const Root& root, const Point& direction, double length, Vertex target) const {
-  const double least = map_->radius * (1.0 - kNearness);
-  for (std::size_t i = 0; i < view_.size(); ++i) {
-    const Vertex v = view_[i].vertex;
-    if (v == mesh::kNoVertex || v == target || v == root.vertex) continue;
-    const Point to = view_.from(i) - root.contact.centre;
-    const double along = dot(direction, to);
-    if (along <= 0.0 || along >= length) continue;
-    if (std::abs(cross(direction, to) + root.contact.side * map_->radius) < least) return true;
-  }
-  return false;
-}
-
-void DiscOptimal::look_for_goal(const View& view) {
-  bool has_goal = false;
-  for (std::size_t i = 0; i < view_.size(); ++i) has_goal = has_goal || view_[i].edge == goal_cell_;
-  if (!has_goal) return;
-  const Root& root = roots_[view.root];
-  if (root.contact.side == 0 && root.contact.centre == goal_) {
-    return push(0.0, {Kind::goal, 0, view.root, mesh::kNoVertex, {}, view.cell, {1.0, 0.0}, {1.0, 0.0}, 0.0});
-  }
-  const auto line = tangent(root.contact, {goal_, 0}, map_->radius);
-  if (!line || !is_in_view(view, line->direction)) return;
-  if (is_obstructed(root, line->direction, line->length, mesh::kNoVertex)) return;
-  const double length = length_to(root, line->direction) + line->length;
-  push(length, {Kind::goal, 0, view.root, mesh::kNoVertex, {}, view.cell, line->direction, line->direction, length});
-}
-
-void DiscOptimal::look_for_contacts(const View& view) {
-  const Root root = roots_[view.root];
-  for (std::size_t i = 0; i < view_.size(); ++i) {
-    const Vertex v = view_[i].vertex;
-    if (v == mesh::kNoVertex || v == root.vertex) continue;
-    for (const int side : {1, -1}) {
-      const Contact contact{view_.from(i), side};
-      const auto line = tangent(root.contact, contact, map_->radius);
-      if (!line || !is_in_view(view, line->direction)) continue;
-      const Point touching = touching_point(contact, line->direction, map_->radius);
-      if (!is_in_corner(i, touching - contact.centre)) continue;
-      if (is_obstructed(root, line->direction, line->length, v)) continue;
-      const double length = length_to(root, line->direction) + line->length;
-      push(length + distance(touching, goal_),
-           {Kind::contact, side, view.root, v, view_[i].edge, view.cell, line->direction, line->direction, length});
+    if (root.length > turn.length) continue;
+    const bool is_before = turn.turn * cross(root.direction, turn.line.direction) >= 0.0;
+    const double angle = turning_angle(root.direction, turn.line.direction, is_before ? turn.turn : -turn.turn);
+    if (root.length + map_->radius * angle > turn.length) continue;
+    if (is_before ? are_on_one_arc(root.corner, corner, turn.turn) : are_on_one_arc(corner, root.corner, turn.turn)) {
+      return i;
     }
   }
+  return kNone;
 }
 
-// A cell may lie on both sides of a bridge. A straight line does not cross this bridge twice.
-void DiscOptimal::look_through_gates(const View& view) {
-  const CellEdge& entry = view_[0].edge;
-  for (std::size_t gate = view.is_inside ? 0 : 1; gate < view_.size(); ++gate) {
-    const bool is_entry = !view.is_inside && view_[gate].edge == map_->cells.across(entry);
-    if (view_[gate].is_passable && !is_entry) look_through(view, gate);
+/// Returns the entry in `failed_` of the line from the same root to the same contact, or kNone.
+std::uint32_t DiscOptimal::failed_line(const Turn& turn, std::uint32_t first) const {
+  for (std::uint32_t i = first; i != kNone; i = failed_[i].next) {
+    if (failed_[i].root == turn.root) return i;
+  }
+  return kNone;
+}
+
+/// Returns whether a disc can move along the circle around a vertex from one corner to another, in the direction of the
+/// turn.
+bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  for (HalfEdge at = from;;) {
+    if (map_->closed_foot(at)) return false;
+    if (at == to) return true;
+    const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    if (map_->is_closed(spoke)) return false;
+    at = turn > 0 ? spoke : mesh.previous_around(at);
+    if (at == from) return false;
   }
 }
 
-/// Offers the window of a gate of the cell. The window contains the directions in view in which a line crosses the gate
-/// at a position where the disc is free. On its way to the gate, the line leaves the corners before the gate on its
-/// right and the corners after the gate on its left.
-void DiscOptimal::look_through(const View& view, std::size_t gate) {
-  const Root& root = roots_[view.root];
-  const Point along = unit(view_.to(gate) - view_.from(gate));
-  const Point right_end = view_.from(gate) + Point{along.x * map_->radius, along.y * map_->radius};
-  const Point left_end = view_.to(gate) - Point{along.x * map_->radius, along.y * map_->radius};
-  const auto to_right = tangent(root.contact, {right_end, 0}, map_->radius);
-  const auto to_left = tangent(root.contact, {left_end, 0}, map_->radius);
-  if (!to_right || !to_left) return;
-  Point right = to_right->direction;
-  Point left = to_left->direction;
-  if (cross(right, left) < -kSameDirection) return;
-  if (view.is_full) return clip_at_start(view, gate, 0, right, left);
-  const View of_gate{view.root, view.cell, true, false, right, left};
-  if (cross(view.right, right) < 0.0) right = view.right;
-  if (cross(left, view.left) < 0.0) left = view.left;
-  for (const Point& bound : {right, left}) {
-    if (!is_in_view(view, bound) || !is_in_view(of_gate, bound)) return;
-  }
-  const std::size_t end = view.is_inside ? view_.size() : view_.size() + 1;
-  for (std::size_t i = 1; i <= gate; ++i) close_in(view, gate, i, -1, left, right);
-  for (std::size_t i = gate + 1; i < end; ++i) close_in(view, gate, i, 1, right, left);
-  if (cross(right, left) >= -kSameDirection) offer(view, gate, right, left);
+/// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
+/// direction of the turn. Returns kNoHalfEdge if the direction leads out of the domain.
+HalfEdge DiscOptimal::corner_towards(HalfEdge corner, const Point& direction, int turn) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Point from = map_->position(mesh.origin(corner));
+  const auto contains = [&](HalfEdge h) {
+    return !map_->walls.triangulation().is_ghost_face(h) &&
+           cross(map_->position(mesh.target(h)) - from, direction) >= 0.0 &&
+           cross(map_->position(mesh.apex(h)) - from, direction) < 0.0;
+  };
+  HalfEdge at = corner;
+  do {
+    if (contains(at)) return at;
+    at = turn > 0 ? mesh.previous_around(at) : mesh.next_around(at);
+  } while (at != corner);
+  return mesh::kNoHalfEdge;
 }
 
-/// Moves a bound of a window inwards, so that lines to the gate do not come too near to a corner of this cell. Ignores
-/// a corner that would close the whole window: a line may pass this corner before the other bound becomes valid.
-void DiscOptimal::close_in(const View& view, std::size_t gate, std::size_t corner, int side, const Point& other,
-                           Point& bound) const {
-  const std::size_t i = corner == view_.size() ? 0 : corner;
-  const Root& root = roots_[view.root];
-  const Vertex v = view_[i].vertex;
-  if (v == mesh::kNoVertex || v == root.vertex) return;
-  const auto line = tangent(root.contact, {view_.from(i), side}, map_->radius);
-  if (!line) return;
-  if (side * cross(bound, line->direction) >= 0.0 || side * cross(other, line->direction) < 0.0) return;
-  const Point touching = touching_point({view_.from(i), side}, line->direction, map_->radius);
-  if (is_behind(gate, touching) || (!view.is_inside && is_behind(0, touching))) return;
-  bound = line->direction;
-}
-
-/// Replaces the last steps of look_through() if the root is the start. From the start, a line may pass each corner on
-/// the left or on the right. So each corner from number `corner` on removes from the window the directions in which the
-/// corner is too near to the line. This can divide the window into two.
-void DiscOptimal::clip_at_start(const View& view, std::size_t gate, std::size_t corner, const Point& right,
-                                const Point& left) {
-  const Root& root = roots_[view.root];
-  for (std::size_t i = corner; i < view_.size(); ++i) {
-    if (view_[i].vertex == mesh::kNoVertex) continue;
-    const auto on_left = tangent(root.contact, {view_.from(i), 1}, map_->radius);
-    const auto on_right = tangent(root.contact, {view_.from(i), -1}, map_->radius);
-    if (!on_left || !on_right) continue;
-    if (is_behind(gate, touching_point({view_.from(i), 1}, on_left->direction, map_->radius))) continue;
-    if (is_behind(gate, touching_point({view_.from(i), -1}, on_right->direction, map_->radius))) continue;
-    if (cross(right, on_right->direction) <= 0.0 || cross(on_left->direction, left) <= 0.0) continue;
-    if (dot(right, on_right->direction) < 0.0 && dot(left, on_left->direction) < 0.0) continue;
-    if (cross(right, on_left->direction) >= 0.0) clip_at_start(view, gate, i + 1, right, on_left->direction);
-    if (cross(on_right->direction, left) >= 0.0) clip_at_start(view, gate, i + 1, on_right->direction, left);
-    return;
-  }
-  if (cross(right, left) >= -kSameDirection) offer(view, gate, right, left);
-}
-
-/// Returns whether a line in the given direction, from the root of the view, crosses the gate on its way out of the
-/// cell. Without this test, a window that is too wide could make the search go around a vertex without end.
-bool DiscOptimal::crosses(const View& view, std::size_t gate, const Point& direction) const {
-  const double size = waywright::length(direction);
-  if (size < kSameDirection) return true;
-  const Point unit_direction{direction.x / size, direction.y / size};
-  const Point from = touching_point(roots_[view.root].contact, unit_direction, map_->radius);
-  const Point along = view_.to(gate) - view_.from(gate);
-  const double across = cross(along, unit_direction);
-  if (!(across < 0.0)) return false;
-  const double at = cross(along, view_.from(gate) - from) / across;
-  const Point position = from + Point{unit_direction.x * at, unit_direction.y * at};
-  const double share = dot(position - view_.from(gate), along) / squared_length(along);
-  return at > -kSameDirection * waywright::length(along) && share > -kSameDirection && share < 1.0 + kSameDirection &&
-         (view.is_inside || !is_behind(0, position));
-}
-
-void DiscOptimal::offer(const View& view, std::size_t gate, const Point& right, const Point& left) {
-  const Root& root = roots_[view.root];
-  if (!crosses(view, gate, right + left)) return;
-  const Point& nearest = root.contact.side < 0 ? left : right;
-  const Point from = touching_point(root.contact, nearest, map_->radius);
-  const double bound = length_to(root, nearest) + distance_via_segment(from, view_.from(gate), view_.to(gate), goal_);
-  push(bound, {Kind::window, 0, view.root, mesh::kNoVertex, map_->cells.across(view_[gate].edge), view.cell, right,
-               left, 0.0});
-}
-
-/// Walks from cell to cell along a straight line. Returns whether the disc is free everywhere on it. The line starts in
-/// `cell`. Ignores the walls that end at the two vertices.
-bool DiscOptimal::is_clear(const CellEdge& cell, const Point& from, const Point& to, Vertex from_vertex,
-                           Vertex to_vertex) {
-  const double radius = map_->radius * (1.0 - kNearness);
-  const Point along = to - from;
-  CellEdge edge = cell;
-  CellEdge last;  // the gate through which the line came, seen from the cell before
-  for (double progress = -kSameDirection;;) {
-    walk_.load(*map_, edge);
-    double nearest = HUGE_VAL;
-    std::size_t exit = walk_.size();
-    for (std::size_t i = 0; i < walk_.size(); ++i) {
-      const Point& a = walk_.from(i);
-      const Point& b = walk_.to(i);
-      const Vertex v = walk_[i].vertex;
-      if (v != mesh::kNoVertex && v != from_vertex && v != to_vertex &&
-          squared_distance(a, from, to) < radius * radius) {
-        return false;
-      }
-      const Point side = b - a;
-      const double before = cross(side, from - a);
-      const double after = cross(side, to - a);
-      if (!(after < 0.0) || cross(along, a - from) * cross(along, b - from) > 0.0 || walk_[i].edge == last) continue;
-      const double at = before / (before - after);
-      if (walk_[i].edge.is_gate() ? at > progress && at < nearest && at <= 1.0 : before > 0.0) {
-        if (!walk_[i].edge.is_gate()) return false;
-        nearest = at;
-        exit = i;
+/// Makes the windows of a root. `corner` contains the position at which the path reaches the root. Goes from corner to
+/// corner in the direction of the turn, up to a wall or a gap that is too narrow, or until the path has turned by 180
+/// degrees.
+///
+/// Directions are numbers, their *orders*: 0 is the direction in which the path arrives, 1 and 2 are 90 and 180 degrees
+/// farther in the direction of the turn. -1 is the direction from the vertex to the position of arrival.
+void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Root root = roots_[root_index];
+  const Point& centre = root.end.contact.centre;
+  const int turn = root.end.contact.side;
+  Bound first{{turn * root.direction.y, -turn * root.direction.x}, mesh::kNoVertex};
+  double order = -1.0;
+  HalfEdge at = corner;
+  do {
+    // `spoke` is the edge at the vertex to which the turn comes next.
+    const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    const Vertex end = mesh.target(spoke);
+    Bound last{map_->position(end) - centre, end};
+    const double end_order = turning_order(root.direction, last.direction, turn);
+    order = end_order - 4.0 >= order ? end_order - 4.0 : end_order;
+    if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
+    if (is_goal_face(mesh::face(at))) {
+      if (const auto line = tangent(root.end.contact, {goal_, 0}, map_->radius)) push_goal(root_index, *line);
+    }
+    const HalfEdge far_edge = mesh::next(at);
+    if (!is_excluded(root, far_edge)) {
+      Window window{mesh.twin(far_edge), root_index, {first, last}};
+      if (turn < 0) std::swap(window.bounds[0], window.bounds[1]);
+      offer(window);
+    }
+    if (const auto foot = map_->closed_foot(at)) {
+      // A bridge to a foot before the arrival does not matter.
+      const double foot_order = turning_order(root.direction, *foot - centre, turn);
+      const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
+      if (reach >= 0.0) {
+        roots_[root_index].reach = reach;
+        return;
       }
     }
-    if (exit == walk_.size()) return true;
-    if (!walk_[exit].is_passable) return false;
-    last = walk_[exit].edge;
-    edge = map_->cells.across(last);
-    progress = nearest;
-  }
+    if (order > 2.0) return;
+    if (map_->is_closed(spoke)) {
+      // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
+      roots_[root_index].reach = mesh.is_fixed(spoke) ? order : order + 1.0;
+      return;
+    }
+    first = last;
+    at = turn > 0 ? spoke : mesh.previous_around(at);
+  } while (at != corner);
 }
 
 double DiscOptimal::arc(const Root& root, const Point& direction) const {
-  if (root.contact.side == 0) return 0.0;
-  const double angle = turning_angle(root.direction, direction, root.contact.side);
+  if (root.end.contact.side == 0 || direction == root.direction) return 0.0;
+  const double angle = turning_angle(root.direction, direction, root.end.contact.side);
   return angle < 2 * kPi - 1.0 ? map_->radius * angle : 0.0;
 }
 
@@ -369,15 +455,16 @@ void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) const {
   std::uint32_t after_root = kNone;
   for (std::uint32_t i = last_root_; i != kNone; i = roots_[i].before) {
     const Root& root = roots_[i];
+    const Contact& contact = root.end.contact;
     DiscPiece piece;
-    piece.from = touching_point(root.contact, direction, map_->radius) + map_->origin;
+    piece.from = touching_point(contact, direction, map_->radius) + map_->origin;
     piece.to = to + map_->origin;
     piece.direction = direction;
     if (pieces.size() > count) {
       const DiscPiece& after = pieces.back();
       const Root& next = roots_[after_root];
-      piece.centre = next.contact.centre + map_->origin;
-      piece.side = arc(next, after.direction) == 0.0 ? 0 : next.contact.side;
+      piece.centre = next.end.contact.centre + map_->origin;
+      piece.turn = arc(next, after.direction) == 0.0 ? 0 : next.end.contact.side;
       piece.end_direction = after.direction;
     }
     if (pieces.size() > count && direction == pieces.back().direction) {
@@ -386,9 +473,9 @@ void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) const {
       pieces.push_back(piece);
     }
     if (arc(root, direction) == 0.0 && root.before != kNone) {
-      pieces.back().from = touching_point(root.contact, root.direction, map_->radius) + map_->origin;
+      pieces.back().from = touching_point(contact, root.direction, map_->radius) + map_->origin;
     }
-    to = touching_point(root.contact, root.direction, map_->radius);
+    to = touching_point(contact, root.direction, map_->radius);
     direction = root.direction;
     after_root = i;
   }

@@ -6,7 +6,8 @@
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
-#include "path/cell_view.hpp"
+#include "path/disc_line.hpp"
+#include "path/disc_map.hpp"
 #include "path/open_list.hpp"
 #include "path/tangent.hpp"
 
@@ -18,31 +19,33 @@ struct DiscPiece {
   Point from;
   Point to;
   Point centre;         ///< of the arc
-  int side = 0;         ///< 1 if the arc turns left, -1 if it turns right, 0 if there is none
+  int turn = 0;         ///< 1 if the arc turns left, -1 if it turns right, 0 if there is none
   Point direction;      ///< of the line, where the arc starts
   Point end_direction;  ///< of the path where the arc ends
 };
 
-/// Finds the shortest path of a disc by A* over windows and contacts. The path is a sequence of straight lines and of
-/// arcs around wall vertices; each line touches the arcs at its ends. A *contact* is a vertex together with the
-/// direction in which the path turns around it: left or right. A *window* is a gate together with the directions in
-/// which straight lines from a contact (or from the start) cross the gate.
+/// Finds the shortest path of a disc by A* over windows. The path is a sequence of straight lines and of arcs around
+/// wall vertices; each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which
+/// the path turns around it: left or right. The *root* of a line is the contact that it leaves, or the start. A
+/// *window* is an edge of the mesh together with the directions in which lines from one root cross it.
 ///
-/// The search works on the cells of clearance::Cells. A disc in a cell touches only walls of this cell. So each step
-/// looks at one cell. It finds the corners around which the lines of a window can turn there, and the gates through
-/// which they can leave. Exact predicates decide whether a gate is wide enough for the disc. All other computations are
-/// in doubles. Their rounding errors may make a window too wide. So before the search uses a contact, it tests the line
-/// to the contact against all cells that the line crosses.
+/// The search moves windows from face to face, as Optimal does for a point. A bound of a window is a line that touches
+/// the root and passes a vertex, its *anchor*, at the distance of the radius. If the apex of a face is nearer than the
+/// radius to some lines of the window, the face cuts these lines out of the window. The area behind the anchor of a
+/// bound is reached by a path that turns around the anchor. A *turn* is such a path up to the anchor.
+///
+/// Windows are too wide in two ways, which cost only time. They ignore walls beside the faces that they cross. And a
+/// bound is a direction in doubles. So before a path leaves a contact, DiscLine tests the line to the contact. If a
+/// vertex beside the line is in the way, the search adds the turn around this vertex.
+///
+/// Whether a disc passes a gap is decided exactly: windows and tested lines cross no closed gap.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya), for a
-/// point on a convex mesh. Differences: roots are circles, windows are sets of directions, and cells replace convex
-/// polygons.
+/// point on a convex mesh.
 class DiscOptimal {
  public:
-  /// Starts a search. Requires: the disc is free at both ends, which lie in the cells of the two edges. `map` does not
-  /// change during the search.
-  void begin(const DiscMap& map, const Point& start, const clearance::CellEdge& start_cell, const Point& goal,
-             const clearance::CellEdge& goal_cell);
+  /// Starts a search. Requires: the disc is free at both ends. `map` does not change during the search.
+  void begin(const DiscMap& map, const Point& start, const Point& goal);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   [[nodiscard]] bool is_found() const { return is_found_; }
@@ -55,88 +58,115 @@ class DiscOptimal {
 
   /// A contact that the search has reached, or the start.
   struct Root {
-    Contact contact;
-    mesh::Vertex vertex = mesh::kNoVertex;
+    DiscLine::End end;
+    mesh::HalfEdge corner;         ///< starts at the vertex and contains the position of the disc when it arrives
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
-    clearance::CellEdge cell;      ///< of the position at which the path reaches it
     std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
-    double reach = 0.0;            ///< how far the path can turn here, as turning_order() from `direction`
+    double reach = 2.0;            ///< how far the path can turn here, as turning_order() from `direction`
     std::uint32_t next = kNone;    ///< another root at the same contact
   };
 
-  enum class Kind : std::uint8_t { window, contact, goal };
-
-  struct Node {
-    Kind kind;
-    int side = 0;  ///< of a contact: 1 if the path turns left around it, -1 if right
+  /// A bound of a window: a ray from the centre of its root.
+  struct Bound {
+    Point direction;
+    mesh::Vertex anchor = mesh::kNoVertex;  ///< the vertex through which the line goes, or kNoVertex
+  };
+  struct Window {
+    mesh::HalfEdge entry;  ///< in the face beyond the edge
     std::uint32_t root;
-    mesh::Vertex vertex = mesh::kNoVertex;  ///< of a contact
-    /// Of a window: the gate, as an edge of the cell beyond it. Of a contact: an edge that starts at the vertex and
-    /// whose cell contains the position of the contact.
-    clearance::CellEdge edge;
-    clearance::CellEdge cell;  ///< the cell in which the straight line leaves the root
-    Point right;               ///< window: its right bound; contact, goal: the direction of the line, as in `left`
-    Point left;
-    double length = 0.0;  ///< contact, goal: of the path
+    Bound bounds[2];  ///< on the right, on the left
+  };
+  /// A line to a contact or to the goal, which DiscLine has not tested yet.
+  struct Turn {
+    mesh::HalfEdge corner;  ///< starts at the contact; at the goal: a half-edge of its face
+    std::uint32_t root;
+    mesh::Vertex vertex;  ///< kNoVertex at the goal
+    int turn;             ///< 1 if the path turns left around the vertex, -1 if right, 0 at the goal
+    Tangent line;
+    double length;       ///< of the path to the end of the line
+    std::uint32_t then;  ///< the turn, in `turns_`, that the path attempts next, or kNone
   };
 
-  /// The directions in which lines leave a root within one cell or enter a cell.
-  struct View {
-    std::uint32_t root;
-    clearance::CellEdge cell;
-    bool is_inside;  ///< whether the root lies in the cell, so that there is no gate behind
-    bool is_full;    ///< whether all directions are in view
-    Point right;
-    Point left;
+  /// A line that failed its test.
+  struct Failed {
+    std::uint32_t root;  ///< where the line starts
+    std::uint32_t next;
+    DiscLine::Obstacle left;
+    DiscLine::Obstacle right;
   };
 
-  void expand_contact(const Node& node);
-  void turn(std::uint32_t root, const clearance::CellEdge& first);
-  void look(const View& view);
-  void look_for_contacts(const View& view);
-  void look_for_goal(const View& view);
-  void look_through_gates(const View& view);
-  void look_through(const View& view, std::size_t gate);
-  [[nodiscard]] bool crosses(const View& view, std::size_t gate, const Point& direction) const;
-  void offer(const View& view, std::size_t gate, const Point& right, const Point& left);
-  [[nodiscard]] bool is_in_view(const View& view, const Point& direction) const;
-  [[nodiscard]] bool is_behind(std::size_t gate, const Point& position) const;
-  [[nodiscard]] bool is_in_corner(std::size_t corner, const Point& direction) const;
-  [[nodiscard]] bool is_clear(const clearance::CellEdge& cell, const Point& from, const Point& to,
-                              mesh::Vertex from_vertex, mesh::Vertex to_vertex);
-  [[nodiscard]] bool is_dominated(const Node& node, std::uint32_t first) const;
-  [[nodiscard]] bool is_obstructed(const Root& root, const Point& direction, double length, mesh::Vertex target) const;
-  void clip_at_start(const View& view, std::size_t gate, std::size_t corner, const Point& right, const Point& left);
-  void close_in(const View& view, std::size_t gate, std::size_t corner, int side, const Point& other,
-                Point& bound) const;
+  struct Reached {
+    std::uint32_t query;
+    std::uint32_t root;    ///< the last root there
+    std::uint32_t noted;   ///< the root of the last turn there
+    std::uint32_t failed;  ///< the last line to it that failed its test, in `failed_`
+  };
+
+  [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
+  /// Where a position lies relative to the bound on this side: 1 if left, -1 if right, 0 if on it.
+  [[nodiscard]] int side_of(const Window& window, int side, const Point& position) const;
+  [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
+  [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
+
+  void count_goal_faces();
+  [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_excluded(const Root& root, mesh::HalfEdge exit) const;
+  void leave_start(const locate::Located& location);
+  void follow(Window window);
+  void divide(const Window& window, const Point& apex);
+  void note_turn(const Window& window, int side, bool sees_apex);
+  void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
+  void reach_goal(const Window& window);
+  void push_goal(std::uint32_t root, const Tangent& line);
+  void offer(const Window& window);
+
+  void expand(std::uint32_t index);
+  void try_goal(std::uint32_t index);
+  void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
+  void go_on(std::uint32_t root, std::uint32_t then);
+  [[nodiscard]] std::uint32_t dominating_root(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
+  [[nodiscard]] std::uint32_t failed_line(const Turn& turn, std::uint32_t first) const;
+  [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
+  [[nodiscard]] mesh::HalfEdge corner_towards(mesh::HalfEdge corner, const Point& direction, int turn) const;
+  void turn_around(std::uint32_t root, mesh::HalfEdge corner);
+
+  [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
   /// The length of the arc at a root after which the path leaves it in a direction. A turn in the wrong direction is a
   /// rounding error and counts as no turn.
   [[nodiscard]] double arc(const Root& root, const Point& direction) const;
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
     return root.length + arc(root, direction);
   }
-  void push(double bound, const Node& node);
+  [[nodiscard]] double bound(const Window& window) const;
 
   const DiscMap* map_ = nullptr;
   Point start_;
   Point goal_;
-  clearance::CellEdge goal_cell_;
+  mesh::Face goal_faces_[2];
+  mesh::HalfEdge goal_face_;
   bool is_found_ = false;
   double length_ = 0.0;
   std::uint32_t last_root_ = kNone;
   Point last_direction_;
+  double least_ = 0.0;          ///< a line must not be nearer to a vertex than this
+  double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
+  std::size_t expansions_ = 0;
 
   std::vector<Root> roots_;
-  std::vector<Node> nodes_;
-  OpenList open_;
-  CellView view_;
-  CellView walk_;  ///< the cell that is_clear() looks at
-  struct Reached {
+  std::vector<Window> windows_;
+  std::vector<Turn> turns_;
+  std::vector<Failed> failed_;
+  std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
+  OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turns_` + 1
+  DiscLine line_;
+  memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn
+  /// For a face in a dead end: how many goal faces lie in its subtree, including the face itself.
+  struct GoalsBelow {
     std::uint32_t query;
-    std::uint32_t root;  ///< the last root there
+    std::uint32_t count;
   };
-  memory::ZeroedArray<Reached> reached_;  ///< by vertex and side
+  memory::ZeroedArray<GoalsBelow> goals_below_;  ///< by face outside the core
   memory::Stamp stamp_;
 };
 

@@ -7,6 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "exact/twofold.hpp"
 
 // Tangents to circles, and angles, in doubles. They use only operations that IEEE 754 rounds correctly (also the square
 // root), never the functions of the C library, whose results differ between machines.
@@ -29,13 +30,34 @@ struct Tangent {
 
 [[nodiscard]] inline Point left_of(const Point& direction) { return {-direction.y, direction.x}; }
 
+/// Returns the squared distance of two points minus the square of `across`. If the two nearly cancel, the result is
+/// still precise: its square root decides in which direction a disc passes between two vertices where it just fits.
+[[nodiscard]] inline double squared_distance_minus(const Point& p, const Point& q, double across) {
+  const Point between = q - p;
+  const double squared = squared_length(between);
+  const double square = squared - across * across;
+  if (!(std::abs(square) < 0x1p-10 * squared)) return square;
+  const exact::Twofold x = exact::subtract_exactly(q.x, p.x);
+  const exact::Twofold y = exact::subtract_exactly(q.y, p.y);
+  const exact::Twofold xx = exact::multiply_exactly(x.rounded, x.rounded);
+  const exact::Twofold yy = exact::multiply_exactly(y.rounded, y.rounded);
+  const exact::Twofold rr = exact::multiply_exactly(across, across);
+  // Of the three squares, the largest is nearly the sum of the other two or equal to one of them.
+  const exact::Twofold larger = xx.rounded > yy.rounded ? xx : yy;
+  const exact::Twofold smaller = xx.rounded > yy.rounded ? yy : xx;
+  const exact::Twofold rest = exact::subtract_exactly(larger.rounded, rr.rounded);
+  const exact::Twofold sum = exact::subtract_exactly(rest.rounded, -smaller.rounded);
+  return sum.rounded + (sum.error + rest.error + larger.error + smaller.error - rr.error +
+                        2.0 * (x.rounded * x.error + y.rounded * y.error));
+}
+
 /// Returns the line that touches `from` and then `to`. Returns nothing if there is none: the circles overlap, and the
 /// line would have to pass between them.
 [[nodiscard]] inline std::optional<Tangent> tangent(const Contact& from, const Contact& to, double radius) {
   const Point between = to.centre - from.centre;
   const double squared = squared_length(between);
   const double across = (to.side - from.side) * radius;
-  const double square = squared - across * across;
+  const double square = squared_distance_minus(from.centre, to.centre, across);
   // If the circles touch, rounding may make the difference negative.
   if (!(square >= -0x1p-40 * squared) || squared == 0.0) return std::nullopt;
   const double along = std::sqrt(std::max(square, 0.0));

@@ -28,7 +28,6 @@ struct DiscSearch {
   bool is_done = true;
   std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
   std::optional<path::DiscMap> map;  ///< `search` refers to it
-  clearance::CellEdge start_cell;
   path::DiscOptimal search;
   std::vector<path::DiscPiece> pieces;
 };

@@ -33,26 +33,23 @@ class Map {
   }
 
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
-    const auto start_cell = near_.find_cell(walls_, *bridges_, start);
-    const auto goal_cell = near_.find_cell(walls_, *bridges_, goal);
-    if (!start_cell || !goal_cell) return std::nullopt;
-    const path::DiscMap map{walls_, {walls_, *bridges_}, radius, start};
-    search_.begin(map, start, *start_cell, goal, *goal_cell);
+    const path::DiscMap map(walls_, *bridges_, radius, start);
+    search_.begin(map, start, goal);
     std::size_t expansions = 0;
-    EXPECT_TRUE(search_.step(1000000, expansions));
+    EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;
     std::vector<path::DiscPiece> pieces;
     search_.write_path(pieces);
     std::vector<disc::Piece> result;
     for (const path::DiscPiece& piece : pieces) {
       if (!(piece.from == piece.to)) result.push_back(disc::Piece::line(piece.from, piece.to));
-      if (piece.side == 0) continue;
+      if (piece.turn == 0) continue;
       const auto angle_at = [&](const Point& direction) {
-        return std::atan2(-piece.side * direction.x, piece.side * direction.y);
+        return std::atan2(-piece.turn * direction.x, piece.turn * direction.y);
       };
       const double from = angle_at(piece.direction);
-      const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.side);
-      if (turn > 0.0) result.push_back(disc::Piece::arc(piece.centre, radius, from, from + piece.side * turn));
+      const double turn = path::turning_angle(piece.direction, piece.end_direction, piece.turn);
+      if (turn > 0.0) result.push_back(disc::Piece::arc(piece.centre, radius, from, from + piece.turn * turn));
     }
     return result;
   }
@@ -61,7 +58,6 @@ class Map {
  private:
   constraint::ExactTriangulation walls_;
   std::optional<clearance::Bridges> bridges_;
-  clearance::NearWalls near_;
   path::DiscOptimal search_;
 };
 
@@ -108,6 +104,42 @@ TEST(DiscPaths, AreRightInTrapScenes) {
       check_scene(scene);
       if (testing::Test::HasFatalFailure()) return;
     }
+  }
+}
+
+/// Returns a scene with one query.
+NamedScene scene_of(std::string name, const Box& domain, std::vector<std::pair<Point, Point>> walls, const Point& start,
+                    const Point& goal, double radius) {
+  NamedScene scene;
+  scene.name = std::move(name);
+  scene.domain = domain;
+  for (const auto& [a, b] : walls) scene.walls.segments.emplace_back(a, b);
+  scene.queries = {{start, goal}};
+  scene.radii = {radius, radius, radius, radius};
+  return scene;
+}
+
+// The first version of the search went through a wall here, near a crossing of two walls.
+TEST(DiscPaths, StayOnTheirSideOfCrossingWalls) {
+  check_scene(scene_of("crossing walls", {{0, 0}, {24, 24}},
+                       {{{23.364095384880784, 18.595683064559125}, {19.893501403624811, 18.543530214294798}},
+                        {{19.893501403624811, 18.543530214294798}, {20.45262031884991, 15.652975500327662}},
+                        {{24, 20.521450551983762}, {22.295687987629915, 17.267262284250336}},
+                        {{12.992768383969551, 14.946666668709005}, {15.38078423417452, 16.89266021612616}},
+                        {{11.078820286391913, 7.472901170299739}, {10.135584432871168, 9.8140223731626648}},
+                        {{17.04957365244627, 17.659092396497726}, {19.851163239777087, 18.053372417986392}},
+                        {{19.851163239777087, 18.053372417986392}, {16.730675502419473, 14.198329523205757}},
+                        {{17.736673798992555, 15.939688321754407}, {16.088818196489733, 13.379256350800464}}},
+                       {22.033783312363084, 22.502242545211629}, {20.244340459044906, 11.377832586091245},
+                       0.16982599369468487));
+}
+
+TEST(DiscPaths, AreFoundForTinyRadii) {
+  for (const double radius : {1e-9, 1e-12, 1e-15, 1e-30, 1e-300, 0x1p-1074}) {
+    const NamedScene scene = scene_of("yard", {{0, 0}, {100, 100}}, {{{50, 0}, {50, 60}}}, {20, 50}, {80, 50}, radius);
+    Map map(scene);
+    ASSERT_TRUE(map.find({20, 50}, {80, 50}, radius).has_value()) << radius;
+    ASSERT_NEAR(map.length(), 2 * std::sqrt(1000.0), 1e-7) << radius;
   }
 }
 

@@ -1,0 +1,211 @@
+#include "path/disc_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waywright::path {
+
+using mesh::HalfEdge;
+using mesh::Vertex;
+
+namespace {
+
+/// Allows for rounding: a wall may be nearer to a line than the radius, by at most this fraction of the radius.
+constexpr double kNearness = 0x1p-34;
+/// If a line comes as near as this fraction of the radius to touching a vertex, the test decides exactly whether the
+/// gaps at the vertex are wide enough.
+constexpr double kTouching = 0x1p-30;
+
+double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double squared = squared_length(along);
+  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+  return squared_length(p - lerp(a, b, share));
+}
+
+}  // namespace
+
+double DiscLine::squared_distance(const Point& p) const {
+  const Point to = p - start_;
+  const double along = dot(direction_, to);
+  if (along <= 0.0) return squared_length(to);
+  if (along >= length_) return squared_length(p - end_);
+  const double across = cross(direction_, to);
+  return across * across;
+}
+
+bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, const Tangent& line, HalfEdge face) {
+  map_ = &map;
+  from_ = from;
+  to_ = to;
+  direction_ = line.direction;
+  length_ = line.length;
+  start_ = touching_point(from.contact, direction_, map.radius);
+  end_ = touching_point(to.contact, direction_, map.radius);
+  const double least = map.radius * (1.0 - kNearness);
+  least_ = least * least;
+  const double touched = map.radius * (1.0 + kTouching);
+  touched_ = touched * touched;
+  is_blocked_ = false;
+  obstacles_[0].vertex = obstacles_[1].vertex = mesh::kNoVertex;
+  visited_.grow_to(map.mesh().face_slots());
+  stamp_.next(1, visited_);
+  for (const Vertex v : {from.vertex, to.vertex}) {
+    if (v != mesh::kNoVertex) look_at_feet(v);
+  }
+  if (!is_blocked_) walk(face);
+  return !is_blocked_;
+}
+
+/// Walks along the line from its end to its start, so left and right are exchanged.
+void DiscLine::walk(HalfEdge face) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Point back{-direction_.x, -direction_.y};
+  const auto offset = [&](Vertex v) { return cross(back, map_->position(v) - end_); };
+  const auto is_beyond = [&](HalfEdge h) {
+    const Point a = map_->position(mesh.origin(h));
+    return cross(map_->position(mesh.target(h)) - a, start_ - a) < 0.0;
+  };
+  HalfEdge exit = mesh::kNoHalfEdge;
+  visited_[number(mesh::face(face))] = stamp_.value();
+  for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
+    look_at_vertex(h);
+    const bool is_exit =
+        exit == mesh::kNoHalfEdge && is_beyond(h) && offset(mesh.origin(h)) <= 0.0 && offset(mesh.target(h)) >= 0.0;
+    if (is_exit) exit = h;
+  }
+  for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
+    if (h != exit) look_beside(h);
+  }
+  while (exit != mesh::kNoHalfEdge) {
+    if (map_->is_closed(exit)) return look_at_closed(exit);
+    const HalfEdge entry = mesh.twin(exit);
+    visited_[number(mesh::face(entry))] = stamp_.value();
+    const bool is_apex_left = offset(mesh.apex(entry)) > 0.0;
+    look_at_vertex(mesh::previous(entry));
+    const HalfEdge left = mesh::previous(entry);
+    const HalfEdge right = mesh::next(entry);
+    exit = is_apex_left ? right : left;
+    look_beside(is_apex_left ? left : right);
+    if (is_beyond(exit)) continue;
+    look_beside(exit);
+    return;
+  }
+}
+
+/// The line crosses a wall, or a gap that is too narrow. If it passes an end of it on the wrong side and near enough,
+/// the path has to turn around this end.
+void DiscLine::look_at_closed(HalfEdge exit) {
+  is_blocked_ = true;
+  for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {
+    const Vertex v = map_->mesh().origin(corner);
+    const Point position = map_->position(v);
+    if (v == from_.vertex || v == to_.vertex || squared_distance(position) >= least_) continue;
+    note_obstacle(corner);
+  }
+}
+
+/// Visits the faces beyond `h` that are near the line.
+void DiscLine::look_beside(HalfEdge h) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  to_enter_.assign({h});
+  while (!to_enter_.empty()) {
+    const HalfEdge at = to_enter_.back();
+    to_enter_.pop_back();
+    if (mesh.is_fixed(at)) {
+      look_at_wall(at);
+      continue;
+    }
+    if (map_->bridges.is_bridge(at)) continue;
+    const HalfEdge beyond = mesh.twin(at);
+    if (visited_[number(mesh::face(beyond))] == stamp_.value()) continue;
+    const Point a = map_->position(mesh.origin(at));
+    const Point b = map_->position(mesh.target(at));
+    // The edge does not cross the line. So the nearest positions include an end of the edge or an end of the line.
+    const double nearest =
+        std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
+                  squared_distance_to_segment(end_, a, b)});
+    if (nearest >= least_) continue;
+    visited_[number(mesh::face(beyond))] = stamp_.value();
+    look_at_vertex(mesh::previous(beyond));
+    to_enter_.push_back(mesh::next(beyond));
+    to_enter_.push_back(mesh::previous(beyond));
+  }
+}
+
+// Only an end of the line can be nearer to the inside of a wall than to its ends.
+void DiscLine::look_at_wall(HalfEdge h) {
+  const Point a = map_->position(map_->mesh().origin(h));
+  const Point b = map_->position(map_->mesh().target(h));
+  const auto is_near = [&](const Point& p) {
+    const Point along = b - a;
+    const double share = dot(p - a, along);
+    if (share <= 0.0 || share >= squared_length(along)) return false;
+    const double across = cross(along, p - a);
+    return across * across < least_ * squared_length(along);
+  };
+  if (is_near(end_) || is_near(start_)) is_blocked_ = true;
+}
+
+/// `corner` starts at the vertex.
+void DiscLine::look_at_vertex(HalfEdge corner) {
+  const Vertex v = map_->mesh().origin(corner);
+  if (v == from_.vertex || v == to_.vertex) return;
+  const Point position = map_->position(v);
+  const double squared = squared_distance(position);
+  if (squared > touched_) return;
+  look_at_feet(v);
+  if (squared >= least_) return;
+  note_obstacle(corner);
+}
+
+/// The path passes the obstacle on the same side as the straight line from centre to centre, with which the search saw
+/// the end of the line.
+void DiscLine::note_obstacle(HalfEdge corner) {
+  const Vertex v = map_->mesh().origin(corner);
+  const Point position = map_->position(v);
+  is_blocked_ = true;
+  const double across = cross(to_.contact.centre - from_.contact.centre, position - from_.contact.centre);
+  for (const int side : {1, -1}) {
+    if (side * across < 0.0) continue;
+    const auto line = tangent(from_.contact, {position, side}, map_->radius);
+    if (!line) continue;
+    Obstacle& first = obstacles_[side > 0 ? 1 : 0];
+    const bool is_first = first.vertex == mesh::kNoVertex || side * cross(line->direction, first.line.direction) > 0.0;
+    if (is_first) first = {v, corner, *line};
+  }
+}
+
+/// Tests the bridges from the vertex to feet that the line crosses.
+void DiscLine::look_at_feet(Vertex v) {
+  map_->mesh().for_each_outgoing(v, [&](HalfEdge h) {
+    if (crosses_foot(h)) is_blocked_ = true;
+  });
+}
+
+bool DiscLine::crosses_foot(HalfEdge corner) const {
+  const auto foot = map_->closed_foot(corner);
+  if (!foot) return false;
+  const Point from = map_->position(map_->mesh().origin(corner));
+  const double one = cross(direction_, from - start_);
+  const double other = cross(direction_, *foot - start_);
+  if (one * other > 0.0 || one == other) return false;
+  const double at = dot(direction_, lerp(from, *foot, one / (one - other)) - start_);
+  const double slack = kTouching * map_->radius;
+  return at > -slack && at < length_ + slack;
+}
+
+HalfEdge DiscLine::face_at(const DiscMap& map, const Point& vertex, const Point& touching, HalfEdge corner) {
+  const mesh::TriangleMesh& mesh = map.mesh();
+  const Point direction = touching - vertex;
+  HalfEdge exit = mesh::next(corner);
+  for (;;) {
+    const Point a = map.position(mesh.origin(exit));
+    if (cross(map.position(mesh.target(exit)) - a, touching - a) >= 0.0) return exit;
+    if (mesh.is_fixed(exit)) return mesh::kNoHalfEdge;
+    const HalfEdge entry = mesh.twin(exit);
+    exit = cross(direction, map.position(mesh.apex(entry)) - vertex) > 0.0 ? mesh::next(entry) : mesh::previous(entry);
+  }
+}
+
+}  // namespace waywright::path

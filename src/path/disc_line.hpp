@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "memory/stamp.hpp"
+#include "memory/zeroed_array.hpp"
+#include "path/disc_map.hpp"
+#include "path/tangent.hpp"
+
+namespace waywright::path {
+
+/// Tests whether a disc can move along a straight line from one contact to another, or from or to a point. The test
+/// visits the faces that the line crosses, and the faces beside them that are nearer to the line than the radius. It
+/// does not look beyond bridges: if both ends of a bridge are far enough from the line, no wall beyond the bridge is
+/// nearer.
+class DiscLine {
+ public:
+  /// An end of the line: a contact at a vertex, or a point.
+  struct End {
+    Contact contact;
+    mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex at a point
+  };
+
+  /// A vertex that the disc would cut. The line can only pass it if it turns around it.
+  struct Obstacle {
+    mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex if there is none
+    mesh::HalfEdge corner;                  ///< starts at the vertex
+    Tangent line;                           ///< from the first end of the line to the obstacle
+  };
+
+  /// Tests the line from `from` to `to` in a direction. `face` is a half-edge of the face that contains the position at
+  /// which the line ends. Returns whether no wall is nearer to the line than the radius and the line crosses only gaps
+  /// that are wide enough. If the answer is no, left() and right() are the obstacles, if any, that are the first to
+  /// touch a line that starts at `from` and passes them on its left or right.
+  [[nodiscard]] bool is_clear(const DiscMap& map, const End& from, const End& to, const Tangent& line,
+                              mesh::HalfEdge face);
+  [[nodiscard]] const Obstacle& left() const { return obstacles_[1]; }
+  [[nodiscard]] const Obstacle& right() const { return obstacles_[0]; }
+
+  /// Returns a half-edge of the face that contains the position at which a line in this direction touches the contact
+  /// at the origin of `corner`. `corner` is the half-edge of its face that starts at the vertex, in the face that
+  /// contains the beginning of the way from the vertex to the position.
+  [[nodiscard]] static mesh::HalfEdge face_at(const DiscMap& map, const Point& vertex, const Point& touching,
+                                              mesh::HalfEdge corner);
+
+ private:
+  void walk(mesh::HalfEdge face);
+  void look_beside(mesh::HalfEdge h);
+  void look_at_wall(mesh::HalfEdge h);
+  void look_at_closed(mesh::HalfEdge exit);
+  void look_at_vertex(mesh::HalfEdge corner);
+  void note_obstacle(mesh::HalfEdge corner);
+  [[nodiscard]] bool crosses_foot(mesh::HalfEdge corner) const;
+  void look_at_feet(mesh::Vertex v);
+  [[nodiscard]] double squared_distance(const Point& p) const;
+
+  const DiscMap* map_ = nullptr;
+  End from_;
+  End to_;
+  Point start_;      ///< the position at which the line starts
+  Point end_;        ///< the position at which it ends
+  Point direction_;  ///< of the line
+  double length_ = 0.0;
+  double least_ = 0.0;    ///< the square of the least distance that a wall may have
+  double touched_ = 0.0;  ///< the square of a distance: the disc touches vertices that are not farther
+  bool is_blocked_ = false;
+  Obstacle obstacles_[2];  ///< on the right, on the left
+  std::vector<mesh::HalfEdge> to_enter_;
+  memory::ZeroedArray<std::uint32_t> visited_;  ///< by face
+  memory::Stamp stamp_;
+};
+
+}  // namespace waywright::path

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "clearance/bridges.hpp"
+#include "constraint/exact_triangulation.hpp"
+#include "exact/gap.hpp"
+#include "nav/two_core.hpp"
+
+namespace waywright::path {
+
+/// The input of a search for the path of a disc: the walls of a world, their bridges, and the radius of the disc.
+class DiscMap {
+ public:
+  /// `core` is the two-core of the walls, or null. The search uses it to leave out dead ends.
+  DiscMap(const constraint::ExactTriangulation& walls, const clearance::Bridges& bridges, double radius,
+          const Point& start, const nav::TwoCore* core = nullptr)
+      : walls(walls), bridges(bridges), core(core), exact_radius_(radius) {
+    const Box& domain = walls.domain();
+    const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
+    const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
+    if (largest > 1024.0 * extent) origin = start;
+    this->radius = std::max(radius, kLeastRadius * extent);
+  }
+
+  const constraint::ExactTriangulation& walls;
+  const clearance::Bridges& bridges;
+  const nav::TwoCore* core;
+  /// The radius for computations in doubles. It is larger than the exact radius if that one is so small that doubles
+  /// cannot tell a position at this distance from a vertex from the vertex itself.
+  double radius;
+  /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
+  /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.
+  Point origin;
+
+  [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
+  /// The position of a vertex, relative to `origin`.
+  [[nodiscard]] Point position(mesh::Vertex v) const {
+    return walls.triangulation().geometry().rounded(number(v)) - origin;
+  }
+
+  /// Returns whether no disc passes between the two ends of the edge: the edge is a wall, or a bridge that is shorter
+  /// than the disc is wide. The decision is exact.
+  [[nodiscard]] bool is_closed(mesh::HalfEdge h) const {
+    if (mesh().is_fixed(h)) return true;
+    if (!bridges.is_bridge(h)) return false;
+    const exact::Geometry& geometry = walls.triangulation().geometry();
+    const Point& from = geometry.rounded(number(mesh().origin(h)));
+    const Point& to = geometry.rounded(number(mesh().target(h)));
+    return exact::compare_to_diameter({from, to, to}, exact_radius_) < 0;
+  }
+  /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
+  /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.
+  [[nodiscard]] std::optional<Point> closed_foot(mesh::HalfEdge corner) const {
+    const std::uint32_t foot = bridges.foot_at(corner);
+    if (foot == clearance::Bridges::kNone) return std::nullopt;
+    const exact::Geometry& geometry = walls.triangulation().geometry();
+    const constraint::Side& side = walls.any_side(bridges.foot(foot).wall);
+    const exact::Gap gap{geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
+                         geometry.rounded(number(side.to))};
+    if (exact::compare_to_diameter(gap, exact_radius_) >= 0) return std::nullopt;
+    return exact::end(gap) - origin;
+  }
+
+ private:
+  static constexpr double kLeastRadius = 0x1p-44;
+
+  double exact_radius_;
+};
+
+}  // namespace waywright::path
