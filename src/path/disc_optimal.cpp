@@ -59,7 +59,8 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
   if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
   count_goal_faces();
-  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, 2.0, kNone});
+  roots_.push_back(
+      {{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, 2.0, mesh::kNoHalfEdge, kNone});
   leave_start(map.walls.triangulation().locate(start));
 }
 
@@ -271,7 +272,9 @@ void DiscOptimal::expand(std::uint32_t index) {
   const Turn turn = turns_[index];
   const Root& from = roots_[turn.root];
   const double order = turning_order(from.direction, turn.line.direction, from.end.contact.side);
-  if (from.end.contact.side != 0 && order > from.reach + kTurnsBack && order < 4.0 - kTurnsBack) return;
+  if (from.end.contact.side != 0 && order > from.reach + kTurnsBack && order < 4.0 - kTurnsBack) {
+    return push_limit(index);
+  }
   if (turn.vertex == mesh::kNoVertex) return try_goal(index);
   Reached& reached = reached_at(turn.vertex, turn.turn);
   if (const std::uint32_t failed = failed_line(turn, reached.failed); failed != kNone) {
@@ -291,7 +294,7 @@ void DiscOptimal::expand(std::uint32_t index) {
     reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
     return push_obstacles(index, line_.left(), line_.right());
   }
-  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, 2.0, reached.root});
+  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, 2.0, mesh::kNoHalfEdge, reached.root});
   reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
   turn_around(reached.root, corner);
   go_on(static_cast<std::uint32_t>(roots_.size() - 1), turn.then);
@@ -321,6 +324,18 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
     }
     if (!is_repeated) push_turn(turns_[index].root, obstacle.corner, side, obstacle.line, index);
   }
+}
+
+/// Adds the turn around the vertex that limits the turn around the root of a line.
+void DiscOptimal::push_limit(std::uint32_t index) {
+  const Root& root = roots_[turns_[index].root];
+  if (root.limit == mesh::kNoHalfEdge) return;
+  const int turn = root.end.contact.side;
+  const Vertex v = map_->mesh().origin(root.limit);
+  const auto line = tangent(root.end.contact, end_at(v, turn).contact, map_->radius);
+  DiscLine::Obstacle limit;
+  if (line) limit = {v, root.limit, *line};
+  push_obstacles(index, turn > 0 ? limit : DiscLine::Obstacle{}, turn > 0 ? DiscLine::Obstacle{} : limit);
 }
 
 /// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
@@ -435,6 +450,7 @@ void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
     if (map_->is_closed(spoke)) {
       // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
       roots_[root_index].reach = mesh.is_fixed(spoke) ? order : order + 1.0;
+      roots_[root_index].limit = mesh.twin(spoke);
       return;
     }
     first = last;

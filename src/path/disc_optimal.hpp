@@ -64,7 +64,8 @@ class DiscOptimal {
     double length = 0.0;           ///< of the path up to there
     std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
     double reach = 2.0;            ///< how far the path can turn here, as turning_order() from `direction`
-    std::uint32_t next = kNone;    ///< another root at the same contact
+    mesh::HalfEdge limit = mesh::kNoHalfEdge;  ///< starts at the vertex that limits the turn, if there is one
+    std::uint32_t next = kNone;                ///< another root at the same contact
   };
 
   /// A bound of a window: a ray from the centre of its root.
@@ -124,6 +125,7 @@ class DiscOptimal {
   void expand(std::uint32_t index);
   void try_goal(std::uint32_t index);
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
+  void push_limit(std::uint32_t index);
   void go_on(std::uint32_t root, std::uint32_t then);
   [[nodiscard]] std::uint32_t dominating_root(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
   [[nodiscard]] std::uint32_t failed_line(const Turn& turn, std::uint32_t first) const;
