@@ -13,15 +13,15 @@ namespace waywright::path {
 /// The input of a search for the path of a disc: the walls of a world, their bridges, and the radius of the disc.
 class DiscMap {
  public:
-  /// `core` is the two-core of the walls, or null. The search uses it to leave out dead ends.
-  DiscMap(const constraint::ExactTriangulation& walls, const clearance::Bridges& bridges, double radius,
-          const Point& start, const nav::TwoCore* core = nullptr)
-      : walls(walls), bridges(bridges), core(core), exact_radius_(radius) {
+  /// `two_core` is the two-core of the triangulation, or null. The search uses it to leave out dead ends.
+  DiscMap(const constraint::ExactTriangulation& triangulation, const clearance::Bridges& bridges_of_it,
+          double exact_radius, const Point& start, const nav::TwoCore* two_core = nullptr)
+      : walls(triangulation), bridges(bridges_of_it), core(two_core), exact_radius_(exact_radius) {
     const Box& domain = walls.domain();
     const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
     if (largest > 1024.0 * extent) origin = start;
-    this->radius = std::max(radius, kLeastRadius * extent);
+    radius = std::max(exact_radius, kLeastRadius * extent);
   }
 
   const constraint::ExactTriangulation& walls;
