@@ -50,6 +50,7 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   windows_.clear();
   turns_.clear();
   failed_.clear();
+  noted_.clear();
   at_once_.clear();
   open_.clear();
   stamp_.next(1, reached_, goals_below_);
@@ -218,7 +219,13 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
   Reached& reached = reached_at(v, turn);
-  if (then == kNone && std::exchange(reached.noted, root) == root) return;
+  const Vertex next = then == kNone ? mesh::kNoVertex : turns_[then].vertex;
+  const int next_turn = then == kNone ? 2 : turns_[then].turn;
+  for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].before) {
+    if (noted_[i].root == root && noted_[i].next == next && noted_[i].next_turn == next_turn) return;
+  }
+  noted_.push_back({root, next, next_turn, reached.noted});
+  reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
   turns_.push_back({corner, root, v, turn, line, length, then});
@@ -273,7 +280,8 @@ void DiscOptimal::expand(std::uint32_t index) {
   const Root& from = roots_[turn.root];
   const double order = turning_order(from.direction, turn.line.direction, from.end.contact.side);
   if (from.end.contact.side != 0 && order > from.reach + kTurnsBack && order < 4.0 - kTurnsBack) {
-    return push_limit(index);
+    if (turn.then != kNone || turn.vertex == mesh::kNoVertex) push_limit(index);
+    return;
   }
   if (turn.vertex == mesh::kNoVertex) return try_goal(index);
   Reached& reached = reached_at(turn.vertex, turn.turn);

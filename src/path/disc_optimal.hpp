@@ -89,6 +89,14 @@ class DiscOptimal {
     std::uint32_t then;  ///< the turn, in `turns_`, that the path attempts next, or kNone
   };
 
+  /// A turn that the search has added, and the turn that the path attempts next.
+  struct Noted {
+    std::uint32_t root;
+    mesh::Vertex next;
+    int next_turn;  ///< 2 if there is none
+    std::uint32_t before;
+  };
+
   /// A line that failed its test.
   struct Failed {
     std::uint32_t root;  ///< where the line starts
@@ -100,7 +108,7 @@ class DiscOptimal {
   struct Reached {
     std::uint32_t query;
     std::uint32_t root;    ///< the last root there
-    std::uint32_t noted;   ///< the root of the last turn there
+    std::uint32_t noted;   ///< the last turn there, in `noted_`
     std::uint32_t failed;  ///< the last line to it that failed its test, in `failed_`
   };
 
@@ -159,6 +167,7 @@ class DiscOptimal {
   std::vector<Window> windows_;
   std::vector<Turn> turns_;
   std::vector<Failed> failed_;
+  std::vector<Noted> noted_;
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
   OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turns_` + 1
   DiscLine line_;

@@ -27,7 +27,7 @@ struct DiscSearch {
   Point goal;
   bool is_done = true;
   std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
-  std::optional<path::DiscMap> map;  ///< `search` refers to it
+  std::optional<path::DiscMap> map;                            ///< `search` refers to it
   path::DiscOptimal search;
   std::vector<path::DiscPiece> pieces;
 };
