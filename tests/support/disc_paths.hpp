@@ -52,7 +52,8 @@ void for_each_path(const Check& check) {
     const Walls walls = walls_of(scene);
     for (const auto& [start, goal] : scene.queries) {
       for (const double radius : scene.radii) {
-        const Path path = world.find_path({.start = start, .goal = goal, .radius = radius}).value();
+        const Path path =
+            world.find_path({.start = start, .goal = goal, .radius = radius, .end_tolerance = 0.0}).value();
         if (path.status != PathStatus::found) continue;
         SCOPED_TRACE(scene.name + ", " + to_string(start) + " to " + to_string(goal) + ", " + std::to_string(radius));
         check(scene, walls, path);

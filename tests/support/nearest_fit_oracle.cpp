@@ -10,7 +10,7 @@
 namespace waywright::test::disc {
 namespace {
 
-using Real = long double;
+using Real = double;
 
 struct Vec {
   Real x;
@@ -92,14 +92,14 @@ class Candidates {
     const Vec foot = line.at + line.along * product(centre - line.at, line.along);
     const Real from = size(centre - foot);
     const Real half = std::sqrt(std::max(Real(0), (r_ - from) * (r_ + from)));
-    if (from > r_ * (1 + 1e-15L)) return;
+    if (from > r_ * (1 + 1e-15)) return;
     add(foot + line.along * half);
     add(foot - line.along * half);
   }
   void add_circles(const Vec& p, const Vec& q) {
-    const Vec middle = (p + q) * 0.5L;
+    const Vec middle = (p + q) * 0.5;
     const Real half = size(q - p) / 2;
-    if (half == 0 || half > r_ * (1 + 1e-15L)) return;
+    if (half == 0 || half > r_ * (1 + 1e-15)) return;
     const Real rise = std::sqrt(std::max(Real(0), (r_ - half) * (r_ + half)));
     const Vec normal = Vec{p.y - q.y, q.x - p.x} * (1 / (2 * half));
     add(middle + normal * rise);
@@ -126,8 +126,8 @@ bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
   for (const double near_x : near(x)) {
     for (const double near_y : near(y)) is_found = visit(Point{near_x, near_y}) || is_found;
   }
-  const Real ulp = std::max({std::abs(x), std::abs(y), size(position)}) * 0x1p-53L;
-  for (Real ring = ulp; !is_found && ring < 5e4L * ulp; ring *= 4) {
+  const Real ulp = std::max({std::abs(x), std::abs(y), size(position)}) * 0x1p-53;
+  for (Real ring = ulp; !is_found && ring < 5e4 * ulp; ring *= 4) {
     for (int i = -4; i <= 4; ++i) {
       for (int j = -4; j <= 4; ++j) {
         if (std::max(std::abs(i), std::abs(j)) != 4) continue;
@@ -156,7 +156,7 @@ std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, cons
   };
   for (const Vec& position : candidates.sorted()) {
     if (best && size(position) > least) break;
-    if (!candidates.may_be_free(position, 1e-10L)) continue;
+    if (!candidates.may_be_free(position, 1e-10)) continue;
     visit_around(point, position, [&](const Point& p) {
       const Real distance = distance_between(p, point);
       if (best && distance >= least) return false;
