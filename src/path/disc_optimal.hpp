@@ -24,21 +24,18 @@ struct DiscPiece {
   Point end_direction;  ///< of the path where the arc ends
 };
 
-/// Finds the shortest path of a disc by A* over windows. The path is a sequence of straight lines and of arcs around
-/// wall vertices; each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which
-/// the path turns around it: left or right. The *root* of a line is the contact that it leaves, or the start. A
-/// *window* is an edge of the mesh together with the directions in which lines from one root cross it.
+/// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
+/// each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which the path turns
+/// around it: left or right. The *root* of a line is the contact that it leaves, or the start. A *turn* is a line from a
+/// root to a contact. A *window* is an edge of the mesh together with two rays from the vertex of a root.
 ///
-/// The search moves windows from face to face, as Optimal does for a point. A bound of a window is a line that touches
-/// the root and passes a vertex, its *anchor*, at the distance of the radius. If the apex of a face is nearer than the
-/// radius to some lines of the window, the face cuts these lines out of the window. The area behind the anchor of a
-/// bound is reached by a path that turns around the anchor. A *turn* is such a path up to the anchor.
+/// Windows find the vertices that the vertex of a root sees. They move from face to face, as in Optimal. If a disc can
+/// move along a straight line from one contact to another, then the two vertices see each other. Before a path uses a
+/// line, DiscLine tests it. If a vertex is in the way, the search adds the turn around this vertex, and then tries the
+/// old end of the line from there.
 ///
-/// Windows are too wide in two ways, which cost only time. They ignore walls beside the faces that they cross. And a
-/// bound is a direction in doubles. So before a path leaves a contact, DiscLine tests the line to the contact. If a
-/// vertex beside the line is in the way, the search adds the turn around this vertex.
-///
-/// Whether a disc passes a gap is decided exactly: windows and tested lines cross no closed gap.
+/// Whether a disc passes a gap is decided exactly: windows and tested lines cross no gap that is too narrow. All other
+/// numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya), for a
 /// point on a convex mesh.
