@@ -26,8 +26,8 @@ struct DiscPiece {
 
 /// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
 /// each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which the path turns
-/// around it: left or right. The *root* of a line is the contact that it leaves, or the start. A *turn* is a line from a
-/// root to a contact. A *window* is an edge of the mesh together with two rays from the vertex of a root.
+/// around it: left or right. The *root* of a line is the contact that it leaves, or the start. A *turn* is a line from
+/// a root to a contact. A *window* is an edge of the mesh together with two rays from the vertex of a root.
 ///
 /// Windows find the vertices that the vertex of a root sees. They move from face to face, as in Optimal. If a disc can
 /// move along a straight line from one contact to another, then the two vertices see each other. Before a path uses a
