@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path/distance.hpp"
+
 namespace waywright::path {
 
 using mesh::HalfEdge;
@@ -10,18 +12,9 @@ using mesh::Vertex;
 
 namespace {
 
-/// Allows for rounding: a wall may be nearer to a line than the radius, by at most this fraction of the radius.
-constexpr double kNearness = 0x1p-34;
 /// If a line comes as near as this fraction of the radius to touching a vertex, the test decides exactly whether the
 /// gaps at the vertex are wide enough.
 constexpr double kTouching = 0x1p-30;
-
-double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double squared = squared_length(along);
-  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return squared_length(p - lerp(a, b, share));
-}
 
 }  // namespace
 
@@ -42,8 +35,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   length_ = line.length;
   start_ = touching_point(from.contact, direction_, map.radius);
   end_ = touching_point(to.contact, direction_, map.radius);
-  const double least = map.radius * (1.0 - kNearness);
-  least_ = least * least;
+  least_ = map.least_distance() * map.least_distance();
   const double touched = map.radius * (1.0 + kTouching);
   touched_ = touched * touched;
   is_blocked_ = false;

@@ -40,6 +40,9 @@ class DiscMap {
     return walls.triangulation().geometry().rounded(number(v)) - origin;
   }
 
+  /// A wall may be nearer to the path than the radius, by a small share of it, to allow for rounding.
+  [[nodiscard]] double least_distance() const { return radius * (1.0 - 0x1p-34); }
+
   /// Returns whether no disc passes between the two ends of the edge: the edge is a wall, or a bridge that is shorter
   /// than the disc is wide. The decision is exact.
   [[nodiscard]] bool is_closed(mesh::HalfEdge h) const {

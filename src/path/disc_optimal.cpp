@@ -13,10 +13,6 @@ using mesh::Vertex;
 
 namespace {
 
-/// Two directions that differ by less than this count as equal. If a window is too wide, this only costs time.
-constexpr double kSameDirection = 0x1p-40;
-/// Allows for rounding: a line may be nearer to a vertex than the radius, by at most this fraction of the radius.
-constexpr double kNearness = 0x1p-34;
 /// If a line leaves a root in a direction that differs by more than this from those in which the path can turn, it
 /// turns back.
 constexpr double kTurnsBack = 0x1p-23;
@@ -24,13 +20,6 @@ constexpr double kTurnsBack = 0x1p-23;
 constexpr int kFacesBetweenLooks = 8;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
-
-double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double squared = squared_length(along);
-  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return squared_length(p - lerp(a, b, share));
-}
 
 /// Returns (1, 0) if the length is 0.
 Point unit(const Point& v) {
@@ -45,7 +34,7 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   start_ = start - map.origin;
   goal_ = goal - map.origin;
   is_found_ = false;
-  least_ = map.radius * (1.0 - kNearness);
+  least_ = map.least_distance();
   roots_.clear();
   windows_.clear();
   turns_.clear();

@@ -51,6 +51,14 @@ inline constexpr double kNoLength = 0x1p-900;
   return Point{a.x + share * edge.x, a.y + share * edge.y};
 }
 
+/// Returns the square of the distance from `p` to the segment from `a` to `b`.
+[[nodiscard]] inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double squared = squared_length(along);
+  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+  return squared_length(p - lerp(a, b, share));
+}
+
 [[nodiscard]] inline double distance_via_point(const Point& p, const Point& between, const Point& q) {
   return distance(p, between) + distance(between, q);
 }
