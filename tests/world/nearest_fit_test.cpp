@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -158,7 +159,7 @@ TEST(NearestFit, LiesOutsidePolygons) {
       boxes.push_back({min, max});
       world.insert(Shape::rectangle(boxes.back())).value();
       const std::array<Point, 5> corners{min, {max.x, min.y}, max, {min.x, max.y}, min};
-      for (int side = 0; side < 4; ++side) walls.segments.emplace_back(corners[side], corners[side + 1]);
+      for (std::size_t side = 0; side < 4; ++side) walls.segments.emplace_back(corners[side], corners[side + 1]);
     }
     const auto is_outside = [&](const Point& p) {
       return domain.contains(p) && std::none_of(boxes.begin(), boxes.end(), [&](const Box& box) {
