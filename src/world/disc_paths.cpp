@@ -51,6 +51,11 @@ void append_pieces(detail::DiscSearch& disc, Path& path) {
   path.length = path.lower_bound = path::length_of(path.pieces);
 }
 
+/// Writes the time since the start of the search, if the query wants it.
+void write_time(const detail::DiscSearch& disc, Path& path) {
+  if (disc.begun) path.time = std::chrono::steady_clock::now() - *disc.begun;
+}
+
 }  // namespace
 
 /// Moves the ends at which the disc does not fit. Returns whether it fits at both ends now. If not, writes to `path`
@@ -118,7 +123,10 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
   disc.begun.reset();
   if (query.wants_time) disc.begun = std::chrono::steady_clock::now();
   PathQuery freed = query;
-  if (!free_disc_ends(freed, scratch, path)) return true;
+  if (!free_disc_ends(freed, scratch, path)) {
+    write_time(disc, path);
+    return true;
+  }
   set_disc_start(freed.start, query.radius, scratch);
   begin_disc_search(freed.goal, scratch);
   return false;
@@ -137,7 +145,7 @@ bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratc
     widest_path(disc.start, disc.goal, scratch, widest);
     if (widest.is_connected) path.widest = std::move(widest);
   }
-  if (disc.begun) path.time = std::chrono::steady_clock::now() - *disc.begun;
+  write_time(disc, path);
   return true;
 }
 

@@ -123,6 +123,9 @@ TEST(DiscPaths, SayHowLongTheSearchTookIfAsked) {
   EXPECT_GT(world.find_path(query).value().time.count(), 0);
   query.radius = 6;
   EXPECT_GT(world.find_path(query).value().time.count(), 0) << "no path";
+  query.end_tolerance = 0;
+  query.start = {48, 50};
+  EXPECT_GT(world.find_path(query).value().time.count(), 0) << "a blocked start";
 }
 
 TEST(DiscPaths, DoNotDependOnPoints) {

@@ -45,6 +45,9 @@ void expect_equal(const Path& path, const Path& expected) {
   EXPECT_EQ(path.pieces, expected.pieces);
   EXPECT_EQ(path.blockers, expected.blockers);
   EXPECT_EQ(path.widest, expected.widest);
+  EXPECT_EQ(path.radius, expected.radius);
+  EXPECT_EQ(path.moved_start, expected.moved_start);
+  EXPECT_EQ(path.moved_goal, expected.moved_goal);
 }
 
 TEST(DiscSlices, AnswerAsInOneGo) {
@@ -120,6 +123,50 @@ TEST(DiscSlices, CanChangeBetweenPointsAndDiscs) {
       expect_equal(search.path(), expected);
       EXPECT_EQ(search.path().points, expected.points);
     }
+  }
+}
+
+TEST(DiscSlices, SayHowLongTheSearchTookIfAsked) {
+  World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  world.insert_segment({50, 0}, {50, 60}).value();
+  PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 5, .end_tolerance = 0};
+  PathSearch search;
+  for (const Point& start : {Point{20, 50}, Point{48, 50}}) {
+    query.start = start;
+    for (const bool wants_time : {true, false}) {
+      query.wants_time = wants_time;
+      search.begin(world, query).value();
+      while (!search.step(1).value()) {
+      }
+      EXPECT_EQ(search.path().time.count() > 0, wants_time) << "start " << to_string(start);
+    }
+  }
+}
+
+// The disc fits neither at the start nor at two of the goals, but near to them.
+TEST(DiscEnds, MoveInSlicesAndFromOneStartAsInSingleQueries) {
+  World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  world.insert_segment({50, 0}, {50, 60}).value();
+  world.insert_segment({75, 40}, {75, 100}).value();
+  const std::vector<Point> goals{{77, 90}, {90, 20}, {52, 20}};
+  const std::vector<Path> paths =
+      world.find_paths_from({.start = {48, 50}, .goals = goals, .radius = 5, .end_tolerance = 4}).value();
+  PathSearch search;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    SCOPED_TRACE("goal " + std::to_string(i));
+    const PathQuery query{.start = {48, 50}, .goal = goals[i], .radius = 5, .end_tolerance = 4};
+    const Path expected = world.find_path(query).value();
+    ASSERT_EQ(expected.status, PathStatus::found);
+    ASSERT_TRUE(expected.moved_start);
+    EXPECT_EQ(expected.moved_start->to, (Point{45, 50}));
+    EXPECT_EQ(expected.moved_goal.has_value(), i != 1);
+    EXPECT_EQ(expected.pieces.front().from, expected.moved_start->to);
+    EXPECT_EQ(expected.pieces.back().to, expected.moved_goal ? expected.moved_goal->to : goals[i]);
+    expect_equal(paths[i], expected);
+    search.begin(world, query).value();
+    while (!search.step(1).value()) {
+    }
+    expect_equal(search.path(), expected);
   }
 }
 

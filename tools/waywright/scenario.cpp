@@ -249,11 +249,8 @@ class ScenarioRun {
   std::chrono::nanoseconds ask(const ScenarioQuery& query, QueryContext& context, Path& path) const {
     PathQuery asked{query.start, query.goal, radius_, options_.algorithm};
     asked.wants_time = true;
-    const auto begin = std::chrono::steady_clock::now();
     const Result<void> done = world_.find_path(asked, context, path);
-    const std::chrono::nanoseconds time = std::chrono::steady_clock::now() - begin;
-    // The library does not measure the time of a search for a disc.
-    if (done.ok()) return is_of_discs() ? time : path.time;
+    if (done.ok()) return path.time;
     const char* const hint =
         done.error().code == ErrorCode::out_of_domain ? "; is this the scenario of another map?" : "";
     throw Failure(fmt::format("{}:{}: {}{}", options_.scenario, query.line, done.error().message(), hint));
