@@ -149,8 +149,8 @@ TEST(DiscEnds, MoveInSlicesAndFromOneStartAsInSingleQueries) {
   world.insert_segment({50, 0}, {50, 60}).value();
   world.insert_segment({75, 40}, {75, 100}).value();
   const std::vector<Point> goals{{77, 90}, {90, 20}, {52, 20}};
-  const std::vector<Path> paths =
-      world.find_paths_from({.start = {48, 50}, .goals = goals, .radius = 5, .end_tolerance = 4}).value();
+  const ManyGoalsQuery many{.start = {48, 50}, .goals = goals, .radius = 5, .wants_points = true, .end_tolerance = 4};
+  const std::vector<Path> paths = world.find_paths_from(many).value();
   PathSearch search;
   for (std::size_t i = 0; i < goals.size(); ++i) {
     SCOPED_TRACE("goal " + std::to_string(i));
