@@ -9,9 +9,9 @@
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "path/ends.hpp"
-#include "path/funnel.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
+#include "path/taut_tree.hpp"
 
 namespace waywright::path {
 
