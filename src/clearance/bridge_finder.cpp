@@ -10,11 +10,6 @@ using exact::Sign;
 using mesh::HalfEdge;
 using mesh::Vertex;
 
-double BridgeFinder::largest_rounding(const Box& domain) {
-  return 0x1p-52 *
-         std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-}
-
 Gap BridgeFinder::gap_to_wall(HalfEdge corner, HalfEdge wall) const {
   const constraint::Side& side = triangulation_.any_side(wall);
   return {position_of(mesh_.origin(corner)), position_of(side.from), position_of(side.to)};

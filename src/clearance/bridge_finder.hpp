@@ -6,6 +6,7 @@
 
 #include "clearance/disc.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -57,7 +58,7 @@ class BridgeFinder {
         triangulation_(triangulation),
         mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
-        rounding_(geometry_.has_constructed() ? largest_rounding(triangulation.domain()) : 0.0) {
+        rounding_(constraint::largest_rounding(triangulation)) {
     scratch.visited.grow_to(mesh_.face_slots());
   }
 
@@ -87,8 +88,6 @@ class BridgeFinder {
  private:
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const { return geometry_.is_explicit(number(v)); }
-  /// The largest difference between a coordinate of a constructed vertex and the rounded coordinate.
-  [[nodiscard]] static double largest_rounding(const Box& domain);
   /// Says where `v` lies relative to a gap that ends at a foot on the line from a to b: positive if `v` is farther
   /// along this line than the foot, zero if it lies on the line of the gap, negative otherwise.
   [[nodiscard]] exact::Sign side_of_foot(const exact::Gap& gap, mesh::Vertex v) const;

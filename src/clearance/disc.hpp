@@ -6,6 +6,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "clearance/distance_bounds.hpp"
 
 namespace waywright::clearance {
 
@@ -61,14 +62,7 @@ struct Disc {
   [[nodiscard]] bool may_touch(const Point& a, const Point& b, double rounding) const {
     const Point from{a.x - origin.x - centre.x, a.y - origin.y - centre.y};
     const Point along{b.x - a.x, b.y - a.y};
-    const double squared_length = along.x * along.x + along.y * along.y;
-    const double dot = -(from.x * along.x + from.y * along.y);
-    const double share = dot <= 0.0 ? 0.0 : dot >= squared_length ? 1.0 : dot / squared_length;
-    const double x = from.x + share * along.x;
-    const double y = from.y + share * along.y;
-    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
-    const double slack = kUnit * extent + 4.0 * rounding;
-    const double distance = std::max(std::sqrt(x * x + y * y) - slack, 0.0);
+    const double distance = std::max(bound_distance(from, along, rounding).least, 0.0);
     return !(distance * distance > squared_radius);
   }
 

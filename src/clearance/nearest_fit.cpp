@@ -8,6 +8,8 @@
 
 #include "base/ieee.hpp"
 #include "clearance/wall_line.hpp"
+#include "constraint/rounding.hpp"
+#include "exact/filter.hpp"
 #include "exact/gap.hpp"
 #include "exact/next_coordinate.hpp"
 
@@ -66,8 +68,8 @@ std::optional<Point> NearestFit::find(const Triangulation& triangulation, constr
   if (query.radius > domain.width() || query.radius > domain.height()) return std::nullopt;
   if (goal != nullptr) reach_.begin(Cells(goal->walls, goal->bridges), goal->cell, query.radius);
   if (fits(query.point) && counts(query.point)) return query.point;
-  largest_ = std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-  rounding_ = triangulation.triangulation().geometry().has_constructed() ? 0x1p-50 * largest_ : 0.0;
+  largest_ = exact::filter::largest_magnitude(domain);
+  rounding_ = constraint::largest_rounding(triangulation);
   open_.clear();
   pieces_.clear();
   const mesh::TriangleMesh& mesh = triangulation.topology();

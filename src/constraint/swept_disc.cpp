@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/ieee.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::constraint {
@@ -33,14 +34,11 @@ class Reach {
       : mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
         from_(sweep.from),
-        radius_(std::min(sweep.radius, kLargestRadius)) {
+        radius_(std::min(sweep.radius, kLargestRadius)),
+        rounding_(largest_rounding(triangulation)) {
     const Point d = sweep.to - sweep.from;
     length_ = std::sqrt(d.x * d.x + d.y * d.y);
     if (length_ > 0.0) direction_ = {d.x / length_, d.y / length_};
-    if (!geometry_.has_constructed()) return;
-    const Box& domain = triangulation.domain();
-    rounding_ = 0x1p-50 * std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x),
-                                    std::abs(domain.max.y)});
   }
 
   /// Returns a distance that the centre has moved at least when the disc meets the edge, or nothing if the disc does

@@ -141,25 +141,16 @@ TEST_P(Gaps, LargestRadiusAgreesWithComparisons) {
   }
 }
 
-/// Points with the largest offsets of each size of the integers of fixed width.
 TEST(GapSizes, LargestOffsetsFit) {
-  Random random(9);
-  for (const int bits : {13, 29, 60}) {
-    Answered answered;
-    const double largest = std::ldexp(1.0 - 0x1p-53, bits);
-    const std::array<double, 5> choices = {0.0, 1.0, bits < 53 ? std::floor(largest) : largest,
-                                           std::ldexp(1.0, bits - 1), 2.0};
-    const auto point = [&] { return Point{choices[random.below(5)], choices[random.below(5)]}; };
-    for (int i = 0; i < 600 && !testing::Test::HasFailure(); ++i) {
-      const Gap p = {point(), point(), point()}, q = {point(), point(), point()};
-      check_lengths(p, q, answered);
-      check_distances(p.from, p.a, p.b, q.a, q.b, answered);
-      check_dot(p.from, p.a, q.from, q.a, answered);
-      check_diameter(p, choices[random.below(5)], answered);
-      check_distance(p.from, p.a, p.b, choices[random.below(5)], answered);
-    }
-    EXPECT_EQ(bits == 13 ? answered.small : bits == 29 ? answered.narrow : answered.wide, answered.calls) << bits;
-  }
+  check_largest_offsets(600, [](LargestOffsets& source, Answered& answered) {
+    const Gap p = {source.point(), source.point(), source.point()};
+    const Gap q = {source.point(), source.point(), source.point()};
+    check_lengths(p, q, answered);
+    check_distances(p.from, p.a, p.b, q.a, q.b, answered);
+    check_dot(p.from, p.a, q.from, q.a, answered);
+    check_diameter(p, source.length(), answered);
+    check_distance(p.from, p.a, p.b, source.length(), answered);
+  });
 }
 
 // Constructed ties.
