@@ -50,7 +50,7 @@ Bridges::Bridges(const Triangulation& triangulation) {
   BridgeFinder finder(triangulation, scratch_);
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
-    if (i % 3 == 0 && !triangulation.triangulation().is_in_box(mesh::face(h))) {
+    if (i % 3 == 0 && !triangulation.triangulation().is_in_domain(mesh::face(h))) {
       i += 2;
       continue;
     }
@@ -154,7 +154,7 @@ void Bridges::clear_face(Face f) {
 void Bridges::collect_near(const Triangulation& triangulation, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (const Face f : touched_) {
-    if (!triangulation.triangulation().is_in_box(f)) continue;
+    if (!triangulation.triangulation().is_in_domain(f)) continue;
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       note_near(mesh.origin(h));
@@ -284,7 +284,7 @@ std::optional<std::string> Bridges::find_fault(const Triangulation& triangulatio
   for (std::uint32_t i = 0; i < 3 * triangulation.topology().face_slots(); ++i) {
     const HalfEdge h{i};
     // If an operation was undone, the mesh may have more slots than the bridges have. These additional slots are free.
-    if (!triangulation.triangulation().is_in_box(mesh::face(h))) continue;
+    if (!triangulation.triangulation().is_in_domain(mesh::face(h))) continue;
     if (is_bridge(h) != rebuilt.is_bridge(h)) return fault_at("the bridge", i);
     if (wall_at(*this, h) != wall_at(rebuilt, h)) return fault_at("the foot bridge", i);
     std::uint32_t p = first_foot_on(h);

@@ -57,7 +57,7 @@ template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
                                                              const threads::ThreadTeam& team)
-    : domain_(domain), triangulation_(domain, kSidesOfBox) {
+    : domain_(domain), triangulation_(domain, kSidesOfDomain) {
   locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), team);
   const std::span<const std::uint32_t> ranks(sorted.ranks);
   corner_uses_.grow_to(sorted.points.size() + 1, UseLists::kNone);
@@ -71,7 +71,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
         });
       },
       [&] { hash = hash_of_batch(batch); }};
-  triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), team, jobs);
+  triangulation_ = Triangulation(domain, kSidesOfDomain, std::move(sorted), team, jobs);
   items_.outline(ItemTable::kDomain, outline_);
   items_.add_hash(hash_of(ItemTable::kDomain, outline_));
   items_.add_hash(hash);

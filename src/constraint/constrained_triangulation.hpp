@@ -108,8 +108,8 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
   /// The first four sides are those of the domain.
-  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::single(0), UseLists::single(1),
-                                                             UseLists::single(2), UseLists::single(3)};
+  static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
+                                                                UseLists::single(2), UseLists::single(3)};
 
   /// The next piece of a side. It first crosses the free edges in `crossed_`. It ends at `vertex`, or at the edge
   /// `fixed`.

@@ -99,7 +99,7 @@ class Reach {
 Point nearest_on_wall(const Point& point, const Point& a, const Point& b) {
   if (exact::dot(a, point, a, b) != Sign::positive) return a;
   if (exact::dot(b, point, a, b) != Sign::negative) return b;
-  return exact::end({point, a, b});
+  return exact::end_of({point, a, b});
 }
 
 auto key_of(const Touch& touch) { return std::tuple(touch.kind, touch.a.x, touch.a.y, touch.b.x, touch.b.y); }
@@ -195,7 +195,7 @@ Point SweptDisc::contact(const Sweep& sweep, const Point& centre) const {
                            ? exact::compare_distances(sweep.from, touch.a, touch.b, nearest->a, nearest->b)
                            : std::strong_ordering::equal;
     if (order > 0) continue;
-    const Point position = touch.kind == Touch::Kind::line ? exact::end({centre, touch.a, touch.b})
+    const Point position = touch.kind == Touch::Kind::line ? exact::end_of({centre, touch.a, touch.b})
                                                            : nearest_on_wall(centre, touch.a, touch.b);
     if (nearest == nullptr || order < 0 || is_before(position, result)) {
       nearest = &touch;

@@ -96,7 +96,7 @@ void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
 void Abstraction::collect_made(const Triangulation& triangulation) {
   made_.clear();
   std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(made_),
-               [&](Face f) { return triangulation.triangulation().is_in_box(f); });
+               [&](Face f) { return triangulation.triangulation().is_in_domain(f); });
 }
 
 /// Removes the polygons that this operation both inserted and removed from both lists.
@@ -133,7 +133,7 @@ std::optional<std::string> Abstraction::find_fault(const Triangulation& triangul
   const Abstraction rebuilt(triangulation);
   std::vector<Face> faces;
   for (std::uint32_t i = 0; i < triangulation.topology().face_slots(); ++i) {
-    if (triangulation.triangulation().is_in_box(Face{i})) faces.push_back(Face{i});
+    if (triangulation.triangulation().is_in_domain(Face{i})) faces.push_back(Face{i});
   }
   if (auto fault = components_.find_difference(rebuilt.components_, faces)) return fault;
   return core_.find_difference(triangulation.topology(), rebuilt.core_, faces);

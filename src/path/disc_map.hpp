@@ -63,7 +63,7 @@ class DiscMap {
     const exact::Gap gap{geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
                          geometry.rounded(number(side.to))};
     if (exact::compare_to_diameter(gap, exact_radius_) >= 0) return std::nullopt;
-    return exact::end(gap) - origin;
+    return exact::end_of(gap) - origin;
   }
 
  private:

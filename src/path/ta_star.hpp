@@ -76,7 +76,7 @@ class TaStar {
   double best_length_ = 0.0;
   std::uint32_t best_corner_ = 0;
   std::uint32_t best_node_ = 0;
-  double given_up_bound_ = 0.0;  ///< the least bound of the channels that reached a half-edge already entered
+  double dropped_bound_ = 0.0;  ///< the least bound of the channels that reached a half-edge already entered
 };
 
 }  // namespace waywright::path

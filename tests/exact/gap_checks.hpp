@@ -187,8 +187,8 @@ void expect_stages(const StageAnswers<Answer>& answers, Answer expected, Answere
   check(answers.small, answered.small, "small");
   check(answers.narrow, answered.narrow, "narrow");
   check(answers.wide, answered.wide, "wide");
-  ASSERT_TRUE(answers.any.has_value());
-  EXPECT_EQ(*answers.any, expected) << "any";
+  ASSERT_TRUE(answers.integers.has_value());
+  EXPECT_EQ(*answers.integers, expected) << "integers";
 }
 
 /// Random coordinates and lengths that include the largest ones below 2^bits.

@@ -68,7 +68,7 @@ TEST_P(Discs, TouchesAgreesWithRationalsAtTheEndsOfTheGap) {
   for (int i = 0; i < kCalls / 8 && !HasFailure(); ++i) {
     const Gap gap = source_.gap();
     const Point direction = gap.a == gap.b ? gap.a - gap.from : turned(gap.b - gap.a);
-    for (const Point& c : {gap.from, gap.a, gap.b, exact::end(gap)}) {
+    for (const Point& c : {gap.from, gap.a, gap.b, exact::end_of(gap)}) {
       for (const Point& d : {c, point(), gap.from, gap.a, gap.b, c + turned(direction), c - turned(direction),
                              c + direction, c - direction * 0.5}) {
         if (!is_in_range(c) || !is_in_range(d)) continue;
