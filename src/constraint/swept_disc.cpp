@@ -25,7 +25,7 @@ namespace {
 /// meet, but it misses none.
 ///
 /// The disc lies in a box around the segment of its centre, wider than the segment by the radius on each side. In
-/// coordinates along and across the segment, the function clips an edge to this box. All numbers have errors of less
+/// coordinates along and across the segment, earliest() clips an edge to this box. All numbers have errors of less
 /// than 2^-49 times the sum of the magnitudes, and the box is wider than the exact one by 2^-46 times this sum. If a
 /// vertex is a crossing, its coordinates are rounded, and the box is wider by this error, too.
 class Reach {
@@ -41,8 +41,8 @@ class Reach {
     if (length_ > 0.0) direction_ = {d.x / length_, d.y / length_};
   }
 
-  /// Returns a distance that the centre has moved at least when the disc meets the edge, or nothing if the disc does
-  /// not meet it.
+  /// Returns a lower bound of the distance that the centre has moved when the disc first meets the edge. Returns
+  /// nothing if the disc does not meet the edge.
   [[nodiscard]] std::optional<double> earliest(HalfEdge h) const {
     const Point p = position(geometry_.rounded(number(mesh_.origin(h))));
     const Point q = position(geometry_.rounded(number(mesh_.target(h))));
@@ -69,7 +69,8 @@ class Reach {
     return std::max(0.0, least - limit);
   }
 
-  /// A distance that the centre has moved at most when it is at `centre`, which exact::centre_at() has returned.
+  /// Returns an upper bound of the distance that the centre has moved when it is at `centre`. Requires:
+  /// exact::centre_at() has returned `centre`.
   [[nodiscard]] double latest(const Point& centre) const {
     const Point moved = centre - from_;
     const double error = 0x1p-46 * length_ + 0x1p-49 * (std::abs(from_.x) + std::abs(from_.y));
@@ -77,7 +78,7 @@ class Reach {
   }
 
  private:
-  /// In range, no distance is above 2^101.5, so two larger radii have the same answers.
+  /// No distance in the range of coordinates is above 2^101.5. So all larger radii have the same answer.
   static constexpr double kLargestRadius = 0x1p103;
 
   /// The position along and across the segment.

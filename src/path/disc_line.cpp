@@ -85,7 +85,7 @@ void DiscLine::walk(HalfEdge face) {
   }
 }
 
-/// The line crosses a wall, or a gap that is too narrow. If it passes an end of it on the wrong side and near enough,
+/// The line crosses a wall, or a gap that is too narrow. If the line passes near enough to an end of this wall or gap,
 /// the path has to turn around this end.
 void DiscLine::look_at_closed(HalfEdge exit) {
   is_blocked_ = true;

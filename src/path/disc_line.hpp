@@ -23,7 +23,7 @@ class DiscLine {
     mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex at a point
   };
 
-  /// A vertex that the disc would cut. The line can only pass it if it turns around it.
+  /// A vertex that is nearer to the line than the radius. A path can pass the vertex only if it turns around it.
   struct Obstacle {
     mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex if there is none
     mesh::HalfEdge corner;                  ///< starts at the vertex
@@ -40,8 +40,8 @@ class DiscLine {
   [[nodiscard]] const Obstacle& right() const { return obstacles_[0]; }
 
   /// Returns a half-edge of the face that contains the position at which a line in this direction touches the contact
-  /// at the origin of `corner`. `corner` is the half-edge of its face that starts at the vertex, in the face that
-  /// contains the beginning of the way from the vertex to the position.
+  /// at the origin of `corner`, the vertex. The segment from the vertex to this position starts in the face of
+  /// `corner`.
   [[nodiscard]] static mesh::HalfEdge face_at(const DiscMap& map, const Point& vertex, const Point& touching,
                                               mesh::HalfEdge corner);
 

@@ -13,8 +13,8 @@ using mesh::Vertex;
 
 namespace {
 
-/// If a line leaves a root in a direction that differs by more than this from those in which the path can turn, it
-/// turns back.
+/// The tolerance of the tests whether a path turns back at a root: for orders of directions (turning_order()) and for
+/// cross products of unit vectors.
 constexpr double kTurnsBack = 0x1p-23;
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenLooks = 8;
@@ -309,8 +309,8 @@ void DiscOptimal::try_goal(std::uint32_t index) {
   at_once_.clear();
 }
 
-/// Adds the turns around the vertices that are in the way of a line. Behind them, the path goes on to the end of the
-/// line.
+/// Adds the turns around the vertices that are too near to a line. After such a turn, the path continues to the end of
+/// the line.
 void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right) {
   for (const int side : {1, -1}) {
     const DiscLine::Obstacle obstacle = side > 0 ? left : right;

@@ -60,7 +60,7 @@ class DiscOptimal {
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
     std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
-    double reach = 2.0;            ///< how far the path can turn here, as turning_order() from `direction`
+    double reach = 2.0;            ///< how far the path can turn here: turning_order() from `direction`, at most this
     mesh::HalfEdge limit = mesh::kNoHalfEdge;  ///< starts at the vertex that limits the turn, if there is one
     std::uint32_t next = kNone;                ///< another root at the same contact
   };
