@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -140,6 +141,9 @@ struct Validation {
   std::string fault;  ///< the first fault; empty if `ok`
 };
 
+/// The value of WorldOptions::new_vertex_limit that means "no limit".
+inline constexpr std::size_t kNoVertexLimit = std::numeric_limits<std::size_t>::max();
+
 /// The options of World::create.
 ///
 /// @code{.cpp}
@@ -157,6 +161,8 @@ struct WorldOptions {
   /// takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one corner, the world
   /// keeps a second mesh, of the walls alone, and each operation changes both meshes.
   bool keep_bridges = false;
+  /// The largest number of vertices that one operation may make: World::set_new_vertex_limit.
+  std::size_t new_vertex_limit = kNoVertexLimit;
 };
 
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
@@ -223,7 +229,7 @@ class WAYWRIGHT_API World {
   /// Inserts a shape under `id`. If `id` is null, the world chooses the id: the largest id that it has seen, plus 1.
   /// Returns the id. If the function refuses a point, Error::index is the index of this point in the shape, counted
   /// from 0 over all rings.
-  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large.
+  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large, too_many_vertices.
   /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
   /// O(log n) for each item that shares a position or an edge with this one. With the abstraction: for a polygon, also
   /// the triangles inside it that no polygon within it covers; and if the walls divide an area, the triangles of the
@@ -292,6 +298,40 @@ class WAYWRIGHT_API World {
   Result<std::vector<ItemId>> apply(std::initializer_list<Change> changes) {
     return apply(std::span<const Change>(std::data(changes), changes.size()));
   }
+
+  /// @}
+
+  /// @name Limiting operations
+  /// You need this group if your program takes shapes from people whom you do not know, for example on a server. Few
+  /// points can make many vertices: two polylines of n points can have n^2 crossings. A limit bounds the number of
+  /// vertices that one operation may make. Limit the number of points, too: sides that lie on existing edges make no
+  /// vertices, but take time and memory.
+  ///
+  /// @code{.cpp}
+  /// World board = World::create({{0, 0}, {100, 100}}, {.new_vertex_limit = 3}).value();
+  /// board.insert_segment({10, 50}, {90, 50}).value();  // makes 2 vertices: the ends
+  /// board.insert_segment({50, 10}, {50, 90}).value();  // makes 3: the ends and a crossing
+  /// const Result<ItemId> refused = board.insert_segment({20, 40}, {60, 60});  // 4: the ends and two crossings
+  /// const bool is_refused = refused.error().code == ErrorCode::too_many_vertices;  // == true
+  /// @endcode
+  /// @{
+
+  /// Sets the largest number of vertices that one operation may make: each later call of a function that changes items
+  /// is one operation. The limit counts the vertices at new corners and the vertices at new crossings. It does not
+  /// count vertices that exist already. If an operation changes several items, their new vertices are added up. If it
+  /// also removes items, a vertex that their removal has removed and that an insertion makes again counts.
+  ///
+  /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
+  /// Error::item is the item at which it passed the limit. insert_all(), insert_points() and apply() choose the order
+  /// in which they make the vertices of the items, so it need not be the item with the most vertices.
+  ///
+  /// To limit a single operation, set the limit before it, and kNoVertexLimit after it. To limit the size of a world,
+  /// set the limit to the difference between your largest size and vertex_count().
+  /// Cost: O(1). A refused operation costs the check of all its points, what it did until it passed the limit, and
+  /// taking this back.
+  void set_new_vertex_limit(std::size_t limit);
+  /// Returns the largest number of vertices that one operation may make.
+  [[nodiscard]] std::size_t new_vertex_limit() const;
 
   /// @}
 
@@ -692,6 +732,7 @@ class WAYWRIGHT_API World {
 
  private:
   friend class PathSearch;
+  friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;
   explicit World(std::unique_ptr<Impl> impl);

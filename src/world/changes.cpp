@@ -49,6 +49,13 @@ std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId
   return std::nullopt;
 }
 
+/// Returns the number of insertions with which the list begins.
+std::size_t count_insertions(std::span<const Change> changes) {
+  const auto end = std::find_if(changes.begin(), changes.end(),
+                                [](const Change& change) { return change.kind != Change::Kind::insert; });
+  return static_cast<std::size_t>(end - changes.begin());
+}
+
 /// Returns the error with the index `i` of the refused element in a list, and with the noun for the element in the
 /// message.
 Error in_list(const char* element, std::size_t i, Error error) {
@@ -71,7 +78,7 @@ Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   const base::FloatEnvironment environment;
   if (auto error = check_one(impl_->triangulation).add_insertion(shape, id)) return *std::move(error);
   Operation operation(*impl_);
-  operation.insert(shape, id);
+  if (auto error = operation.insert(shape, id)) return *std::move(error);
   operation.commit();
   return id;
 }
@@ -98,7 +105,7 @@ Result<void> World::replace(ItemId id, const Shape& shape) {
   if (auto error = check_one(impl_->triangulation).add_replacement(id, shape)) return *std::move(error);
   Operation operation(*impl_);
   operation.remove(id);
-  operation.insert(shape, id);
+  if (auto error = operation.insert(shape, id)) return *std::move(error);
   operation.commit();
   return {};
 }
@@ -115,21 +122,23 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     is_all_insertions = is_all_insertions && changes[i].kind == Change::Kind::insert;
   }
   if (is_all_insertions) {
-    impl_->insert_all(constraint::ShapeBatch<Change>{changes, ids});
+    auto error = impl_->insert_all(constraint::ShapeBatch<Change>{changes, ids});
+    if (error) return in_list("change", error->index, *std::move(error));
     return ids;
   }
   Operation operation(*impl_);
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    std::size_t end = i;
-    while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
-    if (end > i + 1) {
-      const std::span<const ItemId> batch_ids(ids.data() + i, end - i);
-      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), batch_ids});
-      i = end - 1;
-      continue;
+  for (std::size_t i = 0; i < changes.size();) {
+    const std::size_t count = count_insertions(changes.subspan(i));
+    std::optional<Error> error;
+    if (count > 1) {
+      const std::span<const ItemId> batch_ids(ids.data() + i, count);
+      error = operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, count), batch_ids});
+    } else {
+      if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
+      if (changes[i].kind != Change::Kind::remove) error = operation.insert(changes[i].shape, ids[i]);
     }
-    if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
-    if (changes[i].kind != Change::Kind::remove) operation.insert(changes[i].shape, ids[i]);
+    if (error) return in_list("change", i + error->index, *std::move(error));
+    i += std::max(count, std::size_t{1});
   }
   operation.commit();
   return ids;
@@ -147,7 +156,9 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
     total += items[i].shape.rings.points().size();
   }
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, team_of(options, total));
+  if (auto error = impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, team_of(options, total))) {
+    return in_list("item", error->index, *std::move(error));
+  }
   if (options.progress) options.progress(total, total);
   return ids;
 }
@@ -158,7 +169,9 @@ Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOp
   ChangeCheck check(impl_->triangulation, ChangeCheck::Record::no);
   if (auto error = check.add_points(points, first)) return *std::move(error);
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  impl_->insert_all(constraint::PointBatch{points, first}, team_of(options, points.size()));
+  if (auto error = impl_->insert_all(constraint::PointBatch{points, first}, team_of(options, points.size()))) {
+    return *std::move(error);
+  }
   if (options.progress) options.progress(points.size(), points.size());
   return first;
 }

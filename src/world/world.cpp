@@ -32,6 +32,10 @@ Result<World> World::create(const Box& domain, const WorldOptions& options) {
 
 const Box& World::domain() const { return impl_->triangulation.domain(); }
 
+std::size_t World::new_vertex_limit() const { return impl_->limits.of_operation; }
+
+void World::set_new_vertex_limit(std::size_t limit) { impl_->limits.of_operation = limit; }
+
 std::uint64_t World::version() const { return impl_->touch_log->version(); }
 
 std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }

@@ -13,6 +13,7 @@
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
 #include "world/change_log.hpp"
+#include "world/limit_error.hpp"
 #include "world/path_query_error.hpp"
 #include "world/spare_context.hpp"
 #include "world/touch_log.hpp"
@@ -21,14 +22,16 @@ namespace waywright {
 
 struct WAYWRIGHT_INTERNAL World::Impl {
   Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
+    limits.of_operation = options.new_vertex_limit;
     if (options.keep_abstraction) abstraction.emplace(triangulation);
     if (options.keep_bridges) clearance = std::make_unique<clearance::Clearance>(triangulation);
   }
   ~Impl() { touch_log->note_world_gone(); }
 
-  /// Inserts a batch as one operation.
+  /// Inserts a batch as one operation. If it passes a limit, changes nothing and returns the error, with the index of
+  /// an item of the batch.
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
+  [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
   // The next three functions record items in `change_log`: all items of a batch, one item that an operation inserts, or
   // one item that it removes.
   template <class Batch>
@@ -67,6 +70,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
   constraint::ExactTriangulation triangulation;
+  constraint::VertexLimits limits;  ///< of each operation
   std::optional<nav::Abstraction> abstraction;
   std::unique_ptr<clearance::Clearance> clearance;  ///< null if the world keeps no bridges
   std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
@@ -79,26 +83,32 @@ struct WAYWRIGHT_INTERNAL World::Impl {
 /// destructor takes all changes back.
 class WAYWRIGHT_INTERNAL World::Operation {
  public:
-  explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
+  explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation, impl.limits) {
     if (impl_.abstraction) impl_.abstraction->begin();
     if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);
     impl_.change_log.begin();
   }
 
-  void insert(const Shape& shape, ItemId id) {
+  // If an insertion passes a limit, the functions return the error. The operation must then be undone. The second
+  // function sets the index of the error to that of an item of the batch.
+  [[nodiscard]] std::optional<Error> insert(const Shape& shape, ItemId id) {
     impl_.triangulation.insert(shape, id);
+    if (impl_.triangulation.has_too_many_vertices()) return limit_error(impl_.triangulation.budget(), id);
     note_inserted(shape.kind, id);
     note_changed(id);
     impl_.note_item(shape.kind, shape.rings);
+    return std::nullopt;
   }
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {}) {
+  [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {}) {
     impl_.triangulation.insert_all(batch, team);
+    if (impl_.triangulation.has_too_many_vertices()) return limit_error(impl_.triangulation, batch);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       note_inserted(batch.kind(i), batch.id(i));
       note_changed(batch.id(i));
     }
     impl_.note_changes(batch);
+    return std::nullopt;
   }
   void remove(ItemId id) {
     const std::uint32_t slot = impl_.triangulation.items().slot(id);
@@ -142,13 +152,15 @@ class WAYWRIGHT_INTERNAL World::Operation {
 /// If the world has no items, the function builds a new triangulation and then replaces the old one. So the insertion
 /// is all or nothing without an undo log.
 template <class Batch>
-void World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
+std::optional<Error> World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   if (triangulation.items().size() != 0) {
     Operation operation(*this);
-    operation.insert_all(batch, team);
-    return operation.commit();
+    if (auto error = operation.insert_all(batch, team)) return error;
+    operation.commit();
+    return std::nullopt;
   }
-  constraint::ExactTriangulation made(triangulation.domain(), batch, team);
+  constraint::ExactTriangulation made(triangulation.domain(), batch, team, limits);
+  if (made.has_too_many_vertices()) return limit_error(made, batch);
   made.mark_used(triangulation.items().largest_id_seen());
   change_log.begin();
   note_changes(batch);
@@ -162,6 +174,7 @@ void World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team
   touch_log->note_everything();
   touch_log->commit();
   change_log.commit(touch_log->version());
+  return std::nullopt;
 }
 
 template <class Batch>

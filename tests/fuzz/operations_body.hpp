@@ -13,6 +13,7 @@
 #include "waywright/world.hpp"
 
 #include "support/live_items.hpp"
+#include "support/new_vertices.hpp"
 #include "support/random_changes.hpp"
 
 /// The checks that every sequence of operations on a world must pass. The fuzz target uses them, and so does the test
@@ -118,9 +119,28 @@ class BytesReader {
   ChangeScript script_;
 };
 
+/// Tries the step with a limit of one vertex fewer than it makes, and then sets the limit to what it makes. The step
+/// makes the same vertices in `counted`. Returns what is wrong, or an empty string.
+inline std::string fault_of_limit(World& world, World& counted, const Step& step) {
+  const std::size_t made = count_new_vertices(counted, step);
+  world.set_new_vertex_limit(made);
+  if (made == 0) return "";
+  world.set_new_vertex_limit(made - 1);
+  const WorldState before(world);
+  const Result<std::vector<ItemId>> done = perform(world, step);
+  if (done || done.error().code != ErrorCode::too_many_vertices) return "not refused by its limit";
+  if (!(WorldState(world) == before)) return "a step beyond its limit changed the world";
+  world.set_new_vertex_limit(made);
+  return "";
+}
+
 /// Returns what is wrong with a world after a step, or what is wrong with the step's result. Empty if nothing is.
-inline std::string fault_of_step(World& world, LiveItems& live, const Step& step) {
+/// `counted` is a world with the same items.
+inline std::string fault_of_step(World& world, World& counted, LiveItems& live, const Step& step) {
   const Result<std::vector<ItemId>> expected = live.apply(step);
+  if (expected) {
+    if (std::string fault = fault_of_limit(world, counted, step); !fault.empty()) return fault;
+  }
   const std::string before = expected ? std::string() : world.dump();
   const ItemsHash hash = world.items_hash();
   const Result<std::vector<ItemId>> done = perform(world, step);
@@ -138,9 +158,10 @@ inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
   Result<World> world = World::create(script.domain, {.keep_bridges = true});
   if (!world) return world.error().message();
+  World counted = World::create(script.domain, {.keep_abstraction = false}).value();
   LiveItems live(script.domain);
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
-    const std::string fault = fault_of_step(*world, live, script.steps[i]);
+    const std::string fault = fault_of_step(*world, counted, live, script.steps[i]);
     if (!fault.empty()) return "step " + std::to_string(i + 1) + ": " + fault;
   }
   Result<World> fresh = World::create(script.domain);

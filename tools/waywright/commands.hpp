@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/path.hpp"
+#include "waywright/world.hpp"
 
 #include "exit_status.hpp"
 #include "picture.hpp"
@@ -22,6 +23,7 @@ struct RunOptions {
   bool check = false;
   bool strict = false;
   bool stats = false;
+  std::size_t limit = kNoVertexLimit;  ///< of new vertices, for each operation
 };
 
 /// `waywright path`

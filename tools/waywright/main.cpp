@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -155,12 +156,22 @@ std::string check_format(const std::string& name) {
   return name == "wws" || name == "svg" ? "" : "'" + name + "' is neither wws nor svg";
 }
 
-std::string check_query_number(const std::string& word) {
+/// Returns the number that the word consists of, or nothing.
+std::optional<std::size_t> read_count(const std::string& word) {
   std::size_t number = 0;
   const char* const end = word.data() + word.size();
   const auto [stop, fault] = std::from_chars(word.data(), end, number);
-  const bool is_good = stop == end && fault == std::errc{} && number > 0;
+  if (stop != end || fault != std::errc{}) return std::nullopt;
+  return number;
+}
+
+std::string check_query_number(const std::string& word) {
+  const bool is_good = read_count(word).value_or(0) > 0;
   return is_good ? "" : "'" + word + "' is not the number of a query, which counts from 1";
+}
+
+std::string check_vertex_count(const std::string& word) {
+  return read_count(word) ? "" : "'" + word + "' is not a number of vertices, 0 or more";
 }
 
 void add_run(CommandLine& line) {
@@ -175,6 +186,9 @@ void add_run(CommandLine& line) {
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
   line.run->add_flag("--stats", options.stats,
                      "Tell on standard error which stage of the arithmetic decided how much, and where the memory is");
+  line.run->add_option("--limit", options.limit, "Refuse an operation that would make more vertices than this")
+      ->type_name("N")
+      ->check(check_vertex_count);
   line.run->footer(kRunExamples);
 }
 
