@@ -104,6 +104,11 @@ void DiscLine::look_beside(HalfEdge h) {
   while (!to_enter_.empty()) {
     const HalfEdge at = to_enter_.back();
     to_enter_.pop_back();
+    const Point a = map_->position(mesh.origin(at));
+    const Point b = map_->position(mesh.target(at));
+    const double a_offset = cross(direction_, a - start_);
+    const double b_offset = cross(direction_, b - start_);
+    if (std::min(a_offset, b_offset) > map_->radius || std::max(a_offset, b_offset) < -map_->radius) continue;
     if (mesh.is_fixed(at)) {
       look_at_wall(at);
       continue;
@@ -111,8 +116,6 @@ void DiscLine::look_beside(HalfEdge h) {
     if (map_->bridges.is_bridge(at)) continue;
     const HalfEdge beyond = mesh.twin(at);
     if (visited_[number(mesh::face(beyond))] == stamp_.value()) continue;
-    const Point a = map_->position(mesh.origin(at));
-    const Point b = map_->position(mesh.target(at));
     // The edge does not cross the line. So the nearest positions include an end of the edge or an end of the line.
     const double nearest =
         std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
@@ -187,14 +190,14 @@ bool DiscLine::crosses_foot(HalfEdge corner) const {
   return at > -slack && at < length_ + slack;
 }
 
-HalfEdge DiscLine::face_at(const DiscMap& map, const Point& vertex, const Point& touching, HalfEdge corner) {
+DiscLine::FaceAt DiscLine::face_at(const DiscMap& map, const Point& vertex, const Point& touching, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map.mesh();
   const Point direction = touching - vertex;
   HalfEdge exit = mesh::next(corner);
   for (;;) {
     const Point a = map.position(mesh.origin(exit));
-    if (cross(map.position(mesh.target(exit)) - a, touching - a) >= 0.0) return exit;
-    if (mesh.is_fixed(exit)) return mesh::kNoHalfEdge;
+    if (cross(map.position(mesh.target(exit)) - a, touching - a) >= 0.0) return {exit, false};
+    if (mesh.is_fixed(exit)) return {exit, true};
     const HalfEdge entry = mesh.twin(exit);
     exit = cross(direction, map.position(mesh.apex(entry)) - vertex) > 0.0 ? mesh::next(entry) : mesh::previous(entry);
   }

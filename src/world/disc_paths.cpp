@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -36,10 +37,10 @@ void append(const path::DiscPiece& piece, double radius, const Point& next, std:
   }
 }
 
-void append_pieces(detail::DiscSearch& disc, Path& path) {
-  std::vector<path::DiscPiece>& pieces = disc.pieces;
-  pieces.clear();
-  disc.search.write_path(pieces);
+/// Writes the answer from `disc.pieces`.
+void write_path(detail::DiscSearch& disc, Path& path) {
+  const std::vector<path::DiscPiece>& pieces = disc.pieces;
+  path.status = PathStatus::found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
     append(pieces[i], path.radius, is_last ? disc.goal : pieces[i + 1].from, path.pieces);
@@ -48,7 +49,31 @@ void append_pieces(detail::DiscSearch& disc, Path& path) {
   path.pieces.front().from = disc.start;
   path.pieces.back().to = disc.goal;
   // The length of the rounded pieces, as Path::at computes it.
-  path.length = path.lower_bound = path::length_of(path.pieces);
+  path.length = path::length_of(path.pieces);
+  path.lower_bound = disc.stage == detail::DiscSearch::Stage::shortest
+                         ? path.length
+                         : std::min(path.length, distance(disc.start, disc.goal));
+}
+
+/// Continues the search. Returns whether it has ended. If it has found a path, writes its pieces.
+bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions, bool& is_found) {
+  using Stage = detail::DiscSearch::Stage;
+  is_found = false;
+  if (disc.stage == Stage::channel) {
+    if (!disc.channel.step(limit, expansions)) return false;
+    if (!disc.channel.is_found()) return true;
+    is_found = disc.string.find(*disc.map, disc.start, disc.goal, disc.channel.exits(), disc.channel.goal_face());
+    if (is_found) {
+      disc.string.write_path(disc.pieces);
+      return true;
+    }
+    disc.stage = Stage::shortest;
+    disc.shortest.begin(*disc.map, disc.start, disc.goal);
+  }
+  if (!disc.shortest.step(limit, expansions)) return false;
+  is_found = disc.shortest.is_found();
+  if (is_found) disc.shortest.write_path(disc.pieces);
+  return true;
 }
 
 /// Writes the time since the start of the search, if the query wants it.
@@ -108,11 +133,17 @@ void World::Impl::set_disc_start(const Point& start, double radius, detail::Quer
 }
 
 /// Starts the search for a goal. Requires: the disc is free there.
-void World::Impl::begin_disc_search(const Point& goal, detail::QueryScratch& scratch) const {
+void World::Impl::begin_disc_search(const Point& goal, PathAlgorithm algorithm, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   disc.goal = goal;
   disc.is_done = false;
-  disc.search.begin(*disc.map, disc.start, goal);
+  if (algorithm == PathAlgorithm::tra) {
+    disc.stage = detail::DiscSearch::Stage::channel;
+    disc.channel.begin(*disc.map, disc.start, goal);
+  } else {
+    disc.stage = detail::DiscSearch::Stage::shortest;
+    disc.shortest.begin(*disc.map, disc.start, goal);
+  }
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
@@ -128,18 +159,18 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
     return true;
   }
   set_disc_start(freed.start, query.radius, scratch);
-  begin_disc_search(freed.goal, scratch);
+  begin_disc_search(freed.goal, query.algorithm, scratch);
   return false;
 }
 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
   if (disc.is_done) return true;
-  disc.is_done = disc.search.step(limit, path.expansions);
+  bool is_found = false;
+  disc.is_done = step(disc, limit, path.expansions, is_found);
   if (!disc.is_done) return false;
-  if (disc.search.is_found()) {
-    path.status = PathStatus::found;
-    append_pieces(disc, path);
+  if (is_found) {
+    write_path(disc, path);
   } else {
     WidestPath widest;
     widest_path(disc.start, disc.goal, scratch, widest);
@@ -174,7 +205,7 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
     path.moved_start = moved_start;
     freed.goal = query.goals[i];
     if (!free_disc_end(freed, false, freed.start, scratch, path)) continue;
-    begin_disc_search(freed.goal, scratch);
+    begin_disc_search(freed.goal, PathAlgorithm::optimal, scratch);
     step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();

@@ -14,7 +14,9 @@
 #include "constraint/item_queries.hpp"
 #include "constraint/swept_disc.hpp"
 #include "nav/kept_cover.hpp"
+#include "path/disc_channel.hpp"
 #include "path/disc_optimal.hpp"
+#include "path/disc_string.hpp"
 #include "path/finder.hpp"
 #include "path/free_positions.hpp"
 #include "path/polyline_walk.hpp"
@@ -23,12 +25,18 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
+  /// `tra` searches for a channel first. If no string runs through it, `tra` searches for the shortest path.
+  enum class Stage { channel, shortest };
+
   Point start;
   Point goal;
   bool is_done = true;
   std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
-  std::optional<path::DiscMap> map;                            ///< `search` refers to it
-  path::DiscOptimal search;
+  std::optional<path::DiscMap> map;                            ///< the searches refer to it
+  Stage stage = Stage::shortest;
+  path::DiscChannel channel;
+  path::DiscString string;
+  path::DiscOptimal shortest;
   std::vector<path::DiscPiece> pieces;
 };
 
