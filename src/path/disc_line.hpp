@@ -52,7 +52,9 @@ class DiscLine {
 
  private:
   void walk(mesh::HalfEdge face);
+  [[nodiscard]] bool is_aside(const Point& a, const Point& b) const;
   void look_beside(mesh::HalfEdge h);
+  [[nodiscard]] mesh::HalfEdge enter_beside(mesh::HalfEdge at);
   void look_at_wall(mesh::HalfEdge h);
   void look_at_closed(mesh::HalfEdge exit);
   void look_at_vertex(mesh::HalfEdge corner);

@@ -88,7 +88,8 @@ void write_time(const detail::DiscSearch& disc, Path& path) {
 bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   fit_disc(query.goal, query.radius, scratch, scratch.fit);
   const std::optional<Point> goal = scratch.fit.fits ? std::optional(query.goal) : std::nullopt;
-  return free_disc_end(query, true, goal, scratch, path) && free_disc_end(query, false, query.start, scratch, path);
+  if (!free_disc_end(query, true, goal, scratch, path)) return false;
+  return goal || free_disc_end(query, false, query.start, scratch, path);
 }
 
 /// Does this for one end. `other` is the other end, if the disc fits there.
