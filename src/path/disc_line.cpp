@@ -107,7 +107,6 @@ bool DiscLine::is_aside(const Point& a, const Point& b) const {
 
 /// Visits the faces beyond `h` that are near the line.
 void DiscLine::look_beside(HalfEdge h) {
-  const mesh::TriangleMesh& mesh = map_->mesh();
   to_enter_.clear();
   for (HalfEdge at = h;; at = to_enter_.back(), to_enter_.pop_back()) {
     if (const HalfEdge beyond = enter_beside(at); beyond != mesh::kNoHalfEdge) {

@@ -55,25 +55,43 @@ void write_path(detail::DiscSearch& disc, Path& path) {
                          : std::min(path.length, distance(disc.start, disc.goal));
 }
 
-/// Continues the search. Returns whether it has ended. If it has found a path, writes its pieces.
-bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions, bool& is_found) {
-  using Stage = detail::DiscSearch::Stage;
-  is_found = false;
-  if (disc.stage == Stage::channel) {
-    if (!disc.channel.step(limit, expansions)) return false;
-    if (!disc.channel.is_found()) return true;
-    is_found = disc.string.find(*disc.map, disc.start, disc.goal, disc.channel.exits(), disc.channel.goal_face());
-    if (is_found) {
-      disc.string.write_path(disc.pieces);
-      return true;
-    }
-    disc.stage = Stage::shortest;
+/// Starts a stage of the search.
+void begin_stage(detail::DiscSearch& disc, detail::DiscSearch::Stage stage) {
+  disc.stage = stage;
+  disc.is_found = false;
+  if (stage == detail::DiscSearch::Stage::channel) {
+    disc.channel.begin(*disc.map, disc.start, disc.goal);
+  } else {
     disc.shortest.begin(*disc.map, disc.start, disc.goal);
   }
-  if (!disc.shortest.step(limit, expansions)) return false;
-  is_found = disc.shortest.is_found();
-  if (is_found) disc.shortest.write_path(disc.pieces);
-  return true;
+}
+
+/// Continues the stage with the channel. If the stage finds a path, writes its pieces.
+void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  disc.is_stage_done = disc.channel.step(limit, expansions);
+  if (!disc.channel.is_found()) return;
+  disc.is_found = disc.string.find(*disc.map, disc.start, disc.goal, disc.channel.exits(), disc.channel.goal_face());
+  if (disc.is_found) disc.string.write_path(disc.pieces);
+}
+
+/// Continues the stage that finds the shortest path. If the stage finds it, writes its pieces.
+void step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  disc.is_stage_done = disc.shortest.step(limit, expansions);
+  disc.is_found = disc.shortest.is_found();
+  if (disc.is_found) disc.shortest.write_path(disc.pieces);
+}
+
+/// Continues the search. Returns whether it has ended.
+bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  using Stage = detail::DiscSearch::Stage;
+  const bool is_channel = disc.stage == Stage::channel;
+  is_channel ? step_channel(disc, limit, expansions) : step_shortest(disc, limit, expansions);
+  if (!disc.is_stage_done) return false;
+  const bool cannot_be_found = is_channel && !disc.channel.is_found();
+  if (disc.is_found || disc.is_last_stage || cannot_be_found) return true;
+  disc.is_last_stage = true;
+  begin_stage(disc, is_channel ? Stage::shortest : Stage::channel);
+  return step(disc, limit, expansions);
 }
 
 /// Writes the time since the start of the search, if the query wants it.
@@ -138,13 +156,9 @@ void World::Impl::begin_disc_search(const Point& goal, PathAlgorithm algorithm, 
   detail::DiscSearch& disc = scratch.disc_search;
   disc.goal = goal;
   disc.is_done = false;
-  if (algorithm == PathAlgorithm::tra) {
-    disc.stage = detail::DiscSearch::Stage::channel;
-    disc.channel.begin(*disc.map, disc.start, goal);
-  } else {
-    disc.stage = detail::DiscSearch::Stage::shortest;
-    disc.shortest.begin(*disc.map, disc.start, goal);
-  }
+  disc.is_last_stage = false;
+  using Stage = detail::DiscSearch::Stage;
+  begin_stage(disc, algorithm == PathAlgorithm::tra ? Stage::channel : Stage::shortest);
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
@@ -167,10 +181,9 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
   if (disc.is_done) return true;
-  bool is_found = false;
-  disc.is_done = step(disc, limit, path.expansions, is_found);
+  disc.is_done = step(disc, limit, path.expansions);
   if (!disc.is_done) return false;
-  if (is_found) {
+  if (disc.is_found) {
     write_path(disc, path);
   } else {
     WidestPath widest;

@@ -25,7 +25,8 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
-  /// `tra` searches for a channel first. If no string runs through it, `tra` searches for the shortest path.
+  /// `tra` searches for a channel and a string through it, the other algorithms for the shortest path. If a search does
+  /// not find a path because of rounding, or because no string runs through the channel, the other search comes next.
   enum class Stage { channel, shortest };
 
   Point start;
@@ -34,6 +35,9 @@ struct DiscSearch {
   std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
   std::optional<path::DiscMap> map;                            ///< the searches refer to it
   Stage stage = Stage::shortest;
+  bool is_last_stage = false;
+  bool is_stage_done = false;
+  bool is_found = false;
   path::DiscChannel channel;
   path::DiscString string;
   path::DiscOptimal shortest;

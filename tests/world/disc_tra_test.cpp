@@ -44,7 +44,9 @@ void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, con
   ASSERT_EQ(report.fault, "");
   ASSERT_NEAR(report.length, path.length, 1e-9 * path.length);
   query.algorithm = PathAlgorithm::optimal;
-  const double shortest = world.find_path(query).value().length;
+  const Path shortest_path = world.find_path(query).value();
+  ASSERT_EQ(shortest_path.status, PathStatus::found);
+  const double shortest = shortest_path.length;
   ASSERT_GE(path.length, shortest * (1 - 1e-12));
   ASSERT_LE(path.lower_bound, shortest * (1 + 1e-12));
   excess.add(shortest > 0.0 ? path.length / shortest : 1.0);
