@@ -12,7 +12,7 @@ void DiscChannel::begin(const DiscMap& map, const Point& start, const Point& goa
   goal_ = goal - map.origin;
   is_found_ = false;
   surely_short_ = 4.0 * map.least_distance() * map.least_distance();
-  surely_long_ = 4.0 * map.radius * map.radius * (1.0 + 0x1p-30);
+  surely_long_ = map.surely_long();
   visited_.grow_to(std::size_t{3} * map.mesh().face_slots());
   const locate::Located at_goal = map.walls.triangulation().locate(goal);
   goal_face_ = at_goal.h;

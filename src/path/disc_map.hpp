@@ -53,11 +53,8 @@ class DiscMap {
     const Point& to = geometry.rounded(number(mesh().target(h)));
     return exact::compare_to_diameter({from, to, to}, exact_radius_) < 0;
   }
-  /// Returns whether no position on an edge with these two ends is free, because the edge is shorter than the disc is
-  /// wide.
-  [[nodiscard]] bool is_short(const Point& a, const Point& b) const {
-    return squared_length(b - a) < 4 * least_distance() * least_distance();
-  }
+  /// If the squared length of an edge is larger, a disc passes between its ends, and the exact decision is not needed.
+  [[nodiscard]] double surely_long() const { return 4.0 * radius * radius * (1.0 + 0x1p-30); }
 
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
   /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.

@@ -32,6 +32,7 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   goal_ = goal - map.origin;
   is_found_ = false;
   least_ = map.least_distance();
+  surely_long_ = map.surely_long();
   roots_.clear();
   windows_.clear();
   turns_.clear();
@@ -54,12 +55,27 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
 /// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
 /// beyond the edge.
 bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
-  if (map_->is_closed(exit) || dead_ends_.is_before(exit)) return true;
+  if (map_->mesh().is_fixed(exit) || dead_ends_.is_before(exit)) return true;
   const Point a = map_->position(map_->mesh().origin(exit));
   const Point b = map_->position(map_->mesh().target(exit));
-  if (!map_->is_short(a, b)) return false;
+  const double squared = squared_length(b - a);
+  if (squared > surely_long_) return false;
+  if (map_->is_closed(exit)) return true;
+  if (squared >= 4.0 * least_ * least_) return false;
   return root.end.contact.side == 0 ||
          squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
+}
+
+/// Returns whether the search does not follow windows of a root across the edge. Beyond what is_excluded() says, it
+/// leaves out edges that lie too far on the other side of the line on which the path arrives: a line from the root to a
+/// vertex there turns back, because the circle around this vertex lies beyond the line by more than its diameter.
+bool DiscOptimal::is_outside(const Root& root, HalfEdge exit) const {
+  if (is_excluded(root, exit)) return true;
+  const auto offset = [&](Vertex v) {
+    return root.end.contact.side * cross(root.direction, map_->position(v) - root.end.contact.centre);
+  };
+  const double least = -2.0 * map_->radius * (1.0 + 0x1p-20);
+  return offset(map_->mesh().origin(exit)) < least && offset(map_->mesh().target(exit)) < least;
 }
 
 bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
@@ -133,7 +149,7 @@ void DiscOptimal::follow(Window window) {
     } else {
       return divide(window, apex);
     }
-    if (is_excluded(root, exit)) return;
+    if (is_outside(root, exit)) return;
     window.entry = mesh.twin(exit);
     if (faces % kFacesBetweenLooks == 0) return offer(window);
   }
@@ -144,7 +160,7 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   for (const int side : {1, 0}) {
     const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
-    if (is_excluded(roots_[window.root], exit)) continue;
+    if (is_outside(roots_[window.root], exit)) continue;
     Window beyond = window;
     beyond.entry = mesh.twin(exit);
     beyond.bounds[1 - side] = {apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
@@ -366,7 +382,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
       if (const auto line = tangent(contact, {goal_, 0}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
-    if (!is_excluded(root, far_edge)) {
+    if (!is_outside(root, far_edge)) {
       Window window{mesh.twin(far_edge), root_index, {first, last}};
       if (contact.side < 0) std::swap(window.bounds[0], window.bounds[1]);
       offer(window);

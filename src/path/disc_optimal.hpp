@@ -107,6 +107,7 @@ class DiscOptimal {
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
   [[nodiscard]] bool is_excluded(const Root& root, mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_outside(const Root& root, mesh::HalfEdge exit) const;
   void leave_start(const locate::Located& location);
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
@@ -142,6 +143,7 @@ class DiscOptimal {
   std::uint32_t last_root_ = kNone;
   Point last_direction_;
   double least_ = 0.0;          ///< a line must not be nearer to a vertex than this
+  double surely_long_ = 0.0;    ///< a disc passes between the ends of an edge whose squared length is larger
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   std::size_t expansions_ = 0;
 
