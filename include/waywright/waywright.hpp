@@ -16,6 +16,7 @@
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
 #include "waywright/rings.hpp"
+#include "waywright/save.hpp"
 #include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"

@@ -52,7 +52,7 @@ struct ScenarioOptions {
 struct ConvertOptions {
   std::string in;
   std::string out;
-  std::string format;  ///< `wws`, `svg`, or empty if the ending of `out` tells the format
+  std::string format;  ///< `wws`, `wwb`, `svg`, or empty if the ending of `out` tells the format
   PictureOptions picture;
 };
 

@@ -35,9 +35,10 @@ constexpr const char* kExamples =
     "  waywright convert arena.map arena.svg                  draw a map\n"
     "\nwaywright help COMMAND says more. A file named - is standard input or standard output; where a file goes to\n"
     "standard output, answers go to standard error. No file is written over one that is read.\n"
-    "Exit status: 0 done, 1 a check failed or (--strict) an operation was refused, 2 bad arguments, a file that\n"
-    "cannot be read or written, or malformed input.\n";
-constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a world script on standard input";
+    "Exit status: 0 done, 1 a check failed or (--strict) an operation was refused, 2 bad arguments, a\n"
+    "file that cannot be read or written, or malformed input.\n";
+constexpr const char* kAboutMap =
+    "The map: .wws, .wwb, .map, .poly or .node; - is a world script or a saved world on standard input";
 constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                the final world, and what was asked of it\n"
@@ -57,7 +58,7 @@ constexpr const char* kPathExamples =
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --radius 1.5 --svg path.svg\n"
     "\nPrints one JSON line: the path's length and pieces, or why there is none. With --radius, the pieces are lines\n"
     "and arcs of the path of the disc's centre. If only a smaller disc gets through, the line says how large it may\n"
-    "be, and which gap stops larger discs. Maps: .wws, .map (Moving AI), .poly and .node (Triangle).\n";
+    "be, and which gap stops larger discs. Maps: .wws, .wwb, .map (Moving AI), .poly and .node (Triangle).\n";
 constexpr const char* kScenarioExamples =
     "Examples:\n"
     "  waywright scenario arena.map arena.map.scen\n"
@@ -76,6 +77,7 @@ constexpr const char* kConvertExamples =
     "  waywright convert arena.map arena.wws\n"
     "  waywright convert greenland.node greenland.svg\n"
     "  waywright convert face.poly face.svg --no-mesh\n"
+    "  waywright convert arena.map arena.wwb                  a saved world, which loads quickly\n"
     "  waywright convert arena.map - --format svg | display\n";
 
 /// The definition of the command line, and the values that it has after parsing.
@@ -152,7 +154,8 @@ void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) 
 }
 
 std::string check_format(const std::string& name) {
-  return name == "wws" || name == "svg" ? "" : "'" + name + "' is neither wws nor svg";
+  const bool is_known = name == "wws" || name == "wwb" || name == "svg";
+  return is_known ? "" : "'" + name + "' is none of wws, wwb and svg";
 }
 
 std::string check_query_number(const std::string& word) {
@@ -222,10 +225,10 @@ void add_scenario(CommandLine& line) {
 
 void add_convert(CommandLine& line) {
   ConvertOptions& options = line.convert_options;
-  line.convert = line.app.add_subcommand("convert", "Turn a map into a world script or a picture");
+  line.convert = line.app.add_subcommand("convert", "Turn a map into a world script, a saved world or a picture");
   add_file(*line.convert, "MAP", options.in, kAboutMap);
-  add_file(*line.convert, "OUT", options.out, "The file to write (.wws or .svg); - is standard output");
-  line.convert->add_option("--format", options.format, "wws or svg, where the ending of OUT does not say it")
+  add_file(*line.convert, "OUT", options.out, "The file to write (.wws, .wwb or .svg); - is standard output");
+  line.convert->add_option("--format", options.format, "wws, wwb or svg, where the ending of OUT does not say it")
       ->type_name("NAME")
       ->check(check_format);
   add_picture(*line.convert, options.picture, nullptr);
