@@ -15,6 +15,7 @@
 #include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
+#include "waywright/replay.hpp"
 #include "waywright/rings.hpp"
 #include "waywright/save.hpp"
 #include "waywright/scenario.hpp"

@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         of_run({"WORLD", "--fast"}, "there is no option '--fast'"),
         of_run({"-world.wws"}, "there is no option '-world.wws'; a file of that name is given as ./-world.wws")));
 
-const std::string kCommands = "; the commands are run, path, scenario, convert and help";
+const std::string kCommands = "; the commands are run, path, scenario, convert, replay and help";
 
 INSTANTIATE_TEST_SUITE_P(
     Others, Messages,

@@ -56,10 +56,17 @@ struct ConvertOptions {
   PictureOptions picture;
 };
 
+/// `waywright replay`
+struct ReplayOptions {
+  std::string log;
+  std::string other;  ///< the log to compare with; empty for none
+};
+
 /// The subcommands. Each throws Failure for errors that end in status 2.
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus path(const PathOptions& options);
 [[nodiscard]] ExitStatus scenario(const ScenarioOptions& options);
 [[nodiscard]] ExitStatus convert(const ConvertOptions& options);
+[[nodiscard]] ExitStatus replay(const ReplayOptions& options);
 
 }  // namespace waywright::command

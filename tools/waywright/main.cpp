@@ -35,7 +35,7 @@ constexpr const char* kExamples =
     "  waywright convert arena.map arena.svg                  draw a map\n"
     "\nwaywright help COMMAND says more. A file named - is standard input or standard output; where a file goes to\n"
     "standard output, answers go to standard error. No file is written over one that is read.\n"
-    "Exit status: 0 done, 1 a check failed or (--strict) an operation was refused, 2 bad arguments, a\n"
+    "Exit status: 0 done, 1 a check failed, logs differ or (--strict) an operation was refused, 2 bad arguments, a\n"
     "file that cannot be read or written, or malformed input.\n";
 constexpr const char* kAboutMap =
     "The map: .wws, .wwb, .map, .poly or .node; - is a world script or a saved world on standard input";
@@ -80,6 +80,15 @@ constexpr const char* kConvertExamples =
     "  waywright convert arena.map arena.wwb                  a saved world, which loads quickly\n"
     "  waywright convert arena.map - --format svg | display\n";
 
+constexpr const char* kReplayExamples =
+    "Examples:\n"
+    "  waywright replay game.wws                              make the changes again, and compare the hashes\n"
+    "  waywright replay here.wws there.wws                    where two machines began to differ\n"
+    "\nA replay log is a world script with lines `tick N HASH`; the library's ReplayWriter writes it. With one log,\n"
+    "prints one JSON line: the first tick whose hash differs, and the items that changed since the last tick whose\n"
+    "hash was the same. With two logs, prints the first change or hash in which they differ. The exit status is 1 if\n"
+    "there is a difference.\n";
+
 /// The definition of the command line, and the values that it has after parsing.
 struct CommandLine {
   CLI::App app{kAbout, "waywright"};
@@ -87,10 +96,12 @@ struct CommandLine {
   PathOptions path_options;
   ScenarioOptions scenario_options;
   ConvertOptions convert_options;
+  ReplayOptions replay_options;
   CLI::App* run = nullptr;
   CLI::App* path = nullptr;
   CLI::App* scenario = nullptr;
   CLI::App* convert = nullptr;
+  CLI::App* replay = nullptr;
   CLI::App* help = nullptr;
   std::string helped;  ///< the command in `help COMMAND`; empty for `help` alone
 };
@@ -235,6 +246,14 @@ void add_convert(CommandLine& line) {
   line.convert->footer(kConvertExamples);
 }
 
+void add_replay(CommandLine& line) {
+  ReplayOptions& options = line.replay_options;
+  line.replay = line.app.add_subcommand("replay", "Make the changes of a log again, or compare two logs");
+  add_file(*line.replay, "LOG", options.log, "The log (.wws); - is standard input");
+  line.replay->add_option("OTHER_LOG", options.other, "A log to compare with")->check(check_file_name);
+  line.replay->footer(kReplayExamples);
+}
+
 void add_help(CommandLine& line) {
   line.help = line.app.add_subcommand("help", "Say more about a command");
   line.help->add_option("COMMAND", line.helped, "The command; without one, what they all do");
@@ -250,6 +269,7 @@ std::unique_ptr<CommandLine> make_command_line() {
   add_path(*line);
   add_scenario(*line);
   add_convert(*line);
+  add_replay(*line);
   add_help(*line);
   return line;
 }
@@ -300,6 +320,7 @@ ExitStatus dispatch(int argc, const char* const* argv) {
   if (line->path->parsed()) return path(line->path_options);
   if (line->scenario->parsed()) return scenario(line->scenario_options);
   if (line->convert->parsed()) return convert(line->convert_options);
+  if (line->replay->parsed()) return replay(line->replay_options);
   return help(line->helped);
 }
 
