@@ -73,7 +73,9 @@ TEST(CloneMemory, ACopyTakesBackWhatItCannotFinish) {
     for (std::size_t i = script.steps.size() / 2; i < script.steps.size(); ++i) {
       for (std::size_t n = 1;; ++n) {
         World copy = world.clone();
+        const std::size_t before = allocation_count();
         if (gets_through(n, [&] { static_cast<void>(copy.apply(script.steps[i].changes)); })) break;
+        ASSERT_EQ(allocation_count(), before + n) << "step " << i;
         ASSERT_NO_FATAL_FAILURE(expect_sound(copy, dump)) << "step " << i << ", allocation " << n;
       }
     }
