@@ -35,7 +35,8 @@ enum class ErrorCode : std::uint8_t {
   not_supported,     ///< a request that this version or this world does not support
   no_bridges,        ///< a query that needs bridges, of a world that does not keep them
   unreadable,        ///< a file that cannot be opened or read
-  malformed,         ///< text that does not follow its format
+  malformed,         ///< text or bytes that do not follow their format
+  unwritable,        ///< a file or a stream that cannot be written
 };
 
 /// Returns the name of a code in the output of world scripts: `coordinate-range`, `out-of-domain`, ...

@@ -183,13 +183,14 @@ struct WorldOptions {
 class WAYWRIGHT_API World {
  public:
   /// @name Making a world
-  /// You need this group once, at the start of your program or level. A world can be moved, but not copied: to copy
-  /// one, give its items() to a new world.
+  /// You need this group once, at the start of your program or level, and to copy a world: to try changes, or to go
+  /// back to an earlier state.
   ///
   /// @code{.cpp}
   /// World arena = World::create({{0, 0}, {10, 10}}).value();
-  /// World copy = World::create(arena.domain()).value();
-  /// copy.insert_all(arena.items()).value();
+  /// World copy = arena.clone();
+  /// copy.insert_segment({4, 0}, {4, 7}).value();
+  /// const bool is_empty = arena.item_count() == 0;  // == true
   /// @endcode
   /// @{
 
@@ -203,8 +204,17 @@ class WAYWRIGHT_API World {
   World& operator=(World&&) noexcept;
   ~World();
 
+  /// Returns a copy of the world: an independent world with the same domain, options, items, mesh, hashes and
+  /// version(). It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity.
+  /// The copy does not belong to the searches (PathSearch) of this world, and has no context yet. If memory runs out,
+  /// this world does not change. Cost: a copy of memory().total() bytes at most; no geometry is computed.
+  [[nodiscard]] World clone() const;
+
   /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
+  /// Returns the options with which the world was created.
+  /// Cost: O(1).
+  [[nodiscard]] WorldOptions options() const;
 
   /// @}
 
@@ -307,6 +317,23 @@ class WAYWRIGHT_API World {
   /// @endcode
   /// @{
 
+  /// Returns the largest id that the world has seen, or null if it has seen none: the largest id of all items that it
+  /// has ever contained, or the id given to reserve_ids(). If the world chooses an id, it is this id plus 1.
+  /// Cost: O(1).
+  [[nodiscard]] ItemId largest_id_seen() const;
+  /// Lets the world continue its ids after `last`, as if it had seen this id. The world never chooses `last` or a
+  /// smaller id afterwards; you may still insert items under these ids. Does nothing if the world has seen a larger id.
+  /// The call is not an operation: it does not change version(). Use it to give a world the next id of another world.
+  ///
+  /// @code{.cpp}
+  /// World arena = World::create({{0, 0}, {10, 10}}).value();
+  /// arena.reserve_ids(1000).value();
+  /// const ItemId id = arena.insert_point({3, 3}).value();  // == ItemId{1001}
+  /// @endcode
+  /// Errors: bad_id.
+  /// Cost: O(1).
+  Result<void> reserve_ids(ItemId last);
+
   /// Returns whether a live item has this id.
   /// Cost: O(1).
   [[nodiscard]] bool contains(ItemId id) const;
@@ -328,7 +355,8 @@ class WAYWRIGHT_API World {
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
   /// into a new world over the same domain, the two worlds have the same mesh and give the same answers. Only the ids
-  /// that they choose for later items can differ, because each world adds 1 to the largest id that it has seen.
+  /// that they choose for later items can differ, because each world adds 1 to the largest id that it has seen: see
+  /// reserve_ids().
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const

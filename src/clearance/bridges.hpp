@@ -45,6 +45,15 @@ class Bridges {
 
   /// Finds all bridges. Cost: linear in the number of faces, plus the number of faces that the bridges' discs touch.
   explicit Bridges(const Triangulation& triangulation);
+  /// Copies the bridges. The copy belongs to a copy of the triangulation. Requires: no update is in progress.
+  Bridges(const Bridges& other)
+      : corners_(other.corners_),
+        walls_(other.walls_),
+        feet_(other.feet_),
+        free_feet_(other.free_feet_),
+        free_feet_before_(other.free_feet_before_) {}
+  Bridges& operator=(const Bridges&) = delete;
+  ~Bridges() = default;
 
   /// Returns whether the edge of `h` is a bridge.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h) const { return (corners_[number(h)] & kIsBridge) != 0; }

@@ -42,6 +42,8 @@ std::string_view to_string(ErrorCode code) {
       return "unreadable";
     case ErrorCode::malformed:
       return "malformed";
+    case ErrorCode::unwritable:
+      return "unwritable";
   }
   return "unknown";
 }

@@ -33,6 +33,14 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
 
 }  // namespace
 
+ItemId World::largest_id_seen() const { return impl_->triangulation.items().largest_id_seen(); }
+
+Result<void> World::reserve_ids(ItemId last) {
+  if (last.is_null() || last.value > ItemId::kLargest) return Error{ErrorCode::bad_id, {}, last, 0};
+  impl_->triangulation.mark_used(last);
+  return {};
+}
+
 bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
 
 std::size_t World::item_count() const { return impl_->triangulation.items().size(); }

@@ -30,9 +30,15 @@ Result<World> World::create(const Box& domain, const WorldOptions& options) {
   return World(std::make_unique<Impl>(normalised, options));
 }
 
+World World::clone() const { return World(std::make_unique<Impl>(*impl_)); }
+
 const Box& World::domain() const { return impl_->triangulation.domain(); }
 
-std::uint64_t World::version() const { return impl_->touch_log->version(); }
+WorldOptions World::options() const {
+  return {.keep_abstraction = impl_->abstraction.has_value(), .keep_bridges = impl_->clearance != nullptr};
+}
+
+std::uint64_t World::version() const { return impl_->version(); }
 
 std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }
 

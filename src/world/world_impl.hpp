@@ -24,6 +24,14 @@ struct WAYWRIGHT_INTERNAL World::Impl {
     if (options.keep_abstraction) abstraction.emplace(triangulation);
     if (options.keep_bridges) clearance = std::make_unique<clearance::Clearance>(triangulation);
   }
+  /// Makes a copy with a log and with contexts of its own. Requires: no operation is under way.
+  Impl(const Impl& other)
+      : triangulation(other.triangulation),
+        abstraction(other.abstraction),
+        clearance(other.clearance ? std::make_unique<clearance::Clearance>(*other.clearance) : nullptr),
+        touch_log(std::make_shared<TouchLog>(other.version())),
+        change_log(other.change_log) {}
+  Impl& operator=(const Impl&) = delete;
   ~Impl() { touch_log->note_world_gone(); }
 
   /// Inserts a batch as one operation.
@@ -63,6 +71,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] std::optional<Point> nearest_free(const NearestFitQuery& query, detail::QueryScratch& scratch) const;
   [[nodiscard]] std::optional<Point> nearest_fit_of_disc(const NearestFitQuery& query,
                                                          detail::QueryScratch& scratch) const;
+  [[nodiscard]] std::uint64_t version() const { return touch_log->version(); }
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
