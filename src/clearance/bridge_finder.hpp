@@ -72,6 +72,19 @@ class BridgeFinder {
     return Disc::of_triangle(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), position_of(mesh_.apex(h)),
                              rounding_);
   }
+  /// Returns false only if no foot bridge starts at the origin of `corner` and runs into the face of `corner`.
+  [[nodiscard]] bool may_have_foot(mesh::HalfEdge corner) const {
+    const mesh::Vertex w = mesh_.origin(corner);
+    const mesh::Vertex x = mesh_.target(corner);
+    const mesh::Vertex y = mesh_.apex(corner);
+    return !is_not_acute(w, x, y) && !is_not_acute(w, y, x);
+  }
+  /// Returns false only if no position of the edge `border`, without its ends, lies strictly inside the circle of the
+  /// face of `h`.
+  [[nodiscard]] bool may_circle_meet(mesh::HalfEdge h, mesh::HalfEdge border) const;
+  /// Returns false only if no position of the edge `border`, without its ends, lies strictly inside the disc whose
+  /// diameter is the edge of `h`. Requires: `border` is another edge.
+  [[nodiscard]] bool may_disc_meet(mesh::HalfEdge h, mesh::HalfEdge border) const;
   /// Returns false only if no point of the edge lies in the closed exact disc.
   [[nodiscard]] bool may_touch(const Disc& disc, mesh::HalfEdge h) const {
     return disc.may_touch(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
@@ -85,6 +98,14 @@ class BridgeFinder {
   [[nodiscard]] exact::Gap gap_to_wall(mesh::HalfEdge corner, mesh::HalfEdge wall) const;
 
  private:
+  /// A gap that may be a bridge.
+  struct Candidate {
+    exact::Gap gap;
+    mesh::Vertex from;
+    mesh::Vertex to;  ///< kNoVertex if the gap ends at a foot
+    Disc disc;
+  };
+
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const { return geometry_.is_explicit(number(v)); }
   /// The largest difference between a coordinate of a constructed vertex and the rounded coordinate.
@@ -94,8 +115,17 @@ class BridgeFinder {
   [[nodiscard]] exact::Sign side_of_foot(const exact::Gap& gap, mesh::Vertex v) const;
   [[nodiscard]] bool has_foot_on(const exact::Gap& gap, mesh::HalfEdge corner, mesh::HalfEdge wall) const;
   [[nodiscard]] bool is_blocked_by(const exact::Gap& gap, mesh::HalfEdge wall) const;
-  [[nodiscard]] bool is_clear(const exact::Gap& gap, const Disc& disc);
-  [[nodiscard]] bool enter(const exact::Gap& gap, const Disc& disc, mesh::HalfEdge h);
+  /// Returns whether a vertex, which is not an end of the candidate, surely lies in the closed disc.
+  [[nodiscard]] bool is_blocked_by(const Candidate& candidate, mesh::Vertex v) const {
+    return v != candidate.from && v != candidate.to && is_explicit(v) && candidate.disc.surely_contains(position_of(v));
+  }
+  [[nodiscard]] bool is_clear(const Candidate& candidate);
+  [[nodiscard]] bool enter(const Candidate& candidate, mesh::HalfEdge h);
+  [[nodiscard]] bool may_enter(const Candidate& candidate, mesh::HalfEdge h) const;
+  /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
+  [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
+    return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
+  }
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
   [[nodiscard]] exact::Sign side(mesh::Vertex from, mesh::Vertex to, mesh::Vertex v) const {
     return geometry_.orientation(geometry_.view(number(from)), geometry_.view(number(to)), geometry_.view(number(v)));
