@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace waywright::clearance {
 
@@ -10,6 +9,7 @@ using exact::Gap;
 using exact::Sign;
 using mesh::HalfEdge;
 using mesh::Vertex;
+using Seen = BridgeScratch::Seen;
 
 double BridgeFinder::largest_rounding(const Box& domain) {
   return 0x1p-52 *
@@ -68,56 +68,67 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
   return is_clear(candidate);
 }
 
-// Let w be the origin of `corner`, and x and y the other two vertices of its face. The disc of a bridge from w to a
-// foot f contains x exactly if the angle at x between w and f is at least 90 degrees. x is the end of a wall, so this
-// angle is acute, and so is the angle at y. Hence f lies on w's side of two lines: of the line through x that is
-// perpendicular to the edge from w to x, and of the line through y that is perpendicular to the edge from w to y. f
-// also lies beyond the edge from x to y. If the angle of the face at x or at y is not acute, no position satisfies all
-// three conditions. Otherwise, these positions are a triangle: its corners are x, y and the position opposite to w on
-// the circle through w, x and y, because both lines meet there. So f lies in that circle, too.
+// Let w be the origin of `corner`, and f the foot of a bridge from w. The disc of the bridge contains a vertex v
+// exactly if the angle at v between w and f is at least 90 degrees. v is the end of a wall, so this angle is acute: f
+// lies on w's side of the line through v that is perpendicular to the segment from w to v.
 //
-// The segment from w to f lies in the angle of the face at w. Beyond the edge from x to y, it lies in the triangle. So
-// the search crosses only edges that meet the triangle and that are visible from w. It leaves out an edge if both ends
-// lie beyond one of the two lines, or if the edge does not meet the circle.
+// Let the bridge cross an edge from p to q, or end on it. As seen from w, f lies between p and q, and on the edge or
+// beyond. If the angle at p between w and q is not acute, then the line through p separates f from w. So the angles at
+// p and q are acute. The search crosses only such edges. They are visible from w, and the first one is the edge from x
+// to y that is opposite to the corner. The search also leaves out an edge if both ends lie beyond the line through x,
+// or both beyond the line through y. The two lines meet on the circle through w, x and y, at the position opposite to
+// w. So the search does not leave this circle.
 HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   const Vertex w = mesh_.origin(corner);
   if (!may_have_foot(corner) || !is_explicit(w)) return mesh::kNoHalfEdge;
   const HalfEdge opposite = mesh::next(corner);
   if (mesh_.is_fixed(opposite)) return is_bridge_to(corner, opposite) ? opposite : mesh::kNoHalfEdge;
-  const Vertex x = mesh_.origin(opposite);
-  const Vertex y = mesh_.target(opposite);
-  std::optional<Disc> circle;
-  const auto may_cross = [&](HalfEdge exit) {
-    const Vertex p = mesh_.origin(exit);
-    const Vertex q = mesh_.target(exit);
-    // x and y lie on their own lines.
-    if ((p == x || is_not_acute(w, x, p)) && (q == x || is_not_acute(w, x, q))) return false;
-    if ((p == y || is_not_acute(w, y, p)) && (q == y || is_not_acute(w, y, q))) return false;
-    if (!circle) circle = circle_of(corner);
-    return may_touch(*circle, exit);
+  const Point& corner_position = position_of(w);
+  const Seen x = seen_from(corner_position, mesh_.origin(opposite));
+  const Seen y = seen_from(corner_position, mesh_.target(opposite));
+  const auto may_cross = [&](const Seen& p, const Seen& q) {
+    return !is_not_acute(p, q) && !is_not_acute(q, p) && !(is_not_acute(x, p) && is_not_acute(x, q)) &&
+           !(is_not_acute(y, p) && is_not_acute(y, q));
   };
   auto& to_cross = scratch_.to_cross;
-  to_cross.assign({{mesh_.twin(opposite), y, x}});
+  to_cross.clear();
+  to_cross.push_back({mesh_.twin(opposite), mesh_.target(opposite), mesh_.origin(opposite), y, x});
   while (!to_cross.empty()) {
     const BridgeScratch::View view = to_cross.back();
     to_cross.pop_back();
-    const HalfEdge left_exit = mesh::previous(view.entry);
-    const HalfEdge right_exit = mesh::next(view.entry);
-    const bool may_exit_left = may_cross(left_exit);
-    const bool may_exit_right = may_cross(right_exit);
-    if (!may_exit_left && !may_exit_right) continue;
     const Vertex apex = mesh_.apex(view.entry);
+    const Seen seen = seen_from(corner_position, apex);
+    const bool may_cross_left = may_cross(seen, view.entry_left);
+    const bool may_cross_right = may_cross(seen, view.entry_right);
+    if (!may_cross_left && !may_cross_right) continue;
     const bool sees_left = side(w, view.left, apex) == Sign::negative;
     const bool sees_right = side(w, view.right, apex) == Sign::positive;
-    const auto look = [&](HalfEdge exit, Vertex left, Vertex right) {
-      if (mesh_.is_fixed(exit)) return is_bridge_to(corner, exit);
-      to_cross.push_back({mesh_.twin(exit), left, right});
-      return false;
-    };
-    if (may_exit_left && sees_left && look(left_exit, view.left, sees_right ? apex : view.right)) return left_exit;
-    if (may_exit_right && sees_right && look(right_exit, sees_left ? apex : view.left, view.right)) return right_exit;
+    if (sees_left && may_cross_left) {
+      const HalfEdge exit = mesh::previous(view.entry);
+      if (!mesh_.is_fixed(exit)) {
+        to_cross.push_back({mesh_.twin(exit), view.left, sees_right ? apex : view.right, view.entry_left, seen});
+      } else if (is_bridge_to(corner, exit)) {
+        return exit;
+      }
+    }
+    if (sees_right && may_cross_right) {
+      const HalfEdge exit = mesh::next(view.entry);
+      if (!mesh_.is_fixed(exit)) {
+        to_cross.push_back({mesh_.twin(exit), sees_left ? apex : view.left, view.right, seen, view.entry_right});
+      } else if (is_bridge_to(corner, exit)) {
+        return exit;
+      }
+    }
   }
   return mesh::kNoHalfEdge;
+}
+
+BridgeScratch::Seen BridgeFinder::seen_from(const Point& corner, Vertex v) const {
+  const Point offset = position_of(v) - corner;
+  const double square = offset.x * offset.x + offset.y * offset.y;
+  double error = 0x1p-48 * square;
+  if (rounding_ > 0.0) error += 16.0 * rounding_ * (std::abs(offset.x) + std::abs(offset.y) + rounding_);
+  return {offset, square, error};
 }
 
 bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
@@ -171,23 +182,31 @@ bool BridgeFinder::is_clear(const Candidate& candidate) {
 
 /// Looks at an edge of a face that the search has entered. Returns false if it is a wall that touches the closed disc.
 bool BridgeFinder::enter(const Candidate& candidate, HalfEdge h) {
-  if (!may_enter(candidate, h)) return true;
-  if (mesh_.is_fixed(h)) return !is_blocked_by(candidate.gap, h);
+  const Vertex p = mesh_.origin(h);
+  const Vertex q = mesh_.target(h);
+  if (p == candidate.from || p == candidate.to) return enter_at_end(candidate, h, p, q);
+  if (q == candidate.from || q == candidate.to) return enter_at_end(candidate, h, q, p);
+  return !may_touch(candidate.disc, h) || enter_surely(candidate, h);
+}
+
+/// Looks at an edge from an end of the candidate to `v`. Such an edge contains a position strictly inside the disc, or
+/// no position of the disc except the end.
+bool BridgeFinder::enter_at_end(const Candidate& candidate, HalfEdge h, Vertex end, Vertex v) {
+  if (candidate.to == mesh::kNoVertex || !is_explicit(v)) {
+    return !candidate.may_enter_from(end, position_of(v), rounding_) || enter_surely(candidate, h);
+  }
+  const Point& from = position_of(end);
+  const Point& to = end == candidate.from ? candidate.gap.a : candidate.gap.from;
+  if (exact::dot(from, position_of(v), from, to) != Sign::positive) return true;
+  if (mesh_.is_fixed(h)) return false;
   scratch_.to_enter.push_back(mesh_.twin(h));
   return true;
 }
 
-/// Returns false only if no position of the edge lies in the closed disc, except an end of the candidate. An edge that
-/// starts at an end of the candidate contains a position strictly inside the disc, or no other position of the disc.
-bool BridgeFinder::may_enter(const Candidate& candidate, HalfEdge h) const {
-  const Vertex p = mesh_.origin(h);
-  const Vertex q = mesh_.target(h);
-  if (p == candidate.from || q == candidate.from) {
-    return candidate.disc.may_enter(position_of(p == candidate.from ? q : p), rounding_);
-  }
-  if (p == candidate.to) return !is_not_acute(candidate.from, p, q);
-  if (q == candidate.to) return !is_not_acute(candidate.from, q, p);
-  return may_touch(candidate.disc, h);
+bool BridgeFinder::enter_surely(const Candidate& candidate, HalfEdge h) {
+  if (mesh_.is_fixed(h)) return !is_blocked_by(candidate.gap, h);
+  scratch_.to_enter.push_back(mesh_.twin(h));
+  return true;
 }
 
 }  // namespace waywright::clearance

@@ -14,11 +14,19 @@ namespace waywright::clearance {
 
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
-  /// The faces beyond an edge that a corner sees, and the vertices that bound the view.
+  /// A vertex as a corner sees it.
+  struct Seen {
+    Point offset;   ///< from the corner
+    double square;  ///< of the distance from the corner
+    double error;   ///< see BridgeFinder::is_not_acute()
+  };
+  /// The face beyond an edge that a corner sees, and the vertices that bound the view.
   struct View {
     mesh::HalfEdge entry;
     mesh::Vertex left;
     mesh::Vertex right;
+    Seen entry_left;  ///< the ends of the edge
+    Seen entry_right;
   };
 
   std::vector<mesh::HalfEdge> to_enter;  ///< half-edges through which a search enters faces
@@ -104,6 +112,12 @@ class BridgeFinder {
     mesh::Vertex from;
     mesh::Vertex to;  ///< kNoVertex if the gap ends at a foot
     Disc disc;
+
+    /// Returns false only if the segment from an end to `v` contains no position strictly inside the exact disc. Each
+    /// coordinate of `v` may be wrong by `rounding`.
+    [[nodiscard]] bool may_enter_from(mesh::Vertex end, const Point& v, double rounding) const {
+      return end == from ? disc.may_enter(v, rounding) : !Disc::is_surely_not_acute(v, gap.a, gap.from, rounding);
+    }
   };
 
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
@@ -121,12 +135,21 @@ class BridgeFinder {
   }
   [[nodiscard]] bool is_clear(const Candidate& candidate);
   [[nodiscard]] bool enter(const Candidate& candidate, mesh::HalfEdge h);
-  [[nodiscard]] bool may_enter(const Candidate& candidate, mesh::HalfEdge h) const;
+  [[nodiscard]] bool enter_at_end(const Candidate& candidate, mesh::HalfEdge h, mesh::Vertex end, mesh::Vertex v);
+  [[nodiscard]] bool enter_surely(const Candidate& candidate, mesh::HalfEdge h);
   /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
     return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
   }
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
+  [[nodiscard]] BridgeScratch::Seen seen_from(const Point& corner, mesh::Vertex v) const;
+  /// Returns whether the angle at `v` between the corner and `p` is surely at least 90 degrees. If c is the corner,
+  /// then (c - v) . (p - v) = (v - c)^2 - (v - c) . (p - c). The errors of the two vertices together bound the errors
+  /// of this formula.
+  [[nodiscard]] static bool is_not_acute(const BridgeScratch::Seen& v, const BridgeScratch::Seen& p) {
+    const double dot = v.offset.x * p.offset.x + v.offset.y * p.offset.y;
+    return dot - v.square >= v.error + p.error;
+  }
   [[nodiscard]] exact::Sign side(mesh::Vertex from, mesh::Vertex to, mesh::Vertex v) const {
     return geometry_.orientation(geometry_.view(number(from)), geometry_.view(number(to)), geometry_.view(number(v)));
   }

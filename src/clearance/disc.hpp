@@ -105,6 +105,7 @@ struct Disc {
     const Point to_r{r.x - p.x, r.y - p.y};
     const double x = to_q.x * to_r.x;
     const double y = to_q.y * to_r.y;
+    if (x + y > 0.0) return false;
     const double extent = std::abs(to_q.x) + std::abs(to_q.y) + std::abs(to_r.x) + std::abs(to_r.y);
     return x + y + kUnit * (std::abs(x) + std::abs(y)) + 4.0 * rounding * (extent + 4.0 * rounding) <= 0.0;
   }
