@@ -10,6 +10,7 @@ using exact::Sign;
 using mesh::HalfEdge;
 using mesh::Vertex;
 using Seen = BridgeScratch::Seen;
+using View = BridgeScratch::View;
 
 double BridgeFinder::largest_rounding(const Box& domain) {
   return 0x1p-52 *
@@ -51,8 +52,10 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
   const Vertex v = mesh_.target(h);
   if (!is_explicit(u) || !is_explicit(v)) return false;
   const HalfEdge twin = mesh_.twin(h);
-  for (const HalfEdge at : {h, twin}) {
-    const Vertex apex = mesh_.apex(at);
+  const Vertex left = mesh_.apex(h);
+  const Vertex right = mesh_.apex(twin);
+  if (is_not_acute(u, left, v) | is_not_acute(u, right, v)) return false;
+  for (const Vertex apex : {left, right}) {
     const Point& p = position_of(apex);
     if (is_explicit(apex) && exact::dot(p, position_of(u), p, position_of(v)) != Sign::positive) return false;
   }
@@ -83,52 +86,57 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   if (!may_have_foot(corner) || !is_explicit(w)) return mesh::kNoHalfEdge;
   const HalfEdge opposite = mesh::next(corner);
   if (mesh_.is_fixed(opposite)) return is_bridge_to(corner, opposite) ? opposite : mesh::kNoHalfEdge;
-  const Point& corner_position = position_of(w);
-  const Seen x = seen_from(corner_position, mesh_.origin(opposite));
-  const Seen y = seen_from(corner_position, mesh_.target(opposite));
-  const auto may_cross = [&](const Seen& p, const Seen& q) {
-    return !is_not_acute(p, q) && !is_not_acute(q, p) && !(is_not_acute(x, p) && is_not_acute(x, q)) &&
-           !(is_not_acute(y, p) && is_not_acute(y, q));
-  };
-  auto& to_cross = scratch_.to_cross;
-  to_cross.clear();
-  to_cross.push_back({mesh_.twin(opposite), mesh_.target(opposite), mesh_.origin(opposite), y, x});
-  while (!to_cross.empty()) {
-    const BridgeScratch::View view = to_cross.back();
-    to_cross.pop_back();
-    const Vertex apex = mesh_.apex(view.entry);
-    const Seen seen = seen_from(corner_position, apex);
-    const bool may_cross_left = may_cross(seen, view.entry_left);
-    const bool may_cross_right = may_cross(seen, view.entry_right);
-    if (!may_cross_left && !may_cross_right) continue;
-    const bool sees_left = side(w, view.left, apex) == Sign::negative;
-    const bool sees_right = side(w, view.right, apex) == Sign::positive;
-    if (sees_left && may_cross_left) {
-      const HalfEdge exit = mesh::previous(view.entry);
-      if (!mesh_.is_fixed(exit)) {
-        to_cross.push_back({mesh_.twin(exit), view.left, sees_right ? apex : view.right, view.entry_left, seen});
-      } else if (is_bridge_to(corner, exit)) {
-        return exit;
-      }
-    }
-    if (sees_right && may_cross_right) {
-      const HalfEdge exit = mesh::next(view.entry);
-      if (!mesh_.is_fixed(exit)) {
-        to_cross.push_back({mesh_.twin(exit), sees_left ? apex : view.left, view.right, seen, view.entry_right});
-      } else if (is_bridge_to(corner, exit)) {
-        return exit;
-      }
-    }
+  const Seen x = seen_from(position_of(w), mesh_.origin(opposite));
+  const Seen y = seen_from(position_of(w), mesh_.target(opposite));
+  scratch_.to_cross.clear();
+  View view{mesh_.twin(opposite), mesh_.target(opposite), mesh_.origin(opposite), y, x};
+  for (;;) {
+    const HalfEdge wall = cross(corner, x, y, view);
+    if (wall != mesh::kNoHalfEdge) return wall;
+    if (view.entry != mesh::kNoHalfEdge) continue;
+    if (scratch_.to_cross.empty()) return mesh::kNoHalfEdge;
+    view = scratch_.to_cross.back();
+    scratch_.to_cross.pop_back();
   }
-  return mesh::kNoHalfEdge;
 }
 
-BridgeScratch::Seen BridgeFinder::seen_from(const Point& corner, Vertex v) const {
-  const Point offset = position_of(v) - corner;
-  const double square = offset.x * offset.x + offset.y * offset.y;
-  double error = 0x1p-48 * square;
-  if (rounding_ > 0.0) error += 16.0 * rounding_ * (std::abs(offset.x) + std::abs(offset.y) + rounding_);
-  return {offset, square, error};
+/// Looks at the two edges beyond the view. Returns the first one that is the wall, or kNoHalfEdge. Replaces the view by
+/// the view through an edge that a bridge may cross, or sets its `entry` to kNoHalfEdge. If both edges may be crossed,
+/// stores the second view in `to_cross`. The operators & and | avoid branches that are hard to predict.
+HalfEdge BridgeFinder::cross(HalfEdge corner, const Seen& x, const Seen& y, View& view) {
+  const Vertex w = mesh_.origin(corner);
+  const Vertex apex = mesh_.apex(view.entry);
+  const Seen seen = seen_from(position_of(w), apex);
+  const auto may_cross = [&](const Seen& p, const Seen& q) {
+    const bool is_beyond_x = is_not_acute(x, p) & is_not_acute(x, q);
+    const bool is_beyond_y = is_not_acute(y, p) & is_not_acute(y, q);
+    return !(is_not_acute(p, q) | is_not_acute(q, p) | is_beyond_x | is_beyond_y);
+  };
+  const bool may_cross_left = may_cross(seen, view.entry_left);
+  const bool may_cross_right = may_cross(seen, view.entry_right);
+  const HalfEdge left = mesh::previous(view.entry);
+  const HalfEdge right = mesh::next(view.entry);
+  view.entry = mesh::kNoHalfEdge;
+  if (!(may_cross_left | may_cross_right)) return mesh::kNoHalfEdge;
+  const bool sees_left = side(w, view.left, apex) == Sign::negative;
+  const bool sees_right = side(w, view.right, apex) == Sign::positive;
+  const bool is_left_wall = may_cross_left && sees_left && mesh_.is_fixed(left);
+  const bool is_right_wall = may_cross_right && sees_right && mesh_.is_fixed(right);
+  if (is_left_wall && is_bridge_to(corner, left)) return left;
+  if (is_right_wall && is_bridge_to(corner, right)) return right;
+  const bool crosses_left = may_cross_left && sees_left && !is_left_wall;
+  const bool crosses_right = may_cross_right && sees_right && !is_right_wall;
+  const Vertex middle_left = sees_left ? apex : view.left;
+  const Vertex middle_right = sees_right ? apex : view.right;
+  if (crosses_left) {
+    if (crosses_right) {
+      scratch_.to_cross.push_back({mesh_.twin(right), middle_left, view.right, seen, view.entry_right});
+    }
+    view = {mesh_.twin(left), view.left, middle_right, view.entry_left, seen};
+  } else if (crosses_right) {
+    view = {mesh_.twin(right), middle_left, view.right, seen, view.entry_right};
+  }
+  return mesh::kNoHalfEdge;
 }
 
 bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -80,13 +81,6 @@ class BridgeFinder {
     return Disc::of_triangle(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), position_of(mesh_.apex(h)),
                              rounding_);
   }
-  /// Returns false only if no foot bridge starts at the origin of `corner` and runs into the face of `corner`.
-  [[nodiscard]] bool may_have_foot(mesh::HalfEdge corner) const {
-    const mesh::Vertex w = mesh_.origin(corner);
-    const mesh::Vertex x = mesh_.target(corner);
-    const mesh::Vertex y = mesh_.apex(corner);
-    return !is_not_acute(w, x, y) && !is_not_acute(w, y, x);
-  }
   /// Returns false only if no position of the edge `border`, without its ends, lies strictly inside the circle of the
   /// face of `h`.
   [[nodiscard]] bool may_circle_meet(mesh::HalfEdge h, mesh::HalfEdge border) const;
@@ -141,8 +135,29 @@ class BridgeFinder {
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
     return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
   }
+  /// Returns false only if no foot bridge starts at the origin of `corner` and runs into the face of `corner`.
+  [[nodiscard]] bool may_have_foot(mesh::HalfEdge corner) const {
+    const mesh::Vertex w = mesh_.origin(corner);
+    const mesh::Vertex x = mesh_.target(corner);
+    const mesh::Vertex y = mesh_.apex(corner);
+    const Point along = position_of(y) - position_of(x);
+    const Point to_x = position_of(x) - position_of(w);
+    const Point to_y = position_of(y) - position_of(w);
+    const double at_x = to_x.x * along.x + to_x.y * along.y;
+    const double at_y = to_y.x * along.x + to_y.y * along.y;
+    if ((at_x < 0.0) & (at_y > 0.0)) return true;  // one branch instead of several that are hard to predict
+    return !is_not_acute(w, x, y) && !is_not_acute(w, y, x);
+  }
+  [[nodiscard]] mesh::HalfEdge cross(mesh::HalfEdge corner, const BridgeScratch::Seen& x, const BridgeScratch::Seen& y,
+                                     BridgeScratch::View& view);
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
-  [[nodiscard]] BridgeScratch::Seen seen_from(const Point& corner, mesh::Vertex v) const;
+  [[nodiscard]] BridgeScratch::Seen seen_from(const Point& corner, mesh::Vertex v) const {
+    const Point offset = position_of(v) - corner;
+    const double square = offset.x * offset.x + offset.y * offset.y;
+    double error = 0x1p-48 * square;
+    if (rounding_ > 0.0) error += 16.0 * rounding_ * (std::abs(offset.x) + std::abs(offset.y) + rounding_);
+    return {offset, square, error};
+  }
   /// Returns whether the angle at `v` between the corner and `p` is surely at least 90 degrees. If c is the corner,
   /// then (c - v) . (p - v) = (v - c)^2 - (v - c) . (p - c). The errors of the two vertices together bound the errors
   /// of this formula.

@@ -71,7 +71,7 @@ void ChangedRegion::search_beyond(BridgeFinder& finder, BridgeScratch& scratch, 
     const HalfEdge entry = to_enter.back();
     to_enter.pop_back();
     if (!scratch.visit(mesh::face(entry))) continue;
-    for (const HalfEdge corner : {entry, mesh::next(entry), mesh::previous(entry)}) note_corner(finder, corner);
+    for (const HalfEdge corner : {entry, mesh::next(entry), mesh::previous(entry)}) note_corner(corner);
     for (const HalfEdge exit : {mesh::next(entry), mesh::previous(entry)}) {
       if (mesh_->is_fixed(exit) || is_border(exit)) continue;
       const HalfEdge beyond = mesh_->twin(exit);
@@ -91,7 +91,7 @@ void ChangedRegion::search_beyond(BridgeFinder& finder, BridgeScratch& scratch, 
 /// clockwise around its target, while the discs of the edges meet the border.
 void ChangedRegion::follow_fan(BridgeFinder& finder, HalfEdge h, HalfEdge border, bool is_counter_clockwise) {
   for (;;) {
-    note_corner(finder, is_counter_clockwise ? h : mesh::next(h));
+    note_corner(is_counter_clockwise ? h : mesh::next(h));
     const HalfEdge exit = is_counter_clockwise ? mesh::previous(h) : mesh::next(h);
     if (mesh_->is_fixed(exit) || is_border(exit) || !finder.may_disc_meet(exit, border)) return;
     note_edge(exit);
@@ -99,8 +99,8 @@ void ChangedRegion::follow_fan(BridgeFinder& finder, HalfEdge h, HalfEdge border
   }
 }
 
-void ChangedRegion::note_corner(const BridgeFinder& finder, HalfEdge corner) {
-  if (is_corner_[number(corner)] || !finder.may_have_foot(corner)) return;
+void ChangedRegion::note_corner(HalfEdge corner) {
+  if (is_corner_[number(corner)]) return;
   corners_.push_back(corner);
   is_corner_[number(corner)] = true;
 }

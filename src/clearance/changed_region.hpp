@@ -42,7 +42,7 @@ class ChangedRegion {
   void search_beyond(BridgeFinder& finder, BridgeScratch& scratch, mesh::HalfEdge border);
   void follow_fan(BridgeFinder& finder, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
   [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return contains(mesh::face(mesh_->twin(h))); }
-  void note_corner(const BridgeFinder& finder, mesh::HalfEdge corner);
+  void note_corner(mesh::HalfEdge corner);
   void note_edge(mesh::HalfEdge h);
 
   const mesh::TriangleMesh* mesh_ = nullptr;  ///< of the operation

@@ -18,7 +18,7 @@ namespace waywright::clearance {
 struct Disc {
   Point origin;
   Point centre;  ///< relative to `origin`
-  double squared_radius = 0.0;
+  double radius = 0.0;
   double error = 0.0;  ///< of each coordinate of `centre`: at most this, plus 2^-50 of the coordinates' magnitudes
 
   /// Returns the disc whose diameter is the segment from `from` to the foot of the perpendicular on the line through
@@ -67,15 +67,16 @@ struct Disc {
   [[nodiscard]] bool may_touch(const Point& a, const Point& b, double rounding) const {
     const Point from{a.x - origin.x - centre.x, a.y - origin.y - centre.y};
     const Point along{b.x - a.x, b.y - a.y};
+    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
+    const double limit = (radius + (kUnit * extent + 4.0 * rounding)) * (1.0 + kUnit);
     const double squared_length = along.x * along.x + along.y * along.y;
     const double dot = -(from.x * along.x + from.y * along.y);
-    const double share = dot <= 0.0 ? 0.0 : dot >= squared_length ? 1.0 : dot / squared_length;
-    const double x = from.x + share * along.x;
-    const double y = from.y + share * along.y;
-    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
-    const double slack = kUnit * extent + 4.0 * rounding;
-    const double distance = std::max(std::sqrt(x * x + y * y) - slack, 0.0);
-    return !(distance * distance > squared_radius);
+    if (dot > 0.0 && dot < squared_length) {
+      const double cross = from.x * along.y - from.y * along.x;
+      return !(cross * cross > limit * limit * squared_length);
+    }
+    const Point nearest = dot <= 0.0 ? from : from + along;
+    return !(nearest.x * nearest.x + nearest.y * nearest.y > limit * limit);
   }
   /// Returns false only if the segment from `origin` to `p` contains no position strictly inside the exact disc: then
   /// the angle between the segment and the radius to `origin` is at least 90 degrees. Requires: the exact circle
@@ -116,7 +117,7 @@ struct Disc {
   /// `error` bounds the error of each coordinate of the centre. The circle contains the origin.
   [[nodiscard]] static Disc around(const Point& origin, const Point& centre, double error) {
     const double radius = std::sqrt(centre.x * centre.x + centre.y * centre.y) * (1.0 + kUnit) + 4.0 * error;
-    return {origin, centre, radius * radius * (1.0 + kUnit), error};
+    return {origin, centre, radius, error};
   }
 };
 
