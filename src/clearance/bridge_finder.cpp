@@ -54,7 +54,9 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
   const HalfEdge twin = mesh_.twin(h);
   const Vertex left = mesh_.apex(h);
   const Vertex right = mesh_.apex(twin);
-  if (is_not_acute(u, left, v) | is_not_acute(u, right, v)) return false;
+  const bool contains_left = is_not_acute(u, left, v);
+  const bool contains_right = is_not_acute(u, right, v);
+  if (contains_left | contains_right) return false;
   for (const Vertex apex : {left, right}) {
     const Point& p = position_of(apex);
     if (is_explicit(apex) && exact::dot(p, position_of(u), p, position_of(v)) != Sign::positive) return false;
@@ -108,9 +110,13 @@ HalfEdge BridgeFinder::cross(HalfEdge corner, const Seen& x, const Seen& y, View
   const Vertex apex = mesh_.apex(view.entry);
   const Seen seen = seen_from(position_of(w), apex);
   const auto may_cross = [&](const Seen& p, const Seen& q) {
-    const bool is_beyond_x = is_not_acute(x, p) & is_not_acute(x, q);
-    const bool is_beyond_y = is_not_acute(y, p) & is_not_acute(y, q);
-    return !(is_not_acute(p, q) | is_not_acute(q, p) | is_beyond_x | is_beyond_y);
+    const bool is_p_beyond_x = is_not_acute(x, p);
+    const bool is_q_beyond_x = is_not_acute(x, q);
+    const bool is_p_beyond_y = is_not_acute(y, p);
+    const bool is_q_beyond_y = is_not_acute(y, q);
+    const bool is_not_acute_at_p = is_not_acute(p, q);
+    const bool is_not_acute_at_q = is_not_acute(q, p);
+    return !(is_not_acute_at_p | is_not_acute_at_q | (is_p_beyond_x & is_q_beyond_x) | (is_p_beyond_y & is_q_beyond_y));
   };
   const bool may_cross_left = may_cross(seen, view.entry_left);
   const bool may_cross_right = may_cross(seen, view.entry_right);

@@ -9,13 +9,13 @@ namespace waywright::clearance {
 using mesh::Face;
 using mesh::HalfEdge;
 
-// Which bridges can change. Let b be a bridge before or after the operation that is none after or before it, and let
-// its corner or its edge belong to untouched faces only. Its closed disc D touches, apart from the ends of b, no wall
-// in one of the two states, and a wall in the other state. The walls outside the interior of R and the vertices outside
-// it are the same in both states, and each vertex is the end of a wall. So D contains no vertex of an untouched face
-// except the ends of b, and D meets no wall on the border of R except at the ends of b. A wall inside R meets D. It
-// does not pass through a vertex in D, so it has a position strictly inside D, or D would touch it at the border of R
-// only, where it would end. Hence the open disc D meets the interior of R.
+// Which bridges can change. Let b be a bridge before the operation or after it, but not both, and let its corner or its
+// edge belong to untouched faces only. If b ends at a wall that has changed, the face on b's side of this wall is
+// touched. Otherwise, a wall blocks b in one state and not in the other. This wall lies in R, because all other walls
+// are the same in both states. In the state in which b is a bridge, its closed disc D touches no wall except at the
+// ends of b. Each vertex is the end of a wall. So D contains no vertex of an untouched face except the ends of b, and
+// no other position of a wall on the border of R. The blocking wall therefore does not only touch D at the border of R.
+// In all these cases the open disc D meets the interior of R.
 //
 // Let w be an end of b that is a vertex, and F the face at w into which b runs, or either face at an edge b. Among the
 // positions inside D and R, choose one whose direction from w is as near to the direction of F as possible (up to less
