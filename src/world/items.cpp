@@ -1,6 +1,7 @@
 #include "waywright/world.hpp"
 
 #include "world/change_check.hpp"
+#include "world/item_shape.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
@@ -8,9 +9,6 @@
 
 namespace waywright {
 
-namespace {
-
-/// Fills `shape` with the shape of a live item. Reuses the memory of `shape`.
 void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -30,8 +28,6 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
   });
   if (is_one_point) shape.rings.add_point(shape.rings[0][0]);
 }
-
-}  // namespace
 
 bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
 
