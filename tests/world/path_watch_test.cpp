@@ -186,7 +186,7 @@ class Agents {
       blocked += is_blocked ? 1 : 0;
       if (random_.chance(1)) {
         send(key);
-      } else if (is_blocked || is_lost || is_shorter) {
+      } else if (is_blocked || is_shorter || contains(changes_.may_be_blocked, key)) {
         search(key);
       }
     }
