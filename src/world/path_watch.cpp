@@ -79,9 +79,10 @@ struct Ellipse {
   }
 };
 
-/// Returns the ellipse that contains each shorter path, and each path whose ends are nearer to the ends in the query.
-/// Such an end is at most as far from the end in the query as the moved end, and this distance counts twice because the
-/// path may go there and back.
+/// Returns the ellipse that contains each shorter path, and each position that is nearer to an end in the query than
+/// the moved end is. If the search has moved the start from `s` to `t` at the distance d, and p is nearer to `s` than
+/// `t` is, then p is at most d from `s`, and at most d + d + length from the goal. So the length of the ellipse is the
+/// length of the path plus 3 d.
 Ellipse ellipse_of(const Path& path) {
   const bool has_points = !path.points.empty();
   if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
@@ -89,8 +90,12 @@ Ellipse ellipse_of(const Path& path) {
   ellipse.start = has_points ? path.points.front() : path.pieces.front().from;
   ellipse.goal = has_points ? path.points.back() : path.pieces.back().to;
   double moved = 0.0;
-  if (path.moved_start) moved += distance(std::exchange(ellipse.start, path.moved_start->from), path.moved_start->to);
-  if (path.moved_goal) moved += distance(std::exchange(ellipse.goal, path.moved_goal->from), path.moved_goal->to);
+  const auto move_back = [&](Point& end, const MovedEnd& moved_end) {
+    moved += distance(moved_end.from, moved_end.to);
+    end = moved_end.from;
+  };
+  if (path.moved_start) move_back(ellipse.start, *path.moved_start);
+  if (path.moved_goal) move_back(ellipse.goal, *path.moved_goal);
   // The length is a sum of rounded lengths. The second term covers the rounding of up to 4 million turns.
   const double largest = std::max(largest_coordinate(ellipse.start), largest_coordinate(ellipse.goal));
   ellipse.length = path.length + 3.0 * moved + 0x1p-30 * (path.length + largest);

@@ -63,6 +63,61 @@ TEST(PathWatch, SaysWhichPathsMayBeTooLong) {
   EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1, 3, 4}}));
 }
 
+// The wall is beyond the ellipse, but the disc touches it from within the ellipse.
+TEST(PathWatch, KnowsHowFarADiscReaches) {
+  World world = world_of_hundred();
+  world.insert_segment({50, 0}, {50, 45.5}, 1).value();
+  PathWatch watch(world);
+  watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}, .radius = 5}).value());
+  world.remove(1).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1}}));
+}
+
+// The start lies in the left one of two adjacent houses. Without the right one, a free position is nearer to it.
+TEST(PathWatch, KnowsThatANearerEndMayBeFree) {
+  World world = world_of_hundred();
+  world.insert(kHouse, 1).value();
+  world.insert(Shape::rectangle({{60, 40}, {80, 60}}), 2).value();
+  const PathQuery query{.start = {59, 50}, .goal = {59, 20}, .end_tolerance = 15.0};
+  const Path path = world.find_path(query).value();
+  ASSERT_EQ(path.points.front(), (Point{59, 40}));
+  PathWatch watch(world);
+  watch.add(1, path);
+  world.remove(2).value();
+  EXPECT_EQ(world.find_path(query).value().points.front(), (Point{60, 50}));
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1}}));
+}
+
+// A point agent may turn at the exact crossing of two walls if a point of its path has the rounded coordinates of the
+// crossing. Without one of the walls, this point can lie on the wrong side of the other wall.
+TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
+  Random random(5);
+  std::size_t blocked = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto share = [&] { return static_cast<double>(random.below(1U << 30)) * 0x1p-30; };
+    World world = world_of_hundred();
+    const Point right{80, 40 + 20 * share()};
+    const Point top{40 + 20 * share(), 80};
+    world.insert_segment({20, 40 + 20 * share()}, right, 1).value();
+    world.insert_segment({40 + 20 * share(), 20}, top, 2).value();
+    const std::vector<Point> vertices = world.snapshot().vertices;
+    const auto is_crossing = [](const Point& p) { return p.x > 21 && p.x < 79 && p.y > 21 && p.y < 79; };
+    const Point crossing = *std::find_if(vertices.begin(), vertices.end(), is_crossing);
+    Path path;
+    path.status = PathStatus::found;
+    path.points = {right + Point{0, 5}, crossing, top + Point{5, 0}};
+    path.length = distance(path.points[0], crossing) + distance(crossing, path.points[2]);
+    ASSERT_TRUE(world.is_clear(path.points).value());
+    PathWatch watch(world);
+    watch.add(1, path);
+    world.remove(2).value();
+    const bool is_clear = world.is_clear(path.points).value();
+    blocked += is_clear ? 0 : 1;
+    ASSERT_EQ(changes_of(watch, world).blocked, is_clear ? Keys{} : Keys{1});
+  }
+  EXPECT_GT(blocked, 20U);
+}
+
 TEST(PathWatch, KnowsItsKeys) {
   World world = world_of_hundred();
   PathWatch watch(world);

@@ -293,8 +293,12 @@ TEST(RewindOf, AnUnknownTickIsRefused) {
 TEST(RewindOf, AnItemThatIsWhereItWasChangesNothing) {
   World world = world_of_hundred();
   const ItemId box = world.insert(Shape::rectangle({{10, 10}, {20, 20}})).value();
+  const Shape short_wall = Shape::segment({70, 70}, {70, 70});
+  const ItemId wall = world.insert(short_wall).value();
   world.keep_history(1);
   const std::uint64_t tick = world.mark();
+  world.replace(wall, Shape::segment({70, 70}, {80, 70})).value();
+  world.replace(wall, short_wall).value();
   world.replace(box, Shape::rectangle({{40, 10}, {50, 20}})).value();
   world.replace(box, Shape::rectangle({{10, 10}, {20, 20}})).value();
   const std::uint64_t before = world.version();
