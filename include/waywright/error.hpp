@@ -34,6 +34,9 @@ enum class ErrorCode : std::uint8_t {
   world_gone,        ///< the world of a PathSearch no longer exists
   not_supported,     ///< a request that this version or this world does not support
   no_bridges,        ///< a query that needs bridges, of a world that does not keep them
+  no_history,        ///< a rewind of a world that keeps no history
+  old_tick,          ///< a tick that the history of a world no longer contains
+  unknown_tick,      ///< a tick that no mark of a world has
   unreadable,        ///< a file that cannot be opened or read
   malformed,         ///< text or bytes that do not follow their format
   unwritable,        ///< a file or a stream that cannot be written

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "waywright/assert.hpp"
+#include "waywright/changed_box.hpp"
 #include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
@@ -11,6 +12,7 @@
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
 #include "waywright/path_search.hpp"
+#include "waywright/path_watch.hpp"
 #include "waywright/point.hpp"
 #include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"

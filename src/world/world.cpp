@@ -30,7 +30,10 @@ Result<World> World::create(const Box& domain, const WorldOptions& options) {
   return World(std::make_unique<Impl>(normalised, options));
 }
 
-World World::clone() const { return World(std::make_unique<Impl>(*impl_)); }
+World World::clone() const {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  return World(std::make_unique<Impl>(*impl_));
+}
 
 const Box& World::domain() const { return impl_->triangulation.domain(); }
 
@@ -56,6 +59,7 @@ MemoryUse World::memory() const {
   use.spare = sizeof(Impl) + sizeof(TouchLog);
   impl_->triangulation.count_memory(use);
   impl_->change_log.count_memory(use);
+  impl_->history.count_memory(use);
   impl_->touch_log->count_memory(use);
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
@@ -64,10 +68,12 @@ MemoryUse World::memory() const {
 }
 
 void World::shrink_to_fit() {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   impl_->triangulation.shrink_to_fit();
   if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
   if (impl_->clearance) impl_->clearance->shrink_to_fit(impl_->triangulation);
   impl_->change_log.shrink_to_fit();
+  impl_->history.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
   impl_->spare_context.release();
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -89,20 +88,6 @@ Reference undisturbed(const Script& script, Before before_each, const WorldOptio
     reference.dumps.push_back(world.dump());
   }
   return reference;
-}
-
-/// Runs `run` while the n-th allocation from now on fails; with 0, none fails. Returns whether `run` finished.
-template <class Run>
-bool gets_through(std::size_t n, Run&& run) {
-  bool is_done = true;
-  fail_allocation(n == 0 ? 0 : allocation_count() + n);
-  try {
-    run();
-  } catch (const std::bad_alloc&) {
-    is_done = false;
-  }
-  fail_allocation(0);
-  return is_done;
 }
 
 /// Applies the operation while the n-th allocation from now on fails. Returns whether the operation succeeded. Reduces

@@ -227,9 +227,9 @@ std::string json_line(const PredicateCounts& counts, const MemoryUse& memory) {
     return fmt::format(R"({{"doubles":{},"lattice":{},"integers":{}}})", stage.doubles, stage.lattice, stage.integers);
   };
   const std::string bytes = fmt::format(
-      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"bridges":{},"spare":{}}})",
+      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"bridges":{},"history":{},"spare":{}}})",
       memory.vertices, memory.crossings, memory.faces, memory.walls, memory.items, memory.sectors, memory.abstraction,
-      memory.bridges, memory.spare);
+      memory.bridges, memory.history, memory.spare);
   return fmt::format(R"({{"op":"stats","orientation":{},"in_circle":{},"order":{},"crossing":{},"memory":{}}})",
                      stages(counts.orientation), stages(counts.in_circle), stages(counts.order),
                      stages(counts.crossing), bytes);
