@@ -1,6 +1,7 @@
 #pragma once
 
 #include "waywright/assert.hpp"
+#include "waywright/changed_box.hpp"
 #include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
@@ -11,11 +12,14 @@
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/path.hpp"
 #include "waywright/path_search.hpp"
+#include "waywright/path_watch.hpp"
 #include "waywright/point.hpp"
 #include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
+#include "waywright/replay.hpp"
 #include "waywright/rings.hpp"
+#include "waywright/save.hpp"
 #include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"

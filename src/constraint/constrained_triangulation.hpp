@@ -45,6 +45,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] const ItemTable& items() const { return items_; }
   /// Marks an id as used: the table never chooses it for a new item.
   void mark_used(ItemId id) { items_.mark_used(id); }
+  /// Sets the largest id seen, as a change of the operation under way. Requires: no item has a larger id.
+  void set_largest_id_seen(ItemId id) { items_.set_largest_id_seen(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }

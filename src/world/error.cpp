@@ -40,10 +40,18 @@ std::string_view to_string(ErrorCode code) {
       return "not-supported";
     case ErrorCode::no_bridges:
       return "no-bridges";
+    case ErrorCode::no_history:
+      return "no-history";
+    case ErrorCode::old_tick:
+      return "old-tick";
+    case ErrorCode::unknown_tick:
+      return "unknown-tick";
     case ErrorCode::unreadable:
       return "unreadable";
     case ErrorCode::malformed:
       return "malformed";
+    case ErrorCode::unwritable:
+      return "unwritable";
   }
   return "unknown";
 }

@@ -134,6 +134,31 @@ inline std::string fault_of_limit(World& world, World& counted, const Step& step
   return "";
 }
 
+/// What a world was at a tick.
+struct FuzzedTick {
+  std::uint64_t tick;
+  ItemsHash hash;
+  std::string dump;
+};
+
+/// Returns what is wrong with an attempt to make the changes of a step. Empty if nothing is.
+inline std::string fault_of_attempt(World& world, const Step& step) {
+  const ItemsHash hash = world.items_hash();
+  const Result<std::string> answer =
+      world.attempt(step.changes, [](const World& changed) { return changed.validate().fault; });
+  if (answer && !answer->empty()) return "validate in an attempt: " + *answer;
+  return world.items_hash() == hash ? "" : "an attempt changed the items hash";
+}
+
+/// Returns what is wrong with a rewind. Empty if nothing is.
+inline std::string fault_of_rewind(World& world, const FuzzedTick& to) {
+  if (const Result<void> done = world.rewind(to.tick); !done) return "rewind: " + done.error().message();
+  if (world.items_hash() != to.hash) return "a rewind brought another items hash";
+  if (world.dump() != to.dump) return "a rewind brought another dump";
+  const Validation validation = world.validate();
+  return validation.ok ? "" : "validate after a rewind: " + validation.fault;
+}
+
 /// Returns what is wrong with a world after a step, or what is wrong with the step's result. Empty if nothing is.
 /// `counted` is a world with the same items.
 inline std::string fault_of_step(World& world, World& counted, LiveItems& live, const Step& step) {
@@ -152,16 +177,22 @@ inline std::string fault_of_step(World& world, World& counted, LiveItems& live, 
   return validation.ok ? "" : "validate: " + validation.fault;
 }
 
-/// Checks that every step gives the expected result and leaves a valid mesh, and that the last mesh equals the mesh of
-/// a new world. Returns the first fault.
+/// Checks that every step gives the expected result and leaves a valid mesh, that an attempt to make it leaves the
+/// world as it was, that the last mesh equals the mesh of a new world, and that rewinds bring back earlier ticks.
+/// Returns the first fault.
 inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
   Result<World> world = World::create(script.domain, {.keep_bridges = true});
   if (!world) return world.error().message();
   World counted = World::create(script.domain, {.keep_abstraction = false}).value();
   LiveItems live(script.domain);
+  std::vector<FuzzedTick> ticks;
+  world->keep_history(1 + script.steps.size());
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
-    const std::string fault = fault_of_step(*world, counted, live, script.steps[i]);
+    if (i % 4 == 0) ticks.push_back({world->mark(), world->items_hash(), world->dump()});
+    world->set_new_vertex_limit(kNoVertexLimit);
+    std::string fault = fault_of_attempt(*world, script.steps[i]);
+    if (fault.empty()) fault = fault_of_step(*world, counted, live, script.steps[i]);
     if (!fault.empty()) return "step " + std::to_string(i + 1) + ": " + fault;
   }
   Result<World> fresh = World::create(script.domain);
@@ -169,7 +200,11 @@ inline std::string fault_of_operations(std::string_view bytes) {
     if (!fresh->insert(item->second, item->first)) return "a fresh world refuses an item";
   }
   if (fresh->dump() != world->dump()) return "a fresh world has another dump";
-  return fresh->items_hash() == world->items_hash() ? "" : "a fresh world has another items hash";
+  if (fresh->items_hash() != world->items_hash()) return "a fresh world has another items hash";
+  for (; !ticks.empty(); ticks.resize(ticks.size() / 2)) {
+    if (const std::string fault = fault_of_rewind(*world, ticks.back()); !fault.empty()) return fault;
+  }
+  return "";
 }
 
 }  // namespace waywright::test

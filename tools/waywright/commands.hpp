@@ -54,8 +54,14 @@ struct ScenarioOptions {
 struct ConvertOptions {
   std::string in;
   std::string out;
-  std::string format;  ///< `wws`, `svg`, or empty if the ending of `out` tells the format
+  std::string format;  ///< `wws`, `wwb`, `svg`, or empty if the ending of `out` tells the format
   PictureOptions picture;
+};
+
+/// `waywright replay`
+struct ReplayOptions {
+  std::string log;
+  std::string other;  ///< the log to compare with; empty for none
 };
 
 /// The subcommands. Each throws Failure for errors that end in status 2.
@@ -63,5 +69,6 @@ struct ConvertOptions {
 [[nodiscard]] ExitStatus path(const PathOptions& options);
 [[nodiscard]] ExitStatus scenario(const ScenarioOptions& options);
 [[nodiscard]] ExitStatus convert(const ConvertOptions& options);
+[[nodiscard]] ExitStatus replay(const ReplayOptions& options);
 
 }  // namespace waywright::command
