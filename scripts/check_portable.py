@@ -22,7 +22,10 @@ COMPILER_FILES = {
     "src/base/float_environment.hpp",  # the processor's rounding mode
     "include/waywright/export.hpp",  # visibility of symbols
 }
-SYSTEM_FILES = COMPILER_FILES | {"tools/waywright/platform.cpp"}
+SYSTEM_FILES = COMPILER_FILES | {
+    "src/base/disk.cpp",
+    "tools/waywright/platform.cpp",
+}
 # The code that determines meshes and the lengths of paths.
 LIBRARY = ("include/", "src/")
 

@@ -44,6 +44,7 @@ class Abstraction::Guard {
 Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
 
 void Abstraction::begin() {
+  is_updated_ = false;
   has_new_walls_ = false;
   inserted_.clear();
   removed_.clear();
@@ -56,6 +57,7 @@ void Abstraction::update(const Triangulation& triangulation) {
   was_rebuilt_ = false;
   if (changed_.size() > kFewFaces && 2 * changed_.size() > mesh.face_slots()) {
     rebuild(triangulation);
+    is_updated_ = true;
     return guard.done();
   }
   collect_made(triangulation);
@@ -67,15 +69,33 @@ void Abstraction::update(const Triangulation& triangulation) {
     components_.update(triangulation, {changed_, made_, removed_, inserted_, has_new_walls_});
     core_.update(mesh, changed_, made_);
   }
+  is_updated_ = true;
   guard.done();
+}
+
+void Abstraction::commit() {
+  is_updated_ = false;
+  before_.reset();
+}
+
+void Abstraction::roll_back() {
+  if (!is_updated_) return;
+  if (was_rebuilt_) {
+    components_ = std::move(before_->components);
+    core_ = std::move(before_->core);
+  } else {
+    components_.roll_back();
+    core_.roll_back();
+  }
+  commit();
 }
 
 /// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
   changed_ = made_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
-  Components components(triangulation);
-  core_ = TwoCore(triangulation);
-  components_ = std::move(components);
+  before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), TwoCore(triangulation)});
+  std::swap(components_, before_->components);
+  std::swap(core_, before_->core);
   was_rebuilt_ = true;
 }
 

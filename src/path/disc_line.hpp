@@ -39,15 +39,22 @@ class DiscLine {
   [[nodiscard]] const Obstacle& left() const { return obstacles_[1]; }
   [[nodiscard]] const Obstacle& right() const { return obstacles_[0]; }
 
-  /// Returns a half-edge of the face that contains the position at which a line in this direction touches the contact
-  /// at the origin of `corner`, the vertex. The segment from the vertex to this position starts in the face of
-  /// `corner`.
-  [[nodiscard]] static mesh::HalfEdge face_at(const DiscMap& map, const Point& vertex, const Point& touching,
-                                              mesh::HalfEdge corner);
+  /// A half-edge of the face that contains a position, or a wall before the position.
+  struct FaceAt {
+    mesh::HalfEdge h;
+    bool is_behind_wall;
+  };
+  /// Finds the face that contains the position at which a line touches the contact at `vertex`, which is the origin of
+  /// `corner`. The straight line from the vertex to the position begins in the face of `corner`. If it meets a wall,
+  /// the position is not free.
+  [[nodiscard]] static FaceAt face_at(const DiscMap& map, const Point& vertex, const Point& touching,
+                                      mesh::HalfEdge corner);
 
  private:
   void walk(mesh::HalfEdge face);
+  [[nodiscard]] bool is_aside(const Point& a, const Point& b) const;
   void look_beside(mesh::HalfEdge h);
+  [[nodiscard]] mesh::HalfEdge enter_beside(mesh::HalfEdge at);
   void look_at_wall(mesh::HalfEdge h);
   void look_at_closed(mesh::HalfEdge exit);
   void look_at_vertex(mesh::HalfEdge corner);

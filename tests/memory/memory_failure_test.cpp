@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -89,20 +88,6 @@ Reference undisturbed(const Script& script, Before before_each, const WorldOptio
     reference.dumps.push_back(world.dump());
   }
   return reference;
-}
-
-/// Runs `run` while the n-th allocation from now on fails; with 0, none fails. Returns whether `run` finished.
-template <class Run>
-bool gets_through(std::size_t n, Run&& run) {
-  bool is_done = true;
-  fail_allocation(n == 0 ? 0 : allocation_count() + n);
-  try {
-    run();
-  } catch (const std::bad_alloc&) {
-    is_done = false;
-  }
-  fail_allocation(0);
-  return is_done;
 }
 
 /// Applies the operation while the n-th allocation from now on fails. Returns whether the operation succeeded. Reduces
@@ -426,10 +411,13 @@ TEST(MemoryFailureOf, QueriesForDiscsLeaveNothingToTheNext) {
 
 TEST(MemoryFailureOf, ASearchForADiscInSlicesIsGivenUp) {
   const World world = world_for_discs();
-  const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .radius = 3};
-  const Path expected = world.find_path(across).value();
-  const auto expect = [&](const Path& path, std::size_t n) { expect_equal_pieces(path, expected, n); };
-  EXPECT_GT(count_given_up_searches(world, across, expect), 5U);
+  for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
+    SCOPED_TRACE(to_string(algorithm));
+    const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .radius = 3, .algorithm = algorithm};
+    const Path expected = world.find_path(across).value();
+    const auto expect = [&](const Path& path, std::size_t n) { expect_equal_pieces(path, expected, n); };
+    EXPECT_GT(count_given_up_searches(world, across, expect), 5U);
+  }
 }
 
 // If an allocation fails in a job, the call that the job belongs to fails and changes nothing.
