@@ -69,12 +69,18 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
       collect(index);
       return true;
     }
-    std::uint32_t& visited = visited_[marks_faces_ ? 3 * number(mesh::face(node.entry)) : number(node.entry)];
-    if (visited == stamp_.value()) continue;
-    visited = stamp_.value();
+    if (is_visited(node.entry)) continue;
+    visited_[marks_faces_ ? 3 * number(mesh::face(node.entry)) : number(node.entry)] = stamp_.value();
     leave(node, index);
   }
   return is_found_;
+}
+
+/// Returns whether the search has followed a channel through this entry already, or has made its choice at the face.
+/// Without the first test, a channel without a choice could run in a circle for ever.
+bool DiscChannel::is_visited(HalfEdge entry) const {
+  return visited_[number(entry)] == stamp_.value() ||
+         (marks_faces_ && visited_[3 * number(mesh::face(entry))] == stamp_.value());
 }
 
 /// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
@@ -149,7 +155,7 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
   for (;;) {
     const HalfEdge entry = map_->mesh().twin(channel.out);
     const mesh::Face f = mesh::face(entry);
-    if (visited_[marks_faces_ ? 3 * number(f) : number(entry)] == stamp_.value()) return;
+    if (is_visited(entry)) return;
     const Exits exits = exits_of(entry, channel.left, channel.right);
     if (is_goal_face(f) || (exits.is_left_open && exits.is_right_open)) {
       const double bound = channel.sight.length_to(goal_) + kTieBreakWeight * distance(channel.left, goal_);

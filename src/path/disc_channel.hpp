@@ -67,6 +67,7 @@ class DiscChannel {
   void leave(const Node& node, std::uint32_t index);
   void collect(std::uint32_t node);
   [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
+  [[nodiscard]] bool is_visited(mesh::HalfEdge entry) const;
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const;
   [[nodiscard]] Exits exits_of(mesh::HalfEdge entry, const Point& left, const Point& right);
 
