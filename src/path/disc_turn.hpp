@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "mesh/triangle_mesh.hpp"
 #include "path/disc_map.hpp"
 #include "path/tangent.hpp"
@@ -45,8 +47,10 @@ template <class Visit>
   do {
     // `spoke` is the edge at the vertex to which the turn comes next.
     const mesh::HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    // The orders of the spokes grow. If the first one is the direction to the position of arrival, its order is -1, but
+    // rounding may make it a little smaller.
     const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - contact.centre, turn);
-    order = end_order - 4.0 >= order ? end_order - 4.0 : end_order;
+    order = end_order - 4.0 >= order - kTurnsBack ? std::max(order, end_order - 4.0) : end_order;
     visit(at, spoke, order);
     if (const auto foot = map.closed_foot(at)) {
       // A bridge to a foot before the arrival does not matter.
