@@ -5,6 +5,7 @@
 
 #include "clearance/bridges.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 #include "nav/two_core.hpp"
 
@@ -20,10 +21,15 @@ class DiscMap {
     const Box& domain = walls.domain();
     const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
-    if (largest > 1024.0 * extent) origin = start;
-    radius = std::max(exact_radius, kLeastRadius * extent);
-    surely_short = 4.0 * least_distance() * least_distance();
-    surely_long = 4.0 * radius * radius * (1.0 + 0x1p-30);
+    const bool is_far = largest > kFar * extent;
+    if (is_far) origin = start;
+    const double rounding = std::max(0x1p-50 * (is_far ? extent : largest), constraint::largest_rounding(walls));
+    radius = std::max(exact_radius, kLeastRoundings * rounding);
+    slack = std::max(0x1p-34 * radius, rounding);
+    const double shorter = std::max(0.0, exact_radius - slack);
+    const double longer = exact_radius + slack;
+    surely_short = 4.0 * shorter * shorter;
+    surely_long = 4.0 * longer * longer;
   }
 
   const constraint::ExactTriangulation& walls;
@@ -45,8 +51,10 @@ class DiscMap {
     return walls.triangulation().geometry().rounded(number(v)) - origin;
   }
 
-  /// A wall may be nearer to the path than the radius, by a small share of it, to allow for rounding.
-  [[nodiscard]] double least_distance() const { return radius * (1.0 - 0x1p-34); }
+  /// A wall may be nearer to the path than the radius by this much, to allow for rounding: by a small share of the
+  /// radius, and by some units of the last digit of a coordinate.
+  double slack;
+  [[nodiscard]] double least_distance() const { return radius - slack; }
 
   /// Returns whether no disc passes between the two ends of the edge: the edge is a wall, or a bridge that is shorter
   /// than the disc is wide. The decision is exact.
@@ -82,7 +90,8 @@ class DiscMap {
             geometry.rounded(number(side.to))};
   }
 
-  static constexpr double kLeastRadius = 0x1p-44;
+  static constexpr double kLeastRoundings = 4.0;
+  static constexpr double kFar = 4.0;
 
   double exact_radius_;
 };
