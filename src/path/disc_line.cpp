@@ -12,8 +12,8 @@ using mesh::Vertex;
 
 namespace {
 
-/// If a line comes as near as this fraction of the radius to touching a vertex, the test decides exactly whether the
-/// gaps at the vertex are wide enough.
+/// If a line comes as near to touching a vertex as this many times the slack of the map, the test decides exactly
+/// whether the gaps at the vertex are wide enough.
 constexpr double kTouching = 16.0;
 
 }  // namespace
@@ -199,7 +199,7 @@ bool DiscLine::crosses_foot(HalfEdge corner) const {
   const double other = cross(direction_, *foot - start_);
   if (one * other > 0.0 || one == other) return false;
   const double at = dot(direction_, lerp(from, *foot, one / (one - other)) - start_);
-  const double slack = kTouching * map_->slack;
+  const double slack = kTouching * map_->explicit_slack;
   return at > -slack && at < length_ + slack;
 }
 

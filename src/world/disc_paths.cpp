@@ -58,6 +58,18 @@ void write_path(detail::DiscSearch& disc, Path& path) {
       disc.stage == Stage::shortest ? path.length : std::min(path.length, distance(disc.start, disc.goal));
 }
 
+/// Tests the straight line from start to goal. If no wall is near it, writes it as the path and returns true.
+bool find_straight(detail::DiscSearch& disc) {
+  const path::DiscLine::End from{{disc.ends.start(), 0}, mesh::kNoVertex};
+  const path::DiscLine::End to{{disc.ends.goal(), 0}, mesh::kNoVertex};
+  const auto line = path::tangent(from.contact, to.contact, disc.map->radius);
+  if (!line || !disc.line.is_clear(*disc.map, from, to, *line, disc.ends.goal_face())) return false;
+  disc.length = line->length;
+  disc.pieces.assign({{disc.start, disc.goal, {}, 0, line->direction, {}}});
+  disc.outcome = Outcome::found;
+  return true;
+}
+
 /// Starts the second stage of the search.
 void begin_shortest(detail::DiscSearch& disc) {
   disc.stage = Stage::shortest;
@@ -147,7 +159,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
   return nearest_fit_of_disc(nearest, scratch);
 }
 
-/// Starts the search for a path. Requires: the disc is free at both ends.
+/// Starts the search for a path, or finds the straight line. Requires: the disc is free at both ends.
 void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
@@ -159,6 +171,7 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.ends.begin(*disc.map, query.start, query.goal);
   disc.stage = Stage::channel;
   disc.outcome = Outcome::running;
+  if (find_straight(disc)) return;
   disc.wants_shortest = query.algorithm != PathAlgorithm::tra;
   disc.length = std::numeric_limits<double>::infinity();
   disc.channel.begin(*disc.map, disc.ends);
@@ -177,7 +190,10 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
     return true;
   }
   begin_disc_search(freed, scratch);
-  return false;
+  if (disc.outcome == Outcome::running) return false;
+  write_path(disc, path);
+  write_time(disc, path);
+  return true;
 }
 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
@@ -207,8 +223,9 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Path& path = paths[i];
     single.goal = query.goals[i];
-    if (begin_disc_path(single, scratch, path)) continue;
-    step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
+    if (!begin_disc_path(single, scratch, path)) {
+      step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
+    }
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();
   }

@@ -16,6 +16,7 @@
 #include "nav/kept_cover.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"
+#include "path/disc_line.hpp"
 #include "path/disc_optimal.hpp"
 #include "path/disc_string.hpp"
 #include "path/finder.hpp"
@@ -26,9 +27,10 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
-  /// The first stage searches for a channel and for a string through it. If there is no channel, there is no path. The
-  /// second stage searches for the shortest path. Its search leaves out everything that is longer than the string. `tra`
-  /// needs the second stage only if the first one finds no string through its channel.
+  /// If nothing is in the way of the straight line from start to goal, no stage runs. The first stage searches for a
+  /// channel and for a string through it. If there is no channel, there is no path. The second stage searches for the
+  /// shortest path. Its search leaves out everything that is longer than the string. `tra` needs the second stage only
+  /// if the first one finds no string through its channel.
   enum class Stage { channel, shortest };
   enum class Outcome { running, found, none };
 
@@ -41,6 +43,7 @@ struct DiscSearch {
   Stage stage = Stage::channel;
   bool wants_shortest = false;
   double length = 0.0;  ///< of `pieces`, or infinity as long as the search has found no path
+  path::DiscLine line;
   path::DiscChannel channel;
   path::DiscString string;
   path::DiscOptimal shortest;
