@@ -2,6 +2,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "internal.hpp"
 
@@ -130,7 +131,10 @@ ww_status write_text(std::string_view text, char* buffer, std::size_t capacity, 
 }
 
 /// Forgets the error of this thread, which can own memory.
-void clear_last_error() noexcept { last_error = {}; }
+void clear_last_error() noexcept {
+  LastError none;
+  std::swap(last_error, none);  // an assignment would keep the memory of the text
+}
 
 }  // namespace waywright::c
 

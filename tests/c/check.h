@@ -3,8 +3,9 @@
 #define WAYWRIGHT_TESTS_C_CHECK_H
 
 #include <stdio.h>
+#include <waywright.h>
 
-static int failed_checks = 0;
+extern int failed_checks;
 
 #define CHECK(condition)                                                          \
   do {                                                                            \
@@ -18,18 +19,8 @@ static int failed_checks = 0;
 #define CHECK_STATUS(call, expected) check_status((call), (expected), #call, __FILE__, __LINE__)
 #define CHECK_OK(call) CHECK_STATUS(call, WW_OK)
 
-static void check_status(ww_status actual, ww_status expected, const char* call, const char* file, int line) {
-  char message[256] = "";
-  if (actual == expected) return;
-  ww_last_error_message(message, sizeof message, NULL);
-  fprintf(stderr, "%s:%d: %s returned %s, not %s: %s\n", file, line, call, ww_status_name(actual),
-          ww_status_name(expected), message);
-  ++failed_checks;
-}
-
-static int result_of_checks(void) {
-  if (failed_checks != 0) fprintf(stderr, "%d checks failed\n", failed_checks);
-  return failed_checks == 0 ? 0 : 1;
-}
+void check_status(ww_status actual, ww_status expected, const char* call, const char* file, int line);
+/* Prints how many checks have failed. Returns the exit status of the program. */
+int result_of_checks(void);
 
 #endif

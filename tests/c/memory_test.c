@@ -6,6 +6,7 @@
 #include <waywright.h>
 
 #include "check.h"
+#include "scene.h"
 
 /* A counting allocator. It remembers the alignment of each block in front of the block. */
 static size_t live_blocks = 0;
@@ -63,20 +64,6 @@ typedef struct State {
   ww_world* made;   /* by the call */
   ww_context* more; /* by the call */
 } State;
-
-static ww_point at(double x, double y) {
-  ww_point point;
-  point.x = x;
-  point.y = y;
-  return point;
-}
-
-static ww_box box(double x0, double y0, double x1, double y1) {
-  ww_box result;
-  result.min = at(x0, y0);
-  result.max = at(x1, y1);
-  return result;
-}
 
 static const ww_point kBar[] = {{20, 30}, {80, 30}, {80, 33}, {20, 33}};
 
@@ -320,10 +307,10 @@ static ww_status draw(State* s) {
 static ww_status error_message(State* s) {
   char message[256] = "";
   const size_t before = failures;
-  CHECK_STATUS(ww_world_insert_point(s->world, at(101, 5), 0, NULL), WW_OUT_OF_DOMAIN);
+  CHECK_STATUS(ww_world_remove(s->world, 99), WW_UNKNOWN_ID);
   CHECK_OK(ww_last_error_message(message, sizeof message, NULL));
   if (failures == before) return WW_OK;
-  CHECK(strcmp(message, "out-of-domain") == 0);
+  CHECK(strcmp(message, "unknown-id") == 0);
   return WW_OUT_OF_MEMORY;
 }
 /* The error of a text keeps its message. */

@@ -40,7 +40,7 @@ static void* grow(void* old, size_t count, size_t size) {
 
 /* Makes room for a list of ids that did not fit. Returns 1 if the call must be repeated. */
 static int must_repeat(Run* run, ww_status status) {
-  if (status != WW_BUFFER_TOO_SMALL) return 0;
+  if ((status != WW_OK && status != WW_BUFFER_TOO_SMALL) || run->id_count <= run->id_capacity) return 0;
   run->ids = grow(run->ids, run->id_count, sizeof *run->ids);
   run->id_capacity = run->id_count;
   return 1;
