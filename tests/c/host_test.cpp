@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
-
 #include <waywright.h>
 
 namespace {

@@ -17,6 +17,20 @@ def exported_by(nm, library):
     return {name.split("@")[0] for kind, name in symbols if kind != "A"}
 
 
+# The classes whose member functions the table must name. The other classes are mostly data.
+CLASSES = {"world.hpp": "World", "path_search.hpp": "PathSearch", "path.hpp": "Path"}
+MEMBER = re.compile(r"^  (?:\[\[nodiscard\]\] )?(?:static )?(?:const )?[A-Za-z][\w:<>]*(?:<[\w:, ]+>+)?[&*]? (?P<name>[a-z_]+)\(", re.MULTILINE)
+
+
+def members_of(root):
+    """Yields the public functions of C++ that the table must name: `World::insert`."""
+    for header, name in CLASSES.items():
+        text = Path(root, "include/waywright", header).read_text(encoding="utf-8")
+        body = re.search(rf"^(?:class|struct) WAYWRIGHT_API {name} {{$(.*?)^}};$", text, re.MULTILINE | re.DOTALL)[1]
+        functions = {match["name"] for match in MEMBER.finditer(body.partition(" private:")[0])}
+        yield from (f"{name}::{function}" for function in sorted(functions))
+
+
 def main(arguments):
     nm, readelf, library, root, soname = arguments
     folder = Path(root, "bindings/c")
@@ -31,12 +45,14 @@ def main(arguments):
     }
     faults = [f"{what} {name}; symbols.txt does not" for what, names in named.items() for name in names - set(listed)]
     faults += [f"symbols.txt has {name}; not so: {what}" for what, names in named.items() for name in set(listed) - names]
+    members = list(members_of(root))
+    faults += [f"docs/languages.md does not name {member}" for member in members if f"`{member}`" not in table]
     if listed != sorted(set(listed)):
         faults.append("symbols.txt is not sorted")
     dynamic = subprocess.run([readelf, "-d", library], check=True, capture_output=True, text=True).stdout
     if f"[{soname}]" not in dynamic or not re.search(r"\.so\.\d+\.\d+$", soname):
         faults.append(f"the soname is not {soname}, with two numbers:\n{dynamic}")
-    print("\n".join(faults) if faults else f"{len(listed)} functions")
+    print("\n".join(faults) if faults else f"{len(listed)} functions, {len(members)} in C++")
     return 1 if faults else 0
 
 
