@@ -149,7 +149,7 @@ ww_status ww_items_count(const ww_items* items, size_t* count) {
   });
 }
 
-ww_status ww_items_info(const ww_items* items, size_t index, ww_item_info* info) {
+ww_status ww_items_get_info(const ww_items* items, size_t index, ww_item_info* info) {
   return guarded([&] {
     const StructOut out(info);
     const Item& item = item_at(items, index);

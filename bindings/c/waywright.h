@@ -230,7 +230,7 @@ WW_API ww_status ww_items_clear(ww_items* items);
 /* Appends a copy of a shape. If id is 0, a world that inserts the item chooses the id. */
 WW_API ww_status ww_items_add(ww_items* items, ww_id id, const ww_shape* shape);
 WW_API ww_status ww_items_count(const ww_items* items, size_t* count);
-WW_API ww_status ww_items_info(const ww_items* items, size_t index, ww_item_info* info);
+WW_API ww_status ww_items_get_info(const ww_items* items, size_t index, ww_item_info* info);
 WW_API ww_status ww_items_points(const ww_items* items, size_t index, ww_point* points, size_t capacity, size_t* count);
 WW_API ww_status ww_items_ring_sizes(const ww_items* items, size_t index, size_t* ring_sizes, size_t capacity,
                                      size_t* count);
@@ -293,7 +293,8 @@ WW_API ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_si
 
 /* Inserts all items of a list as one operation. `options` may be null. `ids` is null, or an array with room for one id
    for each item. */
-WW_API ww_status ww_world_insert_all(ww_world* world, const ww_items* items, const ww_bulk_options* options, ww_id* ids);
+WW_API ww_status ww_world_insert_all(ww_world* world, const ww_items* items, const ww_bulk_options* options,
+                                     ww_id* ids);
 /* Inserts many points as one operation. The first has the id `first`, and each further one the next id. `first_id`
    receives the id of the first point, and may be null. */
 WW_API ww_status ww_world_insert_points(ww_world* world, const ww_point* points, size_t point_count, ww_id first,

@@ -7,12 +7,12 @@
 
 extern int failed_checks;
 
-#define CHECK(condition)                                                          \
-  do {                                                                            \
-    if (!(condition)) {                                                           \
-      fprintf(stderr, "%s:%d: '%s' is false\n", __FILE__, __LINE__, #condition);  \
-      ++failed_checks;                                                            \
-    }                                                                             \
+#define CHECK(condition)                                                         \
+  do {                                                                           \
+    if (!(condition)) {                                                          \
+      fprintf(stderr, "%s:%d: '%s' is false\n", __FILE__, __LINE__, #condition); \
+      ++failed_checks;                                                           \
+    }                                                                            \
   } while (0)
 
 /* Checks a status, and prints the message of another one. */

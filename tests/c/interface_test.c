@@ -89,7 +89,7 @@ static void test_changes(void) {
   CHECK(count == 5 && ids[2] == 20 && ids[3] == 21 && ids[4] == 30);
   CHECK_OK(ww_world_item(world, 30, items));
   info.struct_size = sizeof info;
-  CHECK_OK(ww_items_info(items, 0, &info));
+  CHECK_OK(ww_items_get_info(items, 0, &info));
   CHECK(info.kind == WW_ITEM_POLYGON && info.fill == WW_FILL_NONZERO && info.id == 30);
   CHECK(info.point_count == 7 && info.ring_count == 2);
   CHECK_OK(ww_items_ring_sizes(items, 0, sizes, 4, &count));
@@ -291,7 +291,8 @@ static void test_discs(void) {
   CHECK_OK(ww_world_nearest_fit(world, &query, context, &fit));
   CHECK(fit.is_found == 1 && is_at(fit.at, 35, 50));
   CHECK_STATUS(ww_world_nearest_fit(plain, &query, context, &fit), WW_NO_BRIDGES);
-  CHECK_OK(ww_world_widest_path(world, at(10, 50), at(90, 50), context, &widest, from, 4, &from_count, to, 4, &to_count));
+  CHECK_OK(
+      ww_world_widest_path(world, at(10, 50), at(90, 50), context, &widest, from, 4, &from_count, to, 4, &to_count));
   CHECK(widest.is_connected == 1 && widest.is_limited == 1 && widest.radius == 20);
   CHECK(from_count >= 1 && to_count >= 1 && (from[0] == 1 || to[0] == 1));
   CHECK_STATUS(ww_world_widest_path(plain, at(10, 50), at(90, 50), context, &widest, NULL, 0, NULL, NULL, 0, NULL),

@@ -184,7 +184,9 @@ static ww_status locate(State* s) {
   return ww_world_locate(s->world, at(50, 50), s->context, &location, NULL, 0, NULL);
 }
 static ww_status items_at(State* s) { return ww_world_items_at(s->world, at(50, 50), s->context, NULL, 0, NULL); }
-static ww_status items_in(State* s) { return ww_world_items_in(s->world, box(0, 0, 60, 60), s->context, NULL, 0, NULL); }
+static ww_status items_in(State* s) {
+  return ww_world_items_in(s->world, box(0, 0, 60, 60), s->context, NULL, 0, NULL);
+}
 static ww_status items_crossed(State* s) {
   return ww_world_items_crossed(s->world, at(1, 50), at(99, 50), s->context, NULL, 0, NULL);
 }
@@ -279,9 +281,7 @@ static ww_status validate(State* s) {
   return status;
 }
 static ww_status shrink_to_fit(State* s) { return ww_world_shrink_to_fit(s->world); }
-static ww_status parse_map(State* s) {
-  return ww_scene_parse_movingai_map(kMap, sizeof kMap - 1, "a.map", s->scene);
-}
+static ww_status parse_map(State* s) { return ww_scene_parse_movingai_map(kMap, sizeof kMap - 1, "a.map", s->scene); }
 static ww_status read_scene(State* s) { return ww_scene_read(WAYWRIGHT_TEST_SCRIPT, s->scene); }
 static ww_status set_scene(State* s) { return ww_scene_set(s->scene, box(0, 0, 1, 1), s->items, 0); }
 static ww_status to_script(State* s) {
@@ -315,7 +315,8 @@ static ww_status error_message(State* s) {
 }
 /* The error of a text keeps its message. */
 static ww_status refuse_script(State* s) {
-  const ww_status status = ww_script_parse("waywright 1\nfly to the moon\n", 28, "a_long_name_of_a_file.wws", s->script);
+  const ww_status status =
+      ww_script_parse("waywright 1\nfly to the moon\n", 28, "a_long_name_of_a_file.wws", s->script);
   CHECK(status == WW_MALFORMED || status == WW_OUT_OF_MEMORY);
   return status == WW_MALFORMED ? WW_OK : status;
 }
@@ -426,9 +427,9 @@ static int run_with_failure(const struct Case* tested, size_t failing, size_t* r
 /* Queries that need no memory if their context and their answer have served the same query before. */
 static void test_warm_queries(void) {
   static ww_status (*const kCalls[])(State*) = {
-      locate,       items_at,          items_in,     items_crossed,   cast_ray,       sweep_disc, fit_disc,
-      nearest_fit,  find_optimal_path, find_ta_path, find_tra_path,   find_disc_path, is_clear,   snapshot,
-      widest_path,
+      locate,        items_at,       items_in,    items_crossed,     cast_ray,
+      sweep_disc,    fit_disc,       nearest_fit, find_optimal_path, find_ta_path,
+      find_tra_path, find_disc_path, is_clear,    snapshot,          widest_path,
   };
   State state;
   size_t i;

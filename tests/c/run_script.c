@@ -100,7 +100,7 @@ static ww_shape shape_of_line(Run* run) {
   ww_shape shape;
   ww_item_info info;
   info.struct_size = sizeof info;
-  must(ww_items_info(run->items, 0, &info), "ww_items_info");
+  must(ww_items_get_info(run->items, 0, &info), "ww_items_get_info");
   run->points = grow(run->points, info.point_count, sizeof *run->points);
   run->ring_sizes = grow(run->ring_sizes, info.ring_count, sizeof *run->ring_sizes);
   must(ww_items_points(run->items, 0, run->points, info.point_count, &run->point_count), "ww_items_points");
@@ -121,7 +121,8 @@ static void locate(Run* run, const ww_script_line* line) {
   size_t i;
   location.struct_size = sizeof location;
   do {
-    status = ww_world_locate(run->world, line->from, run->context, &location, run->ids, run->id_capacity, &run->id_count);
+    status =
+        ww_world_locate(run->world, line->from, run->context, &location, run->ids, run->id_capacity, &run->id_count);
   } while (must_repeat(run, status));
   if (!is_done(line, status)) return;
   print_opening(line);
