@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -36,10 +37,10 @@ void append(const path::DiscPiece& piece, double radius, const Point& next, std:
   }
 }
 
-void append_pieces(detail::DiscSearch& disc, Path& path) {
-  std::vector<path::DiscPiece>& pieces = disc.pieces;
-  pieces.clear();
-  disc.search.write_path(pieces);
+/// Writes the answer from `disc.pieces`.
+void write_path(detail::DiscSearch& disc, Path& path) {
+  const std::vector<path::DiscPiece>& pieces = disc.pieces;
+  path.status = PathStatus::found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
     append(pieces[i], path.radius, is_last ? disc.goal : pieces[i + 1].from, path.pieces);
@@ -48,7 +49,49 @@ void append_pieces(detail::DiscSearch& disc, Path& path) {
   path.pieces.front().from = disc.start;
   path.pieces.back().to = disc.goal;
   // The length of the rounded pieces, as Path::at computes it.
-  path.length = path.lower_bound = path::length_of(path.pieces);
+  path.length = path::length_of(path.pieces);
+  path.lower_bound = disc.stage == detail::DiscSearch::Stage::shortest
+                         ? path.length
+                         : std::min(path.length, distance(disc.start, disc.goal));
+}
+
+/// Starts a stage of the search.
+void begin_stage(detail::DiscSearch& disc, detail::DiscSearch::Stage stage) {
+  disc.stage = stage;
+  disc.is_found = false;
+  if (stage == detail::DiscSearch::Stage::channel) {
+    disc.channel.begin(*disc.map, disc.start, disc.goal);
+  } else {
+    disc.shortest.begin(*disc.map, disc.start, disc.goal);
+  }
+}
+
+/// Continues the stage with the channel. If the stage finds a path, writes its pieces.
+void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  disc.is_stage_done = disc.channel.step(limit, expansions);
+  if (!disc.channel.is_found()) return;
+  disc.is_found = disc.string.find(*disc.map, disc.start, disc.goal, disc.channel.exits(), disc.channel.goal_face());
+  if (disc.is_found) disc.string.write_path(disc.pieces);
+}
+
+/// Continues the stage that finds the shortest path. If the stage finds it, writes its pieces.
+void step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  disc.is_stage_done = disc.shortest.step(limit, expansions);
+  disc.is_found = disc.shortest.is_found();
+  if (disc.is_found) disc.shortest.write_path(disc.pieces);
+}
+
+/// Continues the search. Returns whether it has ended.
+bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  using Stage = detail::DiscSearch::Stage;
+  const bool is_channel = disc.stage == Stage::channel;
+  is_channel ? step_channel(disc, limit, expansions) : step_shortest(disc, limit, expansions);
+  if (!disc.is_stage_done) return false;
+  const bool cannot_be_found = is_channel && !disc.channel.is_found();
+  if (disc.is_found || disc.is_last_stage || cannot_be_found) return true;
+  disc.is_last_stage = true;
+  begin_stage(disc, is_channel ? Stage::shortest : Stage::channel);
+  return step(disc, limit, expansions);
 }
 
 /// Writes the time since the start of the search, if the query wants it.
@@ -63,7 +106,8 @@ void write_time(const detail::DiscSearch& disc, Path& path) {
 bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   fit_disc(query.goal, query.radius, scratch, scratch.fit);
   const std::optional<Point> goal = scratch.fit.fits ? std::optional(query.goal) : std::nullopt;
-  return free_disc_end(query, true, goal, scratch, path) && free_disc_end(query, false, query.start, scratch, path);
+  if (!free_disc_end(query, true, goal, scratch, path)) return false;
+  return goal || free_disc_end(query, false, query.start, scratch, path);
 }
 
 /// Does this for one end. `other` is the other end, if the disc fits there.
@@ -108,11 +152,13 @@ void World::Impl::set_disc_start(const Point& start, double radius, detail::Quer
 }
 
 /// Starts the search for a goal. Requires: the disc is free there.
-void World::Impl::begin_disc_search(const Point& goal, detail::QueryScratch& scratch) const {
+void World::Impl::begin_disc_search(const Point& goal, PathAlgorithm algorithm, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   disc.goal = goal;
   disc.is_done = false;
-  disc.search.begin(*disc.map, disc.start, goal);
+  disc.is_last_stage = false;
+  using Stage = detail::DiscSearch::Stage;
+  begin_stage(disc, algorithm == PathAlgorithm::tra ? Stage::channel : Stage::shortest);
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
@@ -128,18 +174,17 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
     return true;
   }
   set_disc_start(freed.start, query.radius, scratch);
-  begin_disc_search(freed.goal, scratch);
+  begin_disc_search(freed.goal, query.algorithm, scratch);
   return false;
 }
 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
   if (disc.is_done) return true;
-  disc.is_done = disc.search.step(limit, path.expansions);
+  disc.is_done = step(disc, limit, path.expansions);
   if (!disc.is_done) return false;
-  if (disc.search.is_found()) {
-    path.status = PathStatus::found;
-    append_pieces(disc, path);
+  if (disc.is_found) {
+    write_path(disc, path);
   } else {
     WidestPath widest;
     widest_path(disc.start, disc.goal, scratch, widest);
@@ -174,7 +219,7 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
     path.moved_start = moved_start;
     freed.goal = query.goals[i];
     if (!free_disc_end(freed, false, freed.start, scratch, path)) continue;
-    begin_disc_search(freed.goal, scratch);
+    begin_disc_search(freed.goal, PathAlgorithm::optimal, scratch);
     step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();

@@ -14,7 +14,9 @@
 #include "constraint/item_queries.hpp"
 #include "constraint/swept_disc.hpp"
 #include "nav/kept_cover.hpp"
+#include "path/disc_channel.hpp"
 #include "path/disc_optimal.hpp"
+#include "path/disc_string.hpp"
 #include "path/finder.hpp"
 #include "path/free_positions.hpp"
 #include "path/polyline_walk.hpp"
@@ -23,12 +25,22 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
+  /// `tra` searches for a channel and a string through it, the other algorithms for the shortest path. If a search does
+  /// not find a path because of rounding, or because no string runs through the channel, the other search comes next.
+  enum class Stage { channel, shortest };
+
   Point start;
   Point goal;
   bool is_done = true;
   std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
-  std::optional<path::DiscMap> map;                            ///< `search` refers to it
-  path::DiscOptimal search;
+  std::optional<path::DiscMap> map;                            ///< the searches refer to it
+  Stage stage = Stage::shortest;
+  bool is_last_stage = false;
+  bool is_stage_done = false;
+  bool is_found = false;
+  path::DiscChannel channel;
+  path::DiscString string;
+  path::DiscOptimal shortest;
   std::vector<path::DiscPiece> pieces;
 };
 

@@ -134,6 +134,26 @@ TEST(DiscPaths, StayOnTheirSideOfCrossingWalls) {
                        0.16982599369468487));
 }
 
+// On the way from the second point to the first, the path arrives at the vertex (0.6, 1.2) where an edge of the mesh
+// leads from the vertex straight to the position of the disc. Because of rounding, the search once turned no farther.
+TEST(DiscPaths, TurnPastAnEdgeTowardsThePositionOfArrival) {
+  constexpr double kUnit = 0.1;  // the coordinates are products with rounding errors
+  const auto at = [](int x, int y) { return Point{x * kUnit, y * kUnit}; };
+  NamedScene scene = scene_of("parallel walls", {{0, 0}, at(17, 17)},
+                              {{at(6, 4), at(7, 4)},
+                               {at(13, 4), at(13, 7)},
+                               {at(16, 0), at(16, 1)},
+                               {at(8, 11), at(10, 11)},
+                               {at(6, 12), at(8, 12)},
+                               {at(14, 15), at(14, 17)},
+                               {at(15, 12), at(15, 15)},
+                               {at(8, 14), at(10, 14)}},
+                              {0.27909669721060121, 1.3962378787079184}, {1.6021823932245791, 0.76251549044486633},
+                              0.025000000000000001);
+  scene.queries.emplace_back(scene.queries[0].second, scene.queries[0].first);
+  check_scene(scene);
+}
+
 TEST(DiscPaths, AreFoundForTinyRadii) {
   for (const double radius : {1e-9, 1e-12, 1e-15, 1e-30, 1e-300, 0x1p-1074}) {
     const NamedScene scene = scene_of("yard", {{0, 0}, {100, 100}}, {{{50, 0}, {50, 60}}}, {20, 50}, {80, 50}, radius);
