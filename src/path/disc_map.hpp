@@ -22,6 +22,8 @@ class DiscMap {
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
     if (largest > 1024.0 * extent) origin = start;
     radius = std::max(exact_radius, kLeastRadius * extent);
+    surely_short = 4.0 * least_distance() * least_distance();
+    surely_long = 4.0 * radius * radius * (1.0 + 0x1p-30);
   }
 
   const constraint::ExactTriangulation& walls;
@@ -33,6 +35,9 @@ class DiscMap {
   /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
   /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.
   Point origin;
+  double surely_short;  ///< if the squared length of an edge is smaller, no position on it is free
+  /// If the squared length of an edge is larger, a disc passes between its ends, and the exact decision is not needed.
+  double surely_long;
 
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
   /// The position of a vertex, relative to `origin`.
@@ -53,8 +58,6 @@ class DiscMap {
     const Point& to = geometry.rounded(number(mesh().target(h)));
     return exact::compare_to_diameter({from, to, to}, exact_radius_) < 0;
   }
-  /// If the squared length of an edge is larger, a disc passes between its ends, and the exact decision is not needed.
-  [[nodiscard]] double surely_long() const { return 4.0 * radius * radius * (1.0 + 0x1p-30); }
 
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
   /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.

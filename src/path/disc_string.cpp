@@ -7,11 +7,10 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-bool DiscString::find(const DiscMap& map, const Point& start, const Point& goal, std::span<const HalfEdge> exits,
-                      HalfEdge goal_face) {
+bool DiscString::find(const DiscMap& map, const DiscEnds& ends, std::span<const HalfEdge> exits, HalfEdge goal_face) {
   map_ = &map;
-  start_ = start - map.origin;
-  goal_ = goal - map.origin;
+  start_ = ends.start();
+  goal_ = ends.goal();
   goal_face_ = goal_face;
   stops_.clear();
   is_funnel_open_ = true;

@@ -128,8 +128,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] std::optional<Point> find_disc_end(const PathQuery& query, const Point& end,
                                                    const std::optional<Point>& other,
                                                    detail::QueryScratch& scratch) const;
-  void set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const;
-  void begin_disc_search(const Point& goal, PathAlgorithm algorithm, detail::QueryScratch& scratch) const;
+  void begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const;
   /// nearest_fit() for a radius of 0, and for a radius above 0. The second function requires that the disc fits at the
   /// goal, if there is one.
   [[nodiscard]] std::optional<Point> nearest_free(const NearestFitQuery& query, detail::QueryScratch& scratch) const;
