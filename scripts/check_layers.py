@@ -53,6 +53,7 @@ ROOMS = {
     "src/io": room(["base", "text"], ALL),
     "tools": room(["base"], ALL, ALL),
     "examples": room([], ALL),
+    "examples/lockstep": room([], ALL, BOOST),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
     "tests": room(WORLD | {"world", "io", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),

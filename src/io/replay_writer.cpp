@@ -39,11 +39,13 @@ Result<void> ReplayWriter::record(std::span<const Change> changes, std::span<con
   return write();
 }
 
-Result<void> ReplayWriter::tick(const World& world) {
+Result<void> ReplayWriter::tick(const World& world) { return tick(world.items_hash()); }
+
+Result<void> ReplayWriter::tick(const ItemsHash& hash) {
   ++tick_;
   text_ = text::with_number("tick ", tick_, "");
   const bool has_hash = tick_ % ticks_per_hash_ == 0;
-  if (has_hash) text_ += " " + to_string(world.items_hash());
+  if (has_hash) text_ += " " + to_string(hash);
   text_ += '\n';
   auto written = write();
   if (has_hash) out_->flush();
