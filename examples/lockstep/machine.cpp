@@ -19,6 +19,7 @@ constexpr double kPatience = 20.0;   // seconds without a packet after which a m
 constexpr double kFarewell = 1.0;    // seconds without a packet after which a machine that is done ends
 constexpr std::size_t kCatchUp = 4;  // ticks in a frame of a machine that joined late
 constexpr std::uint32_t kFramesPerWait = 16;
+constexpr std::uint32_t kFramesPerAnswer = 16;  // after which a piece of the saved game counts as lost
 
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
@@ -155,7 +156,7 @@ void Machine::print_report() {
   const Network::Counts& packets = network_.counts();
   std::printf("packets sent: %zu, of which lost: %zu, late: %zu\n", packets.sent, packets.lost, packets.late);
   times_.print();
-  const StateHash hash = simulation.hash();
+  const StateHash hash = simulation.hash(simulation.tick());
   std::printf("final: tick %" PRIu32 ", items %s, agents %016" PRIx64 ", mesh %s\n", simulation.tick(),
               to_string(hash.items).c_str(), hash.agents, to_string(simulation.world().mesh_hash()).c_str());
 }
@@ -260,6 +261,7 @@ void Guest::handle(const Address& from, const Packet& packet) {
     welcome_ = packet.welcome;
     saved_.assign(welcome_->size, 0);
     has_chunk_.assign((welcome_->size + kChunk - 1) / kChunk, false);
+    patience_.assign(has_chunk_.size(), 0);
   }
   if (packet.chunk && welcome_ && !fetched_) take(*packet.chunk);
   if (packet.update && session_) {
@@ -287,9 +289,11 @@ void Guest::ask() {
   if (!welcome_) return network_.send(host_.address, bytes_of(Hello{!options_.watches, wanted_}));
   Want want;
   for (std::uint32_t i = 0; i < has_chunk_.size() && want.chunks.size() < kWantedInPacket; ++i) {
-    if (!has_chunk_[i]) want.chunks.push_back(i);
+    if (has_chunk_[i] || patience_[i]-- != 0) continue;
+    patience_[i] = kFramesPerAnswer;
+    want.chunks.push_back(i);
   }
-  network_.send(host_.address, bytes_of(want));
+  if (!want.chunks.empty()) network_.send(host_.address, bytes_of(want));
 }
 
 void Guest::send() {

@@ -139,6 +139,7 @@ class Guest : public Machine {
   std::optional<Welcome> welcome_;
   Bytes saved_;
   std::vector<bool> has_chunk_;
+  std::vector<std::uint32_t> patience_;  ///< frames until a piece that has not arrived is asked for again
   std::optional<Simulation> fetched_;
 };
 

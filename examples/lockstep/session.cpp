@@ -6,8 +6,8 @@
 namespace lockstep {
 
 Session::Session(Simulation simulation, Tick end)
-    : simulation_(std::move(simulation)), first_(simulation_.tick()), end_(end), reported_(first_) {
-  hashes_.push_back(simulation_.hash());
+    : simulation_(std::move(simulation)), first_(simulation_.tick()), end_(end) {
+  hashes_.push_back(simulation_.hash(first_));
 }
 
 void Session::add(std::size_t player, Tick tick, const Commands& commands) {
@@ -36,7 +36,7 @@ void Session::play() {
   } else if (tick() < end_) {
     ++counts_.waits;
   }
-  report_final_ticks();
+  hash_final_states();
 }
 
 void Session::go_back_to(Tick tick) {
@@ -44,8 +44,7 @@ void Session::go_back_to(Tick tick) {
   counts_.longest_rollback = std::max(counts_.longest_rollback, this->tick() - tick);
   simulation_.rewind(tick);
   used_.resize(tick - first_);
-  hashes_.resize(tick - first_ + 1);
-  if (changes_.size() > tick - reported_) changes_.resize(tick - reported_);
+  if (on_final) changes_.resize(std::max(tick + 1, hashed()) - hashed());
   first_wrong_.reset();
 }
 
@@ -60,7 +59,6 @@ void Session::play_tick() {
   for (std::size_t player = 0; player < kPlayers; ++player) commands[player] = commands_for(player);
   simulation_.play(commands);
   if (damage_at == tick()) simulation_.damage();
-  hashes_.push_back(simulation_.hash());
   if (on_final) changes_.emplace_back(simulation_.changes().begin(), simulation_.changes().end());
 }
 
@@ -70,18 +68,19 @@ Commands Session::commands_for(std::size_t player) const {
   return tick() < known(player) ? known_[player][tick() - first_] : Commands{};
 }
 
-Tick Session::final_states() const {
+Tick Session::final_tick() const {
   const Tick last = std::min(confirmed(), tick());
-  return std::min(last, first_wrong_.value_or(last)) + 1;
+  return std::min(last, first_wrong_.value_or(last));
 }
 
-void Session::report_final_ticks() {
-  if (!on_final) return;
+/// Takes the hashes only of states that no command can change any more. Most states are computed several times.
+void Session::hash_final_states() {
   std::size_t count = 0;
-  for (; reported_ + 1 < final_states(); ++reported_, ++count) {
-    on_final(changes_[count], hashes_[reported_ + 1 - first_]);
+  for (; hashed() <= final_tick(); ++count) {
+    hashes_.push_back(simulation_.hash(hashed()));
+    if (on_final) on_final(changes_[count], hashes_.back());
   }
-  changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(count));
+  if (on_final) changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 Bytes Session::save(Tick tick) {
@@ -110,7 +109,7 @@ Update Session::update_for(const Peer& peer) const {
   }
   update.compared = peer.compared;
   update.first_hash = peer.last.compared;
-  for (Tick tick = update.first_hash; tick >= first_ && tick < final_states(); ++tick) {
+  for (Tick tick = update.first_hash; tick >= first_ && tick < hashed(); ++tick) {
     if (update.hashes.size() == kHashesInPacket) break;
     update.hashes.push_back(hashes_[tick - first_]);
   }
@@ -141,7 +140,7 @@ void Session::read(const Update& update, Peer& peer) {
 /// Compares the states that neither machine will change any more.
 void Session::compare(Peer& peer) {
   std::size_t count = 0;
-  for (; count < peer.hashes.size() && peer.compared < final_states(); ++count, ++peer.compared) {
+  for (; count < peer.hashes.size() && peer.compared < hashed(); ++count, ++peer.compared) {
     const StateHash& ours = hashes_[peer.compared - first_];
     if (ours == peer.hashes[count] || desync_) continue;
     desync_ = Desync{peer.compared, ours, peer.hashes[count]};

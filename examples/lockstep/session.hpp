@@ -56,7 +56,7 @@ class Session {
   /// If a prediction was wrong, goes back and plays the same ticks again. Then plays one new tick if can_play().
   void play();
   /// The last state that no command can change any more.
-  [[nodiscard]] Tick final_tick() const { return final_states() - 1; }
+  [[nodiscard]] Tick final_tick() const;
   /// Goes back to the state at a tick, saves it, and plays again. Requires: the session remembers this state, and no
   /// command can change it any more. The same holds for the next function.
   [[nodiscard]] Bytes save(Tick tick);
@@ -68,7 +68,7 @@ class Session {
   /// Reads what another machine has sent, and compares hashes.
   void read(const Update& update, Peer& peer);
   /// Whether all ticks are played with the right commands, and all hashes of the other machine were compared.
-  [[nodiscard]] bool is_done(const Peer& peer) const { return final_states() > end_ && peer.compared > end_; }
+  [[nodiscard]] bool is_done(const Peer& peer) const { return hashed() > end_ && peer.compared > end_; }
 
   [[nodiscard]] Tick tick() const { return simulation_.tick(); }  ///< the next tick to play
   [[nodiscard]] Tick end() const { return end_; }
@@ -91,11 +91,11 @@ class Session {
   void go_back_to(Tick tick);
   void play_tick();
   void replay();
-  void report_final_ticks();
+  void hash_final_states();
   void compare(Peer& peer);
   [[nodiscard]] Commands commands_for(std::size_t player) const;
-  /// No command can change the states before this tick any more.
-  [[nodiscard]] Tick final_states() const;
+  /// The hashes of the states before this tick are known.
+  [[nodiscard]] Tick hashed() const { return first_ + static_cast<Tick>(hashes_.size()); }
 
   Simulation simulation_;
   Tick first_;  ///< the tick at which the session began
@@ -103,9 +103,8 @@ class Session {
   std::array<std::vector<Commands>, kPlayers> known_;    ///< from the tick first_ on
   std::vector<std::array<Commands, kPlayers>> used_;     ///< with which the ticks from first_ on were played
   std::optional<Tick> first_wrong_;                      ///< the first tick that was played with wrong commands
-  std::vector<StateHash> hashes_;                        ///< of the states from first_ to tick()
-  Tick reported_;                                        ///< the next tick for on_final
-  std::vector<std::vector<waywright::Change>> changes_;  ///< of the ticks from reported_ on
+  std::vector<StateHash> hashes_;                        ///< of the states from first_ to final_tick()
+  std::vector<std::vector<waywright::Change>> changes_;  ///< of the ticks from final_tick() on, for on_final
   std::optional<Desync> desync_;
   Counts counts_;
 };

@@ -21,7 +21,7 @@ using waywright::World;
 namespace {
 
 constexpr double kCell = 52.0;          // metres: each cell of the map has a rock
-constexpr double kStep = 0.5;           // metres that an agent walks in a tick
+constexpr double kStep = 0.25;          // metres that an agent walks in a tick
 constexpr double kPatrol = 96.0;        // metres from an agent's post to its goals, in each axis
 constexpr double kEndTolerance = 40.0;  // metres by which a search may move a blocked end: more than any obstacle
 constexpr double kBorder = 2.0;         // metres between the border of the map and all goals
@@ -90,11 +90,15 @@ Simulation::Simulation(const Settings& settings, Tick tick, World world, State s
       contexts_(threads) {
   world_.keep_history(kRememberedTicks);
   first_mark_ = world_.mark();
-  remembered_[tick_ % kRememberedTicks] = state_;
+  remember();
 }
 
 /// Remembers the state at the present tick. The copy reuses the memory of the state that it replaces.
-void Simulation::remember() { remembered_[tick_ % kRememberedTicks] = state_; }
+void Simulation::remember() {
+  Remembered& now = remembered_[tick_ % kRememberedTicks];
+  now.state = state_;
+  now.items = world_.items_hash();
+}
 
 Tick Simulation::oldest_tick() const {
   return std::max(first_tick_, tick_ < kRememberedTicks ? 0 : tick_ - kRememberedTicks + 1);
@@ -104,7 +108,7 @@ Tick Simulation::oldest_tick() const {
 void Simulation::rewind(Tick tick) {
   if (tick == tick_) return;
   world_.rewind(first_mark_ + (tick - first_tick_)).value();
-  state_ = remembered_[tick % kRememberedTicks];
+  state_ = remembered_[tick % kRememberedTicks].state;
   tick_ = tick;
 }
 
@@ -228,16 +232,17 @@ void Simulation::damage() {
   remember();
 }
 
-StateHash Simulation::hash() const {
-  std::uint64_t sum = mixed(state_.random);
+StateHash Simulation::hash(Tick tick) const {
+  const auto& [state, items] = remembered_[tick % kRememberedTicks];
+  std::uint64_t sum = mixed(state.random);
   const auto add = [&sum](std::uint64_t number) { sum = mixed(sum ^ number); };
-  for (const Agent& agent : state_.agents) {
+  for (const Agent& agent : state.agents) {
     for (const double value : {agent.position.at.x, agent.position.at.y, agent.goal.x, agent.goal.y})
       add(bits_of(value));
     add(agent.path ? bits_of(agent.path->length) : 0);
   }
-  for (const std::uint32_t agent : state_.waiting) add(agent);
-  return {world_.items_hash(), sum};
+  for (const std::uint32_t agent : state.waiting) add(agent);
+  return {items, sum};
 }
 
 namespace {

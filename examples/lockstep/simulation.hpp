@@ -95,7 +95,9 @@ class Simulation {
 
   [[nodiscard]] Tick tick() const { return tick_; }  ///< the next tick to play
   [[nodiscard]] Tick oldest_tick() const;
-  [[nodiscard]] StateHash hash() const;
+  /// The hash of the state at a tick. Requires: oldest_tick() <= `tick` <= this->tick().
+  /// Cost: linear in the agents. The world knows its own hash.
+  [[nodiscard]] StateHash hash(Tick tick) const;
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const waywright::World& world() const { return world_; }
   [[nodiscard]] const State& state() const { return state_; }
@@ -121,8 +123,12 @@ class Simulation {
   waywright::World world_;
   State state_;
   Tick first_tick_ = 0;
-  std::uint64_t first_mark_ = 0;   ///< World::mark() of the state at first_tick_
-  std::vector<State> remembered_;  ///< the state at tick t is element t % kRememberedTicks
+  std::uint64_t first_mark_ = 0;  ///< World::mark() of the state at first_tick_
+  struct Remembered {
+    State state;
+    waywright::ItemsHash items;
+  };
+  std::vector<Remembered> remembered_;  ///< the state at tick t is element t % kRememberedTicks
   // What follows is scratch: no tick reads what another tick has written there.
   std::vector<waywright::QueryContext> contexts_;
   std::vector<waywright::Change> changes_;
