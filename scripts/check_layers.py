@@ -54,6 +54,7 @@ ROOMS = {
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
     "tools": room(["base"], ALL, ALL),
     "examples": room([], ALL),
+    "examples/lockstep": room([], ALL, BOOST),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
     "tests": room(WORLD | {"world", "io", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),

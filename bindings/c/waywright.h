@@ -1019,7 +1019,9 @@ enum {
   WW_SCRIPT_CHECK = 8,
   WW_SCRIPT_HASH = 9,
   WW_SCRIPT_CLEAR = 10,
-  WW_SCRIPT_TICK = 11
+  WW_SCRIPT_TICK = 11,
+  WW_SCRIPT_MARK = 12,
+  WW_SCRIPT_REWIND = 13
 };
 
 /* One line of a world script. Numbers that the line does not have are 0, and its algorithm is WW_ALGORITHM_OPTIMAL.
@@ -1040,7 +1042,7 @@ typedef struct ww_script_line {
   double radius;
   double end_tolerance;
   ww_bool has_items_hash;   /* for WW_SCRIPT_TICK */
-  uint64_t tick;            /* the number of WW_SCRIPT_TICK */
+  uint64_t tick;            /* the number of WW_SCRIPT_TICK; for _MARK and _REWIND the tick of ww_world_mark */
   ww_items_hash items_hash; /* for WW_SCRIPT_TICK */
 } ww_script_line;
 
