@@ -163,13 +163,14 @@ WW_API ww_status ww_set_allocator(const ww_allocator* allocator);
 /* ---------------------------------------------------------------------------------------------------------------------
    Objects */
 
-typedef struct ww_world ww_world;                 /* obstacles, and their mesh */
-typedef struct ww_context ww_context;             /* the memory that queries keep between calls; one for each thread */
-typedef struct ww_items ww_items;                 /* a list of items: ids and shapes */
-typedef struct ww_path ww_path;                   /* the answer to a path query */
-typedef struct ww_paths ww_paths;                 /* the answers to several path queries */
-typedef struct ww_search ww_search;               /* a path search in slices */
-typedef struct ww_path_watch ww_path_watch;       /* the paths of many agents, which changes of a world may concern */
+typedef struct ww_world ww_world;           /* obstacles, and their mesh */
+typedef struct ww_context ww_context;       /* the memory that queries keep between calls; one for each thread */
+typedef struct ww_items ww_items;           /* a list of items: ids and shapes */
+typedef struct ww_path ww_path;             /* the answer to a path query */
+typedef struct ww_paths ww_paths;           /* the answers to several path queries */
+typedef struct ww_search ww_search;         /* a path search in slices */
+typedef struct ww_path_watch ww_path_watch; /* the paths of many agents, which changes of a world may concern */
+typedef struct ww_snapshot ww_snapshot;
 typedef struct ww_mesh ww_mesh;                   /* a copy of the mesh of a world */
 typedef struct ww_text ww_text;                   /* text or bytes that the library has written */
 typedef struct ww_scene ww_scene;                 /* a domain and items, as a file gives them */
@@ -798,6 +799,20 @@ typedef struct ww_changed_box {
    *is_known to 0 and writes none. It keeps as many as ww_world_is_affected says. */
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
+
+/* A snapshot is an immutable world with the state that a world had when ww_world_publish was called. Other threads
+   query it while one thread changes the world, and neither waits for the other. The first snapshot costs as much as
+   ww_world_clone; later ones cost time for the items that have changed, if the snapshots before have been destroyed.
+   Threads: each handle belongs to one thread at a time; give each thread a handle of its own by ww_snapshot_copy.
+   Threads may copy and destroy their handles while another thread calls any function on the world. */
+WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
+/* Makes another handle of the same immutable world, at a cost that does not depend on the world. */
+WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy);
+/* The last handle of an immutable world gives its memory back. A snapshot may outlive its world. */
+WW_API void ww_snapshot_destroy(ww_snapshot* snapshot);
+/* Sets `world` to the immutable world. All functions that take a `const ww_world*` work, from several threads at once,
+   each with its own context. It is valid until this handle is destroyed. Do not destroy it. */
+WW_API ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world** world);
 
 /* A path watch holds copies of the paths of many agents under keys that you choose. After operations, it says which
    agents should search again. It looks only at paths near the changes, so its cost depends on what has changed.
