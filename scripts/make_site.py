@@ -31,7 +31,7 @@ SITE = "build/docs/html"
 FRONT_PAGE = "README.md"
 # The pages whose links make the tree of pages.
 LISTS = {"docs/README.md", "docs/benchmarks.md"}
-FOLDERS = {"include/waywright": "modules.html", "examples": "examples.html"}
+FOLDERS = {"include/waywright": "modules.html", "examples": "examples.html", "examples/lockstep": "examples.html"}
 
 LABELLED = re.compile(r"^(\s*///) (Requires|Errors|Cost|Source|Threads|Exceptions): ", re.MULTILINE)
 FENCE = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)

@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr double kPatience = 20.0;   // seconds without a packet after which a machine gives up
+constexpr double kPatience = 10.0;   // seconds without a packet after which a machine gives up
 constexpr double kFarewell = 1.0;    // seconds without a packet after which a machine that is done ends
 constexpr std::size_t kCatchUp = 4;  // ticks in a frame of a machine that joined late
 constexpr std::uint32_t kFramesPerWait = 16;
@@ -105,8 +105,7 @@ void Machine::play() {
 void Machine::play_tick() {
   const auto me = player();
   if (me && session_->can_play()) {
-    const double map_size = session_->simulation().world().domain().max.x;
-    session_->add(*me, session_->tick(), commands_of(*me, session_->tick(), map_size));
+    session_->add(*me, session_->tick(), commands_of(*me, session_->tick(), session_->simulation()));
   }
   session_->play();
 }
@@ -235,6 +234,9 @@ void Host::send() {
 
 bool Host::is_over() {
   if (session_->desync()) {
+    // The guests have some seconds to fetch the state.
+    if (!desync_seen_) desync_seen_ = Clock::now();
+    if (Clock::now() - *desync_seen_ > std::chrono::seconds(3)) return true;
     return std::all_of(guests_.begin(), guests_.end(),
                        [this](const Remote& guest) { return is_silent(guest, kFarewell); });
   }

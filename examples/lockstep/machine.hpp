@@ -117,6 +117,7 @@ class Host : public Machine {
   [[nodiscard]] Remote* find(const Address& address);
 
   std::vector<Remote> guests_;
+  std::optional<std::chrono::steady_clock::time_point> desync_seen_;
 };
 
 /// A machine that joins: player 1 before the game begins, or one that watches later.
