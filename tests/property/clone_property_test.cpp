@@ -61,9 +61,7 @@ void check_script(Flavour flavour, std::uint64_t seed) {
   ASSERT_NO_FATAL_FAILURE(expect_equal_paths(world, copy, options.keep_bridges));
 }
 
-TEST(CloneProperty, ACopyIsEqualAndIndependent) {
-  check_each_flavour(check_script);
-}
+TEST(CloneProperty, ACopyIsEqualAndIndependent) { check_each_flavour(check_script); }
 
 }  // namespace
 }  // namespace waywright::test

@@ -88,9 +88,7 @@ void check_script(Flavour flavour, std::uint64_t seed) {
   expect_same_future(world, *loaded, script, script.steps.size() / 2);
 }
 
-TEST(SaveProperty, ASavedWorldHasTheBytesOfThePageAndContinuesAsTheWorldDoes) {
-  check_each_flavour(check_script);
-}
+TEST(SaveProperty, ASavedWorldHasTheBytesOfThePageAndContinuesAsTheWorldDoes) { check_each_flavour(check_script); }
 
 }  // namespace
 }  // namespace waywright::test
