@@ -85,7 +85,7 @@ void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
 //
 // Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay.
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
-// 1982, which triangulates a polygon in this way if all its points are visible from one edge.
+// 1982, which applies this method to polygons in which all points are visible from one edge.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex end) {
   const auto last = static_cast<std::uint32_t>(chain.size());
