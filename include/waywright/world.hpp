@@ -801,6 +801,7 @@ class WAYWRIGHT_API World {
   friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;
+  /// @cond
   /// Ends an attempt when it is destroyed, unless release() was called.
   class AttemptGuard {
    public:
@@ -816,6 +817,7 @@ class WAYWRIGHT_API World {
    private:
     World* world_;
   };
+  /// @endcond
 
   explicit World(std::unique_ptr<Impl> impl);
   /// Makes changes and leaves their operation open. Requires: no attempt is under way.
