@@ -1,10 +1,87 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
-#include "delaunay/triangulation.hpp"
+#include "waywright/memory_use.hpp"
+
+#include "delaunay/legality.hpp"
+#include "exact/sign.hpp"
+#include "memory/count.hpp"
+#include "mesh/index.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace waywright::delaunay {
+
+/// Makes a segment between two vertices an edge of a triangulation. The faces that the segment crosses leave a cavity,
+/// which this class fills with new faces. The object keeps its scratch between calls.
+///
+/// `Mesh` is mesh::TriangleMesh or mesh::UnloggedMesh.
+template <class Geometry>
+class CavityFiller {
+ public:
+  /// Makes u - w an edge, fixes it with `label`, and fills the cavity of the faces that it crosses with new faces.
+  /// Returns the half-edge from u to w. All other faces stay as they are. `crossed` lists the edges that u - w crosses,
+  /// in order from u to w. Each is a half-edge of the face that is nearer to u, so it runs from the right of u - w to
+  /// its left. Requires: all crossed edges are free, and no vertex lies between u and w. Source: for the cavity,
+  /// Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations*, 1997.
+  template <class Mesh>
+  mesh::HalfEdge force_edge(const Geometry& geometry, Mesh& mesh, mesh::Vertex u, mesh::Vertex w,
+                            const std::vector<mesh::HalfEdge>& crossed, mesh::Label label);
+
+  void count_memory(MemoryUse& use) const {
+    memory::count_spare(use, left_chain_, right_chain_, dangling_, cavity_, corners_, inner_edges_);
+  }
+  void release() { memory::release(left_chain_, right_chain_, dangling_, cavity_, corners_, inner_edges_); }
+
+ private:
+  static constexpr std::uint32_t kNotDangling = 0xffffffff;
+
+  /// An edge on the border of the cavity. It runs from the vertex `from` to the vertex `from` of the next edge in the
+  /// chain.
+  struct ChainEdge {
+    mesh::Vertex from;
+    mesh::HalfEdge inner;  ///< its half-edge in the cavity: first in the old face, later in the new face
+    mesh::HalfEdge outer;  ///< the twin of `inner`
+    mesh::Label label;
+    std::uint32_t partner = kNotDangling;  ///< if `outer` also lies in the cavity: the chain edge of `outer`
+    bool is_rebuilt = false;
+  };
+  using Chain = std::vector<ChainEdge>;
+
+  /// A vertex of a chain at which no ear has been cut off. An edge runs to it from the vertex before it. This edge is
+  /// the chain edge at `position`, or the half-edge `base` of a new triangle.
+  struct ChainCorner {
+    mesh::Vertex vertex;
+    std::uint32_t position;
+    mesh::HalfEdge base;  ///< kNoHalfEdge if the edge is a chain edge
+  };
+
+  template <class Mesh>
+  void collect_chains(const Mesh& mesh, const std::vector<mesh::HalfEdge>& crossed);
+  template <class Mesh>
+  static void append_to(const Mesh& mesh, Chain& chain, mesh::HalfEdge inner);
+  template <class Mesh>
+  void pair_dangling_edges(const Mesh& mesh, Chain& chain);
+  /// Cuts a polygon into triangles. The polygon lies left of the base, which runs from the chain's first vertex to its
+  /// last one, `end`. Appends the edges between the triangles to `inner_edges_`. Returns the half-edge of the base.
+  template <class Mesh>
+  mesh::HalfEdge triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
+  template <class Mesh>
+  mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainCorner& b, const ChainCorner& r);
+  template <class Mesh>
+  bool legalise_cavity(const Geometry& geometry, Mesh& mesh);
+  template <class Mesh>
+  static void close(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
+
+  // Scratch.
+  Chain left_chain_, right_chain_;
+  std::vector<std::uint32_t> dangling_;
+  std::vector<mesh::Face> cavity_;
+  std::vector<ChainCorner> corners_;
+  std::vector<mesh::HalfEdge> inner_edges_;  ///< the new edges between the chains that can be illegal
+};
 
 //              left chain           The faces that the new edge u - w crosses leave a cavity. The new edge divides it
 //         q ------ r ------ s       into two polygons, which are triangulated separately. If both faces of an edge on a
@@ -14,57 +91,60 @@ namespace waywright::delaunay {
 //         p ------ + ------ +
 //              right chain
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::force_edge(mesh::Vertex u, mesh::Vertex w,
-                                                   const std::vector<mesh::HalfEdge>& crossed, mesh::Label label) {
-  collect_chains(crossed);
-  for (const mesh::Face f : cavity_) mesh_.free_face(f);
-  pair_dangling_edges(left_chain_);
-  pair_dangling_edges(right_chain_);
-  const mesh::HalfEdge left = triangulate(left_chain_, w);
-  const mesh::HalfEdge right = triangulate(right_chain_, u);
-  mesh_.link(left, right, label);
-  const mesh::HalfEdge edge = legalise_cavity() ? mesh_.find(u, w) : left;
-  remember(edge);
-  return edge;
+template <class Mesh>
+mesh::HalfEdge CavityFiller<Geometry>::force_edge(const Geometry& geometry, Mesh& mesh, mesh::Vertex u, mesh::Vertex w,
+                                                  const std::vector<mesh::HalfEdge>& crossed, mesh::Label label) {
+  inner_edges_.clear();
+  collect_chains(mesh, crossed);
+  for (const mesh::Face f : cavity_) mesh.free_face(f);
+  pair_dangling_edges(mesh, left_chain_);
+  pair_dangling_edges(mesh, right_chain_);
+  const mesh::HalfEdge left = triangulate(geometry, mesh, left_chain_, w);
+  const mesh::HalfEdge right = triangulate(geometry, mesh, right_chain_, u);
+  mesh.link(left, right, label);
+  return legalise_cavity(geometry, mesh) ? mesh.find(u, w) : left;
 }
 
 // The left chain runs from u to w, the right chain from w to u. Each polygon lies right of its chain and left of its
 // base.
 template <class Geometry>
-void Triangulation<Geometry>::collect_chains(const std::vector<mesh::HalfEdge>& crossed) {
+template <class Mesh>
+void CavityFiller<Geometry>::collect_chains(const Mesh& mesh, const std::vector<mesh::HalfEdge>& crossed) {
   left_chain_.clear();
   right_chain_.clear();
   cavity_.clear();
   cavity_.push_back(mesh::face(crossed.front()));
-  append_to(left_chain_, mesh::next(crossed.front()));
-  append_to(right_chain_, mesh::previous(crossed.front()));
+  append_to(mesh, left_chain_, mesh::next(crossed.front()));
+  append_to(mesh, right_chain_, mesh::previous(crossed.front()));
   for (std::size_t i = 0; i < crossed.size(); ++i) {
-    const mesh::HalfEdge t = mesh_.twin(crossed[i]);
+    const mesh::HalfEdge t = mesh.twin(crossed[i]);
     cavity_.push_back(mesh::face(t));
     const bool is_last = i + 1 == crossed.size();
-    if (is_last || crossed[i + 1] == mesh::next(t)) append_to(left_chain_, mesh::previous(t));
-    if (is_last || crossed[i + 1] == mesh::previous(t)) append_to(right_chain_, mesh::next(t));
+    if (is_last || crossed[i + 1] == mesh::next(t)) append_to(mesh, left_chain_, mesh::previous(t));
+    if (is_last || crossed[i + 1] == mesh::previous(t)) append_to(mesh, right_chain_, mesh::next(t));
   }
   std::reverse(right_chain_.begin(), right_chain_.end());
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::append_to(Chain& chain, mesh::HalfEdge inner) {
+template <class Mesh>
+void CavityFiller<Geometry>::append_to(const Mesh& mesh, Chain& chain, mesh::HalfEdge inner) {
   ChainEdge edge{};
-  edge.from = mesh_.target(inner);
+  edge.from = mesh.target(inner);
   edge.inner = inner;
-  edge.outer = mesh_.twin(inner);
-  edge.label = mesh_.label(inner);
+  edge.outer = mesh.twin(inner);
+  edge.label = mesh.label(inner);
   chain.push_back(edge);
 }
 
 // Both half-edges of a dangling edge lie in the same chain, because the new edge crosses every edge between the two
 // chains.
 template <class Geometry>
-void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
+template <class Mesh>
+void CavityFiller<Geometry>::pair_dangling_edges(const Mesh& mesh, Chain& chain) {
   dangling_.clear();
   for (std::uint32_t i = 0; i < chain.size(); ++i) {
-    if (!mesh_.is_live(mesh::face(chain[i].outer))) dangling_.push_back(i);
+    if (!mesh.is_live(mesh::face(chain[i].outer))) dangling_.push_back(i);
   }
   if (dangling_.empty()) return;
   std::sort(dangling_.begin(), dangling_.end(),
@@ -87,7 +167,12 @@ void Triangulation<Geometry>::pair_dangling_edges(Chain& chain) {
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
 // 1982, which triangulates a polygon in this way if all its points are visible from one edge.
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex end) {
+template <class Mesh>
+mesh::HalfEdge CavityFiller<Geometry>::triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain,
+                                                   mesh::Vertex end) {
+  const auto orientation = [&](mesh::Vertex p, mesh::Vertex q, mesh::Vertex s) {
+    return geometry.orientation(geometry.view(number(p)), geometry.view(number(q)), geometry.view(number(s)));
+  };
   const auto last = static_cast<std::uint32_t>(chain.size());
   corners_.clear();
   corners_.push_back({chain.front().from, 0, mesh::kNoHalfEdge});
@@ -97,7 +182,7 @@ mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex e
       const ChainCorner& b = corners_.back();
       const ChainCorner& a = corners_[corners_.size() - 2];
       if (orientation(a.vertex, b.vertex, r.vertex) != exact::Sign::negative) break;
-      r.base = cut_ear(chain, a.vertex, b, r);
+      r.base = cut_ear(mesh, chain, a.vertex, b, r);
       corners_.pop_back();
     }
     corners_.push_back(r);
@@ -107,15 +192,16 @@ mesh::HalfEdge Triangulation<Geometry>::triangulate(Chain& chain, mesh::Vertex e
 
 /// Makes the triangle of `a`, `b` and `r`. Returns its half-edge from `a` to `r`, which has no twin yet.
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::cut_ear(Chain& chain, mesh::Vertex a, const ChainCorner& b,
-                                                const ChainCorner& r) {
-  const mesh::Face f = mesh_.add_face();
+template <class Mesh>
+mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainCorner& b,
+                                               const ChainCorner& r) {
+  const mesh::Face f = mesh.add_face();
   const mesh::HalfEdge base = mesh::first(f);
-  mesh_.set_corners(f, a, r.vertex, b.vertex);
+  mesh.set_corners(f, a, r.vertex, b.vertex);
   const auto join = [&](mesh::HalfEdge inner, const ChainCorner& corner) {
-    if (corner.base == mesh::kNoHalfEdge) return close(chain, corner.position, inner);
-    mesh_.link(inner, corner.base, 0);
-    freed_.push_back(inner);
+    if (corner.base == mesh::kNoHalfEdge) return close(mesh, chain, corner.position, inner);
+    mesh.link(inner, corner.base, 0);
+    inner_edges_.push_back(inner);
   };
   join(mesh::next(base), r);
   join(mesh::previous(base), b);
@@ -129,22 +215,24 @@ mesh::HalfEdge Triangulation<Geometry>::cut_ear(Chain& chain, mesh::Vertex a, co
 /// fixed. Hence the face beyond that edge sees the triangle's apex, and the circle of a Delaunay face contains no
 /// vertex that the face sees.
 template <class Geometry>
-bool Triangulation<Geometry>::legalise_cavity() {
-  while (!freed_.empty() && is_legal(freed_.back())) freed_.pop_back();
-  if (freed_.empty()) return false;
-  legalise_freed();
+template <class Mesh>
+bool CavityFiller<Geometry>::legalise_cavity(const Geometry& geometry, Mesh& mesh) {
+  while (!inner_edges_.empty() && is_legal(geometry, mesh, inner_edges_.back())) inner_edges_.pop_back();
+  if (inner_edges_.empty()) return false;
+  legalise(geometry, mesh, inner_edges_);
   return true;
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::close(Chain& chain, std::uint32_t position, mesh::HalfEdge inner) {
+template <class Mesh>
+void CavityFiller<Geometry>::close(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner) {
   ChainEdge& edge = chain[position];
   edge.inner = inner;
   edge.is_rebuilt = true;
   if (edge.partner == kNotDangling) {
-    mesh_.link(inner, edge.outer, edge.label);
+    mesh.link(inner, edge.outer, edge.label);
   } else if (chain[edge.partner].is_rebuilt) {
-    mesh_.link(inner, chain[edge.partner].inner, edge.label);
+    mesh.link(inner, chain[edge.partner].inner, edge.label);
   }
 }
 
