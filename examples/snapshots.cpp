@@ -31,12 +31,12 @@ void close_gate(World& world) {
   std::thread reader([copy = snapshot, &is_reachable] { find_paths(copy, is_reachable); });
   world.insert(Shape::segment({50, 80}, {50, 100}), 2).value();
   reader.join();
-  std::printf("the reader %s a path, with %zu item\n", is_reachable ? "found" : "found no", snapshot->item_count());
+  std::printf("the reader %s path, with %zu item\n", is_reachable ? "found a" : "found no", snapshot->item_count());
   snapshot.release();  // its memory can be used again
 
   snapshot = world.publish();
   find_paths(snapshot, is_reachable);
-  std::printf("then it %s a path, with %zu items\n", is_reachable ? "finds" : "finds no", snapshot->item_count());
+  std::printf("then it %s path, with %zu items\n", is_reachable ? "finds a" : "finds no", snapshot->item_count());
 }
 
 }  // namespace

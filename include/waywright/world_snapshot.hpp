@@ -79,8 +79,8 @@ class WAYWRIGHT_API WorldSnapshot {
   /// Returns the World::version() of the immutable world. Requires: the handle is not empty.
   [[nodiscard]] std::uint64_t version() const;
 
-  /// Returns whether two handles share one immutable world, or are both empty.
-  friend bool operator==(const WorldSnapshot& a, const WorldSnapshot& b) noexcept { return a.replica_ == b.replica_; }
+  /// Returns whether both handles share one immutable world, or are both empty.
+  [[nodiscard]] bool operator==(const WorldSnapshot& other) const noexcept { return replica_ == other.replica_; }
 
  private:
   friend class World;
