@@ -422,7 +422,7 @@ typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
                                   void* user_data);
-/* Finds out whether changes would wall an agent in: whether an agent that now gets from one of the points to another
+/* Finds out whether changes would enclose an agent: whether an agent that now gets from one of the points to another
    could not do so after the changes, or whether a point at which it can stand now would be blocked. Points that are
    blocked or not connected now do not matter. The function makes no change. It is exact and moves no point.
    Errors: those of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the

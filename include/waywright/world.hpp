@@ -78,8 +78,8 @@ class WAYWRIGHT_API World {
 
   /// Returns a copy of the world: an independent world with the same domain, options, items, mesh, hashes, version()
   /// and history. It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity.
-  /// The copy does not belong to the searches (PathSearch) of this world, and has no context yet. If memory runs out,
-  /// this world does not change. Requires: no question of attempt() is running on this world.
+  /// The searches (PathSearch) of this world do not belong to the copy. The copy keeps no context for queries yet. If
+  /// memory runs out, this world does not change. Requires: no question of attempt() is running on this world.
   /// Cost: a copy of memory().total() bytes at most; no geometry is computed.
   [[nodiscard]] World clone() const;
 
@@ -212,8 +212,8 @@ class WAYWRIGHT_API World {
   /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
   /// exception, the world takes the changes back, too. The world asks no question if it refuses a change.
   ///
-  /// version(), changes_since(), is_affected() and mark() do not know the changes. A PathSearch of this world may
-  /// exist, and continues afterwards as if there had been no attempt.
+  /// version(), changes_since(), is_affected() and mark() do not take the changes into account. A PathSearch of this
+  /// world may exist, and continues afterwards as if there had been no attempt.
   /// Requires: the question calls no member of this world that is not const, no attempt() and no would_disconnect(),
   /// and neither begins nor continues a PathSearch of this world. Errors: the errors of apply(), and the errors that
   /// the question returns. Error::index is the index of the refused change in `changes`. Cost: the cost of apply() and
@@ -231,7 +231,7 @@ class WAYWRIGHT_API World {
     return attempt(std::span<const Change>(std::data(changes), changes.size()), std::forward<Question>(question));
   }
 
-  /// Returns whether changes would wall an agent in: whether an agent that can now get from one of the points to
+  /// Returns whether changes would enclose an agent: whether an agent that can now get from one of the points to
   /// another could not do so after the changes, or whether one of the points at which the agent can stand now would be
   /// blocked. The function makes no change. It is exact and moves no point.
   ///

@@ -119,8 +119,8 @@ HalfEdge BridgeFinder::cross(HalfEdge corner, const Seen& x, const Seen& y, View
   const HalfEdge right = mesh::next(view.entry);
   view.entry = mesh::kNoHalfEdge;
   if (!(may_cross_left | may_cross_right)) return mesh::kNoHalfEdge;
-  const bool sees_left = side(w, view.left, apex) == Sign::negative;
-  const bool sees_right = side(w, view.right, apex) == Sign::positive;
+  const bool sees_left = orientation(w, view.left, apex) == Sign::negative;
+  const bool sees_right = orientation(w, view.right, apex) == Sign::positive;
   const bool is_left_wall = may_cross_left && sees_left && mesh_.is_fixed(left);
   const bool is_right_wall = may_cross_right && sees_right && mesh_.is_fixed(right);
   if (is_left_wall && is_bridge_to(corner, left)) return left;

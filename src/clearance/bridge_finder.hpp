@@ -16,7 +16,7 @@ namespace waywright::clearance {
 
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
-  /// A vertex as a corner sees it.
+  /// A vertex, relative to a corner of a face from which a search starts.
   struct Seen {
     Point offset;   ///< from the corner
     double square;  ///< of the distance from the corner
@@ -164,7 +164,7 @@ class BridgeFinder {
     const double dot = v.offset.x * p.offset.x + v.offset.y * p.offset.y;
     return dot - v.square >= v.error + p.error;
   }
-  [[nodiscard]] exact::Sign side(mesh::Vertex from, mesh::Vertex to, mesh::Vertex v) const {
+  [[nodiscard]] exact::Sign orientation(mesh::Vertex from, mesh::Vertex to, mesh::Vertex v) const {
     return geometry_.orientation(geometry_.view(number(from)), geometry_.view(number(to)), geometry_.view(number(v)));
   }
 

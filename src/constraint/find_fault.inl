@@ -143,7 +143,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_vertex_fault
     if (corner_uses_[i] != UseLists::kNone) continue;
     std::size_t fixed_edges = 0;
     mesh.for_each_outgoing(v, [&](mesh::HalfEdge h) { fixed_edges += mesh.is_fixed(h) ? 1 : 0; });
-    if (fixed_edges <= 2) return "vertex " + std::to_string(i) + " has no reason to be";
+    if (fixed_edges <= 2) return "vertex " + std::to_string(i) + " is not needed: it has no corner and no crossing";
   }
   std::sort(by_items.begin(), by_items.end());
   std::sort(by_vertices.begin(), by_vertices.end());

@@ -189,8 +189,8 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   }
 }
 
-// If the last piece also lies on another side, the guide, which continues beyond the vertex, then the next edge of the
-// guide is the next edge of this side, because both sides lie on one line.
+// The guide is another side on which the last piece lies, and which continues beyond the vertex. Both sides lie on one
+// line. So the next edge of the guide is the next edge of this side.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_vertex(
     mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide) {

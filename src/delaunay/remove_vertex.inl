@@ -61,7 +61,7 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex(const Star& star) {
 }
 
 //         w2 ---- w1      The faces around v leave a hole, which is star-shaped around v. Its border starts at w0. Its
-//        /  \   /  |      last side, from w4 to w0, is the base.
+//        /  \   /  |      last edge, from w4 to w0, is the base.
 //      w3 --- v --- w0
 //        \   |    /
 //          ---w4--
@@ -69,8 +69,8 @@ template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(const Star& star) {
   const mesh::Vertex v = mesh_.origin(star.spokes[0]);
   collect_hole(star, 0, 0);
-  const mesh::HalfEdge last = hole_sides_.back();
-  hole_sides_.pop_back();
+  const mesh::HalfEdge last = hole_edges_.back();
+  hole_edges_.pop_back();
   const mesh::HalfEdge base = refill_hole();
   mesh_.close(base, last);
   free_vertex(v, base);
@@ -103,32 +103,32 @@ template <class Geometry>
 void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, std::size_t to) {
   const std::size_t degree = star.spokes.size();
   const std::size_t count = from < to ? to - from : to + degree - from;
-  hole_sides_.resize(count);
+  hole_edges_.resize(count);
   hole_positions_.resize(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = from + i < degree ? from + i : from + i - degree;
-    hole_sides_[i] = next(star.spokes[at]);
-    hole_positions_[i] = view(mesh_.origin(hole_sides_[i]));
+    hole_edges_[i] = next(star.spokes[at]);
+    hole_positions_[i] = view(mesh_.origin(hole_edges_[i]));
   }
-  hole_positions_[count] = view(mesh_.target(hole_sides_[count - 1]));
+  hole_positions_[count] = view(mesh_.target(hole_edges_[count - 1]));
 }
 
-/// Triangulates the polygon whose border is the hole's sides and the base, which runs from its last vertex to its
-/// first. Cost: expected linear. The simple method for small holes takes quadratic time at worst.
+/// Triangulates a hole. Its border consists of the edges in `hole_edges_` and of the base, which runs from the last
+/// vertex to the first. Cost: expected linear. The simple method for small holes takes quadratic time at worst.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
-  if (hole_sides_.size() > kLargeHole) {
-    large_hole_.triangulate(geometry_, std::span(hole_positions_).first(hole_sides_.size() + 1), triangles_);
-    return mesh_.refill(hole_sides_, triangles_);
+  if (hole_edges_.size() > kLargeHole) {
+    large_hole_.triangulate(geometry_, std::span(hole_positions_).first(hole_edges_.size() + 1), triangles_);
+    return mesh_.refill(hole_edges_, triangles_);
   }
   triangles_.clear();
-  triangles_.push_back(triangle_over(0, static_cast<std::uint32_t>(hole_sides_.size())));
+  triangles_.push_back(triangle_over(0, static_cast<std::uint32_t>(hole_edges_.size())));
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const auto [from, apex, to] = triangles_[i];
     if (apex - from > 1) triangles_.push_back(triangle_over(from, apex));
     if (to - apex > 1) triangles_.push_back(triangle_over(apex, to));
   }
-  return mesh_.refill(hole_sides_, triangles_);
+  return mesh_.refill(hole_edges_, triangles_);
 }
 
 //           m          Finds the triangle on a base: its apex is the vertex whose circle through the base's ends
@@ -147,7 +147,7 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 // except if n is the lowered point. Then n lies in every circle, also in the circle of m. So it is impossible that m
 // lies beyond the base and n in front of it.
 //
-// No side of the hole hides a vertex that lies in the circle, because v lies in the circle and saw all vertices.
+// No edge of the hole hides a vertex that lies in the circle, because v lies in the circle and saw all vertices.
 // Source: Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*,
 // 2011, which uses decision tables; at the degrees that occur, tests in order need about as many in-circle tests.
 template <class Geometry>

@@ -163,7 +163,7 @@ class Triangulation {
   using Triangle = mesh::TriangleMesh::Triangle;
 
   static constexpr std::size_t kLongWalk = 16;
-  static constexpr std::size_t kLargeHole = 32;   ///< sides
+  static constexpr std::size_t kLargeHole = 32;   ///< edges on its border
   static constexpr std::size_t kManySpokes = 16;  ///< on the left half of a star
 
   void set_positions(std::vector<Point>&& points);
@@ -204,7 +204,7 @@ class Triangulation {
   std::vector<mesh::HalfEdge> freed_;
   Star star_;
   std::vector<mesh::HalfEdge> clockwise_;
-  std::vector<mesh::HalfEdge> hole_sides_;
+  std::vector<mesh::HalfEdge> hole_edges_;
   std::vector<View> hole_positions_;
   std::vector<Triangle> triangles_;
   LargeHole<Geometry> large_hole_;

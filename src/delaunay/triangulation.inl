@@ -71,7 +71,7 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_,
+  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_edges_, hole_positions_,
                       triangles_);
   large_hole_.count_memory(use);
   cavity_filler_.count_memory(use);
@@ -82,7 +82,7 @@ void Triangulation<Geometry>::shrink_to_fit() {
   mesh_.shrink_to_fit();
   if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
   sectors_.shrink_to_fit();
-  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_, triangles_);
+  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_edges_, hole_positions_, triangles_);
   large_hole_.release();
   cavity_filler_.release();
 }

@@ -11,9 +11,9 @@ namespace waywright::io {
 
 namespace {
 
-constexpr double kLeastRadius = 3.0;
-constexpr double kCharacter = 0.58;  // width of a letter, as a fraction of the font size
-constexpr double kLabelGap = 8.0;
+constexpr double kLeastRadius = 3.0;  // of a disc, in pixels
+constexpr double kCharacter = 0.58;   // width of a letter, as a fraction of the font size
+constexpr double kLabelGap = 8.0;     // pixels between a disc and its label
 
 Paint paint_of(const std::string& colour, Ink otherwise) { return {otherwise, colour}; }
 
