@@ -57,7 +57,7 @@ ww_path_info info_of(const Path& path) {
   return info;
 }
 
-/// Returns query number `i` of an array whose elements have the size that the first one says.
+/// Returns query number `i` of an array. The struct_size of the first element is the size of each element.
 const ww_path_query* query_at(const ww_path_query* queries, std::size_t i) {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(queries);
   return reinterpret_cast<const ww_path_query*>(bytes + i * queries->struct_size);

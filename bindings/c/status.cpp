@@ -88,7 +88,7 @@ struct BrokenPrecondition {
   const char* message;
 };
 
-/// The library aborts when its assertion handler returns. An exception takes its place.
+/// The library aborts when its assertion handler returns. So this handler throws an exception instead.
 [[noreturn]] void throw_failure(const AssertionFailure& failure) { throw BrokenPrecondition{failure.message}; }
 
 /// Copies a text, as far as the buffer holds it, and a zero byte. Returns false if the buffer is too small.

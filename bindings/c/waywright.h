@@ -26,8 +26,8 @@
    - A text is a list of characters that ends with a zero byte. The zero byte counts. A buffer that is too small also
      ends with a zero byte. Texts are UTF-8. File names are as fopen() takes them.
    - Your functions that the library calls get the user_data that you gave with them. The library calls them on the
-     thread that called it, except those of an allocator. They must return: they must not call longjmp, nor throw an
-     exception. They must not use the objects of the call that runs them, except where the comment allows it.
+     thread that called it, except the functions of an allocator. They must return: they must not call longjmp, nor
+     throw an exception. They must not use the objects of the call that runs them, except where the comment allows it.
    - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use
      it. A function whose parameter is `const ww_world*` reads the world. A context serves one call at a time: make one
      for each thread. The library has no other shared data, except the allocator. */
@@ -336,7 +336,7 @@ WW_API ww_status ww_world_insert_polygon(ww_world* world, const ww_point* points
                                          ww_id* inserted);
 /* Removes an item. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
 WW_API ww_status ww_world_remove(ww_world* world, ww_id id);
-/* Gives an item another shape, for example to move it. It keeps its id. Errors: WW_UNKNOWN_ID, and those of
+/* Gives an item another shape, for example to move it. It keeps its id. Errors: WW_UNKNOWN_ID, and the errors of
    insertions. */
 WW_API ww_status ww_world_replace(ww_world* world, ww_id id, const ww_shape* shape);
 
@@ -370,12 +370,12 @@ WW_API ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_si
 
 /* Inserts all items of a list as one operation. This is much faster than one call for each item. `options` may be null.
    `ids` is null, or an array with room for one id for each item. The world is the same for any number of threads.
-   Errors: those of insertions. ww_error.index is the index of the refused item. */
+   Errors: the errors of insertions. ww_error.index is the index of the refused item. */
 WW_API ww_status ww_world_insert_all(ww_world* world, const ww_items* items, const ww_bulk_options* options,
                                      ww_id* ids);
 /* Inserts many points as one operation. The first has the id `first`, or an id that the world chooses if `first` is 0,
    and each further one the next id. `first_id` receives the id of the first point, and may be null. `options` may be
-   null. Errors: those of insertions. ww_error.index is the index of the refused point. */
+   null. Errors: the errors of insertions. ww_error.index is the index of the refused point. */
 WW_API ww_status ww_world_insert_points(ww_world* world, const ww_point* points, size_t point_count, ww_id first,
                                         const ww_bulk_options* options, ww_id* first_id);
 
@@ -390,8 +390,8 @@ typedef struct ww_change {
 } ww_change;
 
 /* Makes several changes, one after the other, as one operation. `ids` is null, or an array with room for one id for
-   each change, which receives the id of its item. Errors: those of insertions, and WW_UNKNOWN_ID. ww_error.index is the
-   index of the refused change. */
+   each change, which receives the id of its item.
+   Errors: the errors of insertions, and WW_UNKNOWN_ID. ww_error.index is the index of the refused change. */
 WW_API ww_status ww_world_apply(ww_world* world, const ww_change* changes, size_t change_count, ww_id* ids);
 
 /* ---------------------------------------------------------------------------------------------------------------------
@@ -418,14 +418,14 @@ typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
 /* Makes changes, asks a question about the changed world, and takes the changes back. Afterwards the world is as
    before, bit for bit; only its spare memory may be larger. The question writes its answer to user_data. The function
    returns what the question returned. It asks no question if the world refuses a change.
-   Errors: those of ww_world_apply, and those that the question returns.
+   Errors: the errors of ww_world_apply, and the errors that the question returns.
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
                                   void* user_data);
 /* Finds out whether changes would enclose an agent: whether an agent that now gets from one of the points to another
    could not do so after the changes, or whether a point at which it can stand now would be blocked. Points that are
    blocked or not connected now do not matter. The function makes no change. It is exact and moves no point.
-   Errors: those of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
+   Errors: the errors of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
    radius is 0 and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does
    not keep its bridges. ww_error.index is the index of the refused point or change.
    Threads: the call is a change of the world. */
@@ -476,7 +476,7 @@ typedef struct ww_location {
   uint32_t struct_size;
   ww_location_kind kind;
   size_t vertex_count;
-  ww_point vertices[3]; /* 1, 2 or 3 vertices, rounded to nearest; those of a face counter-clockwise */
+  ww_point vertices[3]; /* 1, 2 or 3 vertices, rounded to nearest; the vertices of a face are counter-clockwise */
 } ww_location;
 
 /* Finds the vertex, edge or face at a point. The list is the polygons that contain the point in their interior or on
@@ -591,7 +591,7 @@ typedef struct ww_path_query {
   ww_point goal;
   double radius;             /* 0 by default: a point agent. Above 0 the world must keep its bridges. */
   double end_tolerance;      /* how far the search may move a blocked end, if has_end_tolerance is set; 0: not at all */
-  ww_bool has_end_tolerance; /* 0 by default: the tolerance is that of ww_world_default_end_tolerance */
+  ww_bool has_end_tolerance; /* 0 by default: the tolerance is ww_world_default_end_tolerance() */
   ww_bool wants_channel;     /* 0 by default: whether the answer has the edges that a point agent crosses */
   ww_bool wants_time;        /* 0 by default: whether the answer has the time of the search */
   uint64_t budget_expansions; /* for TA: the triangles that it may enter; 0 by default; UINT64_MAX for no limit */
@@ -609,7 +609,7 @@ WW_API ww_status ww_world_find_path(const ww_world* world, const ww_path_query* 
                                     ww_path* path);
 /* Finds a path for each query, in their order, on `threads` threads, 1 or more; a number above 256 counts as 256.
    `queries` is an array whose elements all have the struct_size of the first one. `jobs` may be null: the library then
-   starts threads. Errors: those of ww_world_find_path. ww_error.index is the index of the refused query. */
+   starts threads. Errors: the errors of ww_world_find_path. ww_error.index is the index of the refused query. */
 WW_API ww_status ww_world_find_paths(const ww_world* world, const ww_path_query* queries, size_t query_count,
                                      size_t threads, const ww_job_system* jobs, ww_context* context, ww_paths* paths);
 
@@ -626,7 +626,7 @@ typedef struct ww_many_goals_query {
 
 WW_API ww_status ww_many_goals_query_init(ww_many_goals_query* query, size_t struct_size);
 /* Finds the shortest path to each goal, in the order of the goals. For many goals, this is faster than one query for
-   each. Errors: those of ww_world_find_path. ww_error.index is 0 for the start, and i + 1 for goals[i]. */
+   each. Errors: the errors of ww_world_find_path. ww_error.index is 0 for the start, and i + 1 for goals[i]. */
 WW_API ww_status ww_world_find_paths_from(const ww_world* world, const ww_many_goals_query* query, ww_context* context,
                                           ww_paths* paths);
 /* Gives the end_tolerance of queries without has_end_tolerance: the largest magnitude of a coordinate of the domain,
@@ -743,7 +743,7 @@ WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_poin
    query, change and even destroy the world. If a change concerns what the search has seen, the search starts again.
    Threads: a search belongs to one thread at a time. ww_search_begin and ww_search_step read the world. */
 
-/* Starts a search, and cancels the search that is running. Errors: those of ww_world_find_path. After an error no
+/* Starts a search, and cancels the search that is running. Errors: the errors of ww_world_find_path. After an error no
    search is running. */
 WW_API ww_status ww_search_begin(ww_search* search, const ww_world* world, const ww_path_query* query);
 /* Continues the search until it has entered `expansions` further triangles, or a few more. For a radius above 0,
@@ -968,9 +968,9 @@ WW_API ww_status ww_world_save_bytes(const ww_world* world, ww_text* bytes);
    complete, unaltered saved world; WW_NOT_SUPPORTED, if they need a later version of the library. ww_error.index is the
    number of bytes before the fault. */
 WW_API ww_status ww_world_load(const ww_input* input, const ww_bulk_options* options, ww_world** world);
-/* Makes a world from a file, which must contain nothing else. Errors: those of ww_world_load. */
+/* Makes a world from a file, which must contain nothing else. Errors: the errors of ww_world_load. */
 WW_API ww_status ww_world_load_file(const char* file_name, const ww_bulk_options* options, ww_world** world);
-/* Makes a world from bytes, which must contain nothing else. Errors: those of ww_world_load. */
+/* Makes a world from bytes, which must contain nothing else. Errors: the errors of ww_world_load. */
 WW_API ww_status ww_world_load_bytes(const void* bytes, size_t size, const ww_bulk_options* options, ww_world** world);
 /* Finds out whether bytes start like a saved world. */
 WW_API ww_status ww_is_saved_world(const void* bytes, size_t size, ww_bool* is_saved_world);
@@ -1199,7 +1199,8 @@ WW_API ww_status ww_svg_options_init(ww_svg_options* options, size_t struct_size
    crop box has no area in common with the domain. */
 WW_API ww_status ww_world_to_svg(const ww_world* world, const ww_svg_overlay* overlay, const ww_svg_options* options,
                                  ww_text* text);
-/* Gives the transform of the picture of a world over `domain` with these options. Errors: those of ww_world_to_svg. */
+/* Gives the transform of the picture of a world over `domain` with these options.
+   Errors: the errors of ww_world_to_svg. */
 WW_API ww_status ww_svg_get_frame(ww_box domain, const ww_svg_options* options, ww_svg_frame* frame);
 /* Gives the position of a point of the world in the picture, in pixels from the upper left corner, downwards. */
 WW_API ww_status ww_svg_to_picture(const ww_svg_frame* frame, ww_point point, ww_point* pixels);

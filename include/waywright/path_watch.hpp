@@ -78,9 +78,9 @@ class WAYWRIGHT_API PathWatch {
   /// Cost: O(1).
   [[nodiscard]] std::size_t size() const;
 
-  /// Finds out what the operations since the last update, or since the watch was made, mean for the paths. The watch
-  /// keeps all paths, also those that are blocked: add or remove them. A path that stays blocked appears in `changes`
-  /// again only if a later operation changes something where it runs.
+  /// Finds the paths that the operations since the last update, or since the watch was made, concern. The watch keeps
+  /// all paths, also those that are blocked: add or remove them. A path that stays blocked appears in `changes` again
+  /// only if a later operation changes something near it.
   ///
   /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch checks all
   /// paths.

@@ -94,8 +94,8 @@ struct ReplayResult {
 };
 
 /// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at
-/// the first difference. Ignores queries. `progress` may be empty; its unit is a line. Errors: those of World::create,
-/// for the domain. Cost: the cost of the changes. The changes of one tick are one operation.
+/// the first difference. Ignores queries. `progress` may be empty; its unit is a line. Errors: the errors of
+/// World::create(), for the domain. Cost: the cost of the changes. The changes of one tick are one operation.
 [[nodiscard]] WAYWRIGHT_API Result<ReplayResult> replay(
     const Script& log, const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 

@@ -28,8 +28,8 @@ namespace waywright {
 /// world is a function of these four: equal worlds give equal bytes, on every machine.
 /// @{
 
-/// Writes a world to a stream, and flushes the stream. Open the stream in binary mode. An error leaves the stream with
-/// a piece of the world; save_world_file() has no such case.
+/// Writes a world to a stream, and flushes the stream. Open the stream in binary mode. After an error, the stream may
+/// contain a piece of the world. save_world_file() never leaves a piece in its file.
 ///
 /// @code{.cpp}
 /// std::stringstream stream;
@@ -51,9 +51,9 @@ namespace waywright {
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
 
 /// Writes a world to a file. The function first writes a temporary file in the same folder, brings it to the disk, and
-/// then gives it the name of the file. So at every moment, also if the computer stops, the file is the old one or the
-/// new one. On an error, the function removes the temporary file, and the old file stays as it is. The new file has the
-/// permissions of the old one. If `file_name` is a symbolic link, the function replaces the file to which it leads.
+/// then gives it the name of the file. So even if the computer stops, the file is completely the old one or completely
+/// the new one. On an error, the function removes the temporary file, and the old file stays as it is. The new file has
+/// the permissions of the old one. If `file_name` is a symbolic link, the function replaces the file to which it leads.
 /// Error messages start with the file name. Errors: unwritable. Cost: the cost of save_world().
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world_file(const World& world, const std::string& file_name);
 

@@ -144,8 +144,8 @@ struct SvgOverlay {
   std::vector<SvgKey> keys = {};  ///< the last entries of the legend
 };
 
-/// The transform between the coordinates of a world and those of its picture. The coordinates of a picture are pixels,
-/// from its upper left corner to the right and downwards. Use it to draw SvgOverlay::elements.
+/// The transform between the coordinates of a world and the coordinates of its picture. The coordinates of a picture
+/// are pixels, from its upper left corner to the right and downwards. Use it to draw SvgOverlay::elements.
 ///
 /// @code{.cpp}
 /// const SvgOptions options;
