@@ -192,12 +192,12 @@ CellEdge NearWalls::cell_at_vertex(const Triangulation& triangulation, const Bri
                                    Vertex v) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  const auto side = [&](Vertex to) {
+  const auto orientation = [&](Vertex to) {
     return geometry.orientation(geometry.view(number(v)), geometry.view(number(to)), exact::Geometry::view(point));
   };
   const auto has_point = [&](HalfEdge h) {
-    return !triangulation.triangulation().is_ghost_face(h) && side(mesh.target(h)) != Sign::negative &&
-           side(mesh.apex(h)) == Sign::negative;
+    return !triangulation.triangulation().is_ghost_face(h) && orientation(mesh.target(h)) != Sign::negative &&
+           orientation(mesh.apex(h)) == Sign::negative;
   };
   HalfEdge corner = mesh.outgoing(v);
   while (!has_point(corner)) corner = mesh.next_around(corner);

@@ -191,7 +191,7 @@ class Arrangement {
   [[nodiscard]] std::vector<std::size_t> edges_at(const GridPoint& p) const {
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < edges_.size(); ++k) {
-      if (line(k).place(p) == 0 && compare(vertices_[edges_[k].low], p) <= 0 &&
+      if (line(k).orientation(p) == 0 && compare(vertices_[edges_[k].low], p) <= 0 &&
           compare(vertices_[edges_[k].high], p) >= 0) {
         result.push_back(k);
       }
@@ -237,11 +237,11 @@ class Arrangement {
   }
 
   void split(Segment& s, Segment& t) {
-    const int a = s.line.place(t.a);
-    const int b = s.line.place(t.b);
+    const int a = s.line.orientation(t.a);
+    const int b = s.line.orientation(t.b);
     if (a * b > 0) return;
-    const int c = t.line.place(s.a);
-    const int d = t.line.place(s.b);
+    const int c = t.line.orientation(s.a);
+    const int d = t.line.orientation(s.b);
     if (c * d > 0) return;
     if (a == 0 && b == 0) {
       split_collinear(s, t);
@@ -361,7 +361,7 @@ class Arrangement {
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       if (component_of_[edges_[k].low] == ignored) continue;
       if (compare_x(vertices_[edges_[k].low], p) > 0 || compare_x(p, vertices_[edges_[k].high]) >= 0) continue;
-      if (line(k).place(p) > 0 && (best == kWall || is_higher(line(k), line(best), p))) best = k;
+      if (line(k).orientation(p) > 0 && (best == kWall || is_higher(line(k), line(best), p))) best = k;
     }
     return best == kWall ? 0 : cycles_[2 * best];
   }

@@ -68,7 +68,7 @@ struct Line {
     return {p.y * q.w - p.w * q.y, p.w * q.x - p.x * q.w, p.x * q.y - p.y * q.x};
   }
   /// Returns 1, 0 or -1 if p is left of, on or right of the line, as seen from its first towards its second point.
-  [[nodiscard]] int place(const GridPoint& p) const { return sign(a * p.x + b * p.y + c * p.w); }
+  [[nodiscard]] int orientation(const GridPoint& p) const { return sign(a * p.x + b * p.y + c * p.w); }
 };
 
 /// Returns the crossing of two lines. Requires: they are not parallel.

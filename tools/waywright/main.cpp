@@ -26,8 +26,8 @@ namespace waywright::command {
 namespace {
 
 constexpr const char* kAbout =
-    "A world of obstacles that changes while agents find their way through it: an exact, dynamic\n"
-    "constrained Delaunay triangulation with pathfinding on top.\n";
+    "A world of obstacles that can change, and paths through it: an exact, dynamic constrained Delaunay\n"
+    "triangulation with searches for paths.\n";
 constexpr const char* kExamples =
     "Examples:\n"
     "  waywright run world.wws                                run a world script, answers on standard output\n"
@@ -42,7 +42,7 @@ constexpr const char* kAboutMap =
     "The map: .wws, .wwb, .map, .poly or .node; - is a world script or a saved world on standard input";
 constexpr const char* kRunExamples =
     "Examples:\n"
-    "  waywright run world.wws --svg world.svg                the final world, and what was asked of it\n"
+    "  waywright run world.wws --svg world.svg                the final world, and the queries about it\n"
     "  waywright run world.wws --svg region.svg --crop 0 0 50 40 --theme dark\n"
     "  waywright run world.wws --dump world.dump --check      the final mesh; validated after every operation\n"
     "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
@@ -50,7 +50,7 @@ constexpr const char* kRunExamples =
     "\nThe files are written when the script has run to its end, whole or not at all. --stats prints one JSON line\n"
     "on standard error: how many questions about points were decided in doubles (with a proven error bound), on a\n"
     "lattice (integers of a fixed width) and in integers of any size, for each kind of question; and how many bytes\n"
-    "the world takes at the end, by what they are for.\n";
+    "the world takes at the end, by purpose.\n";
 constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
@@ -68,8 +68,8 @@ constexpr const char* kScenarioExamples =
     "  waywright scenario arena.map arena.map.scen --radius 0.45\n"
     "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
     "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. Each query must name the\n"
-    "map, whose folders and ending do not matter, and the size of a .map. The queries with an end where two blocked\n"
-    "cells touch at a corner are counted: there the given length may start on the other side.\n"
+    "map and the size of a .map. The folders and the ending of the name do not matter. The summary counts the queries\n"
+    "with an end where two blocked cells touch at a corner: the given path may begin in the other free cell there.\n"
     "With --radius, all queries are for a disc. The lengths in a scenario are for points, so they are not compared:\n"
     "the summary counts paths, queries without a path, and ends at which the disc does not fit. If the ends in the\n"
     "scenario of a .map are whole numbers, they are cells, and the disc starts and ends at the centres of cells.\n";
