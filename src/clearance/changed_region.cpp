@@ -17,12 +17,12 @@ using mesh::HalfEdge;
 // no other position of a wall on the border of R. The blocking wall therefore does not only touch D at the border of R.
 // In all these cases the open disc D meets the interior of R.
 //
-// Let w be an end of b that is a vertex, and F the face at w into which b runs, or either face at an edge b. Among the
-// positions inside D and R, choose one whose direction from w is as near to the direction of F as possible (up to less
-// than the angle of a face). The segment from w to it first meets R at a position q of an edge `border`: strictly
-// inside D, and between the ends of that edge. The segment crosses only untouched faces and free edges. (If it starts
-// in a touched face, that face is the touched face at w that is nearest to F; then q is a position near w on the edge
-// of this face that is nearer to F.) Then:
+// Let w be an end of b that is a vertex, and F the face at w into which b runs or, if b is an edge, one of its two
+// faces. Among the positions inside D and R, choose one whose direction from w is as near to the direction of F as
+// possible (the direction may differ from the best one by less than the angle of a face). The segment from w to it
+// first meets R at a position q of an edge `border`: strictly inside D, and between the ends of that edge. The segment
+// crosses only untouched faces and free edges. (If it starts in a touched face, that face is the touched face at w that
+// is nearest to F; then q is a position near w on the edge of this face that is nearer to F.) Then:
 //
 // 1. Each face T that the segment crosses contains q strictly inside its circle. The disc D' that touches D at w from
 //    inside and has q on its circle contains no vertex except w, so the vertices of T left and right of the segment lie
@@ -31,12 +31,13 @@ using mesh::HalfEdge;
 //    common positions. So a search finds the face G at w in which the segment starts: it begins with the face beyond
 //    `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly inside.
 // 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from q. D contains none
-//    of the vertices xi, except xk if b is the edge from w to xk. So the part of D on q's side of the edge from w to xi
-//    lies inside the disc whose diameter is this edge: the circle of D meets the edge at a position p before xi, and at
-//    the other end of the diameter of D from w, the angle between w and p is acute; hence at q the angle between w and
-//    p is obtuse. So this disc contains q strictly inside. By the choice of q, no face between G and F is touched, and
-//    no edge between them is a wall, because walls do not meet D. So the search, when it leaves a face through an edge
-//    whose disc meets `border`, turns on around both ends of the edge, as long as the edges' discs meet `border`.
+//    of the vertices xi, except xk if b is the edge from w to xk. So the piece of D that lies on the same side of the
+//    edge from w to xi as q lies inside the disc whose diameter is this edge: the circle of D meets the edge at a
+//    position p before xi, and at the other end of the diameter of D from w, the angle between w and p is acute; hence
+//    at q the angle between w and p is obtuse. So this disc contains q strictly inside. By the choice of q, no face
+//    between G and F is touched, and no edge between them is a wall, because walls do not meet D. So the search, when
+//    it leaves a face through an edge whose disc meets `border`, continues around both ends of the edge, as long as the
+//    edges' discs meet `border`.
 //
 // If F is G, then F is a face that the search enters. If b is an edge of F, its disc D meets `border`.
 

@@ -16,7 +16,7 @@ namespace {
 bool is_arc(const PathPiece& piece) { return piece.kind == PathPiece::Kind::arc; }
 
 /// Returns 1 if an arc turns left, and -1 if it turns right.
-double side_of(const PathPiece& arc) { return arc.end_angle > arc.start_angle ? 1.0 : -1.0; }
+double turn_sign(const PathPiece& arc) { return arc.end_angle > arc.start_angle ? 1.0 : -1.0; }
 
 double turn_of(const PathPiece& arc) { return std::abs(arc.end_angle - arc.start_angle); }
 
@@ -24,14 +24,14 @@ double turn_of(const PathPiece& arc) { return std::abs(arc.end_angle - arc.start
 /// Passes on the rounding error of the sum of the two angles (Knuth's TwoSum), because the sum can be three times as
 /// large as the angle of a direction.
 Point spoke_at(const PathPiece& arc, double along) {
-  const double turned = side_of(arc) * (along / arc.radius);
+  const double turned = turn_sign(arc) * (along / arc.radius);
   const double angle = arc.start_angle + turned;
   const double added = angle - arc.start_angle;
   return unit_vector(angle, (arc.start_angle - (angle - added)) + (turned - added));
 }
 
-/// Returns the direction in which the path goes on an arc.
-Point heading_on(const PathPiece& arc, double along) { return side_of(arc) * left_of(spoke_at(arc, along)); }
+/// Returns the direction of the path on an arc.
+Point heading_on(const PathPiece& arc, double along) { return turn_sign(arc) * left_of(spoke_at(arc, along)); }
 
 /// Returns the nearest position on a straight line.
 NearestOnPiece nearest_on_line(const Point& a, const Point& b, const Point& point) {
@@ -68,7 +68,8 @@ bool is_near_line(const Point& a, const Point& b, const Box& box, double reach) 
   return has_left && has_right && extent.overlaps(cut);
 }
 
-/// An arc is at most a 64th of its radius away from its chords.
+/// Returns whether a box is at most `reach` away from an arc. Tests chords that are at most a 64th of the radius away
+/// from the arc. So the result can also be true if the distance is up to a 32nd of the radius larger.
 bool is_near_arc(const PathPiece& arc, const Box& box, double reach) {
   if (distance_to(box, arc.centre) > arc.radius + reach) return false;
   const double sagitta = arc.radius * 0x1p-6;
@@ -126,7 +127,7 @@ NearestOnPiece nearest_on(const PathPiece& piece, const Point& point) {
   NearestOnPiece nearest{0.0, distance(point, piece.from)};
   const Point spoke = point - piece.centre;
   const Point start = unit_vector(piece.start_angle);
-  const double turned = turning_angle(start, spoke, side_of(piece) > 0.0 ? 1 : -1);
+  const double turned = turning_angle(start, spoke, turn_sign(piece) > 0.0 ? 1 : -1);
   if (turned < turn_of(piece)) {
     const double between = std::abs(waywright::length(spoke) - piece.radius);
     if (between < nearest.distance) nearest = {std::min(turned * piece.radius, length), between};

@@ -29,7 +29,8 @@ struct NearestOnPiece {
   double along = 0.0;     ///< from the start of the piece
   double distance = 0.0;  ///< from the point
 };
-/// Returns the first one, if several positions are equally near.
+/// Returns the position on a piece that is nearest to a point. If several positions are equally near, returns the first
+/// of them.
 [[nodiscard]] NearestOnPiece nearest_on(const PathPiece& piece, const Point& point);
 
 /// The smallest tolerance of a polyline, as a share of the radius. A whole circle then has 2,275 chords.
