@@ -44,10 +44,10 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
   leave_start(ends.at_start());
 }
 
-/// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a
+/// Returns whether the search does not follow lines from a contact across the edge: no disc has its centre there, or a
 /// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
 /// beyond the edge.
-bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
+bool DiscOptimal::is_excluded(const Contact& from, HalfEdge exit) const {
   if (map_->mesh().is_fixed(exit) || ends_->dead_ends().is_before(exit)) return true;
   const Point a = map_->position(map_->mesh().origin(exit));
   const Point b = map_->position(map_->mesh().target(exit));
@@ -55,8 +55,7 @@ bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
   if (squared > map_->surely_long) return false;
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
-  return root.end.contact.turn == 0 ||
-         squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
+  return from.turn == 0 || squared_distance_to_segment(from.centre, a, b) > map_->radius * map_->radius;
 }
 
 /// Returns whether the search does not follow windows of a root across the edge. These are the edges of is_excluded(),
@@ -64,7 +63,7 @@ bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
 /// of this line and the edge lies right of it, or the reverse. A line from the root to a vertex of this edge would turn
 /// back, because the distance of the vertex from the line is larger than the diameter of the disc.
 bool DiscOptimal::is_outside(const Root& root, HalfEdge exit) const {
-  if (is_excluded(root, exit)) return true;
+  if (is_excluded(root.end.contact, exit)) return true;
   const auto offset = [&](Vertex v) {
     return root.end.contact.turn * cross(root.direction, map_->position(v) - root.end.contact.centre);
   };
@@ -112,7 +111,7 @@ void DiscOptimal::leave_start(const locate::Located& location) {
     if (ends_->is_goal_face(mesh::face(first)))
       push_goal(0, {unit(ends_->goal() - ends_->start()), waywright::length(ends_->goal() - ends_->start())});
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
-      if ((h == first && is_on_edge) || is_excluded(roots_[0], h)) continue;
+      if ((h == first && is_on_edge) || is_excluded(roots_[0].end.contact, h)) continue;
       const Vertex left = mesh.target(h);
       const Vertex right = mesh.origin(h);
       offer({mesh.twin(h),
@@ -166,8 +165,10 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
 }
 
 /// Adds the turn around the left end (side 1) or the right end (side -1) of the window's edge. Does nothing if the
-/// window's bound does not pass through this end, or if no path can continue behind it. `sees_apex` says whether a path
-/// that turns can leave the face across the far edge.
+/// window's bound does not pass through this end, or if no path can continue behind it: through the two other edges of
+/// the face, or to a goal in the faces at the window's edge. (The goal may lie before this edge because of rounding.)
+/// `sees_apex` is false if the apex lies on the bound. Then a path that turns at the root in the same direction does
+/// not cross the far edge: it continues along the bound to the apex.
 void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const HalfEdge corner = side > 0 ? window.entry : mesh::next(window.entry);
@@ -176,10 +177,13 @@ void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   if (at.anchor != v) return;
   const HalfEdge near_edge = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
   const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const Root& root = roots_[window.root];
-  const bool can_continue = !is_excluded(root, near_edge) || (sees_apex && !is_excluded(root, far_edge));
-  if (!can_continue && !ends_->is_goal_face(mesh::face(window.entry))) return;
-  const auto line = tangent(root.end.contact, end_at(v, side).contact, map_->radius);
+  const Contact& from = roots_[window.root].end.contact;
+  const Contact contact = end_at(v, side).contact;
+  const bool may_cross_far_edge = (sees_apex || from.turn != side) && !is_excluded(contact, far_edge);
+  const bool is_goal_near =
+      ends_->is_goal_face(mesh::face(window.entry)) || ends_->is_goal_face(mesh::face(mesh.twin(window.entry)));
+  if (!is_goal_near && !may_cross_far_edge && is_excluded(contact, near_edge)) return;
+  const auto line = tangent(from, contact, map_->radius);
   if (line) push_turn(window.root, corner, side, *line, kNone);
 }
 
@@ -189,12 +193,10 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
   Reached& reached = reached_at(v, turn);
-  const Vertex next = then == kNone ? mesh::kNoVertex : turns_[then].vertex;
-  const int next_turn = then == kNone ? 2 : turns_[then].turn;
   for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].before) {
-    if (noted_[i].root == root && noted_[i].next == next && noted_[i].next_turn == next_turn) return;
+    if (noted_[i].root == root && is_same_chain(noted_[i].then, then)) return;
   }
-  noted_.push_back({root, next, next_turn, reached.noted});
+  noted_.push_back({root, then, reached.noted});
   reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
@@ -202,6 +204,18 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   if (least > limit_) return;
   turns_.push_back({corner, root, v, turn, line, length, then});
   open_.push(least, static_cast<std::uint32_t>(2 * turns_.size() - 1));
+}
+
+/// Returns whether the path attempts the same contacts after two turns, in the same order.
+bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
+  while (a != b) {
+    if (a == kNone || b == kNone || turns_[a].vertex != turns_[b].vertex || turns_[a].turn != turns_[b].turn) {
+      return false;
+    }
+    a = turns_[a].then;
+    b = turns_[b].then;
+  }
+  return true;
 }
 
 DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
@@ -237,6 +251,9 @@ void DiscOptimal::offer(const Window& window) {
 
 /// A lower bound of the length of the paths through the window. If the disc is beyond the edge when it reaches the
 /// root, the edge says nothing about the length.
+///
+/// A path that turns around an end of the edge, or around a vertex close behind the edge, need not cross the edge: it
+/// comes within the radius of the edge. To go to the edge and back adds at most the diameter to its length.
 double DiscOptimal::bound(const Window& window) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
@@ -244,7 +261,8 @@ double DiscOptimal::bound(const Window& window) const {
   const Point left = map_->position(mesh.origin(window.entry));
   const Point right = map_->position(mesh.target(window.entry));
   if (cross(right - left, from - left) > 0.0) return root.length + distance(from, ends_->goal());
-  return root.length + distance_via_segment(from, left, right, ends_->goal());
+  const double by_edge = distance_via_segment(from, left, right, ends_->goal()) - 2.0 * map_->radius;
+  return root.length + std::max(by_edge, distance(from, ends_->goal()));
 }
 
 // Takes the turn by value: new turns may move the memory of `turns_`.

@@ -81,8 +81,7 @@ class DiscOptimal {
   /// A turn that the search has added, and the turn that the path attempts next.
   struct Noted {
     std::uint32_t root;
-    mesh::Vertex next;
-    int next_turn;  ///< 2 if there is none
+    std::uint32_t then;  ///< in `turns_`, or kNone
     std::uint32_t before;
   };
 
@@ -108,13 +107,14 @@ class DiscOptimal {
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
-  [[nodiscard]] bool is_excluded(const Root& root, mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit) const;
   [[nodiscard]] bool is_outside(const Root& root, mesh::HalfEdge exit) const;
   void leave_start(const locate::Located& location);
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
   void note_turn(const Window& window, int side, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
+  [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   void reach_goal(const Window& window);
   void push_goal(std::uint32_t root, const Tangent& line);
   void offer(const Window& window);

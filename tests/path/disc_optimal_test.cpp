@@ -158,6 +158,46 @@ TEST(DiscPaths, TurnPastAnEdgeTowardsThePositionOfArrival) {
   check_scene(scene);
 }
 
+// Here the search once left out the turn around the end of a wall, because no path seemed to continue behind it.
+TEST(DiscPaths, TurnAtTheEndOfAWallBesideAClosedGap) {
+  const Point start{8.3591736373782624, 1.5392304063134361};
+  const Point goal{1.5491898353175202, 9.3626277121911698};
+  for (const double radius : {0.47609749713669924, 0.5}) {
+    check_scene(scene_of("lattice", {{0, 0}, {12, 12}}, {{{5, 7}, {6, 5}}, {{3, 7}, {4, 7}}}, start, goal, radius));
+  }
+  check_scene(scene_of("cells", {{0, 0}, {24, 24}},
+                       {{{12, 13}, {13, 13}},
+                        {{9, 8}, {9, 9}},
+                        {{8, 8}, {9, 8}},
+                        {{8, 10}, {8, 11}},
+                        {{9, 9}, {9, 10}},
+                        {{8, 10}, {9, 10}},
+                        {{6, 14}, {7, 14}},
+                        {{8, 11}, {8, 12}},
+                        {{8, 12}, {8, 13}},
+                        {{8, 13}, {8, 14}},
+                        {{7, 14}, {8, 14}},
+                        {{10, 8}, {11, 8}}},
+                       {20.5, 21.5}, {2.5, 6.5}, 0.5));
+}
+
+// The start, the end of the wall and the goal lie on one line, except for rounding.
+TEST(DiscPaths, TurnTowardsAGoalBehindTheEndOfAWall) {
+  check_scene(scene_of("slanted gap", {{-0.70000000000000007, -1.9000000000000001}, {1.3, 0.10000000000000001}},
+                       {{{0.10000000000000001, -1.9000000000000001}, {0.10000000000000001, -1.1000000000000001}}},
+                       {1, -0.20000000000000001}, {-0.40000000000000002, -1.6000000000000001}, 0.050000000000000003));
+}
+
+// Two chains of attempts begin with the same turn, and the search once took the second chain for the first one.
+TEST(DiscPaths, AttemptEachChainOfTurns) {
+  check_scene(scene_of("segments", {{0, 0}, {12, 12}},
+                       {{{7.2074679225333966, 7.8742704043870617}, {8.1969909088526833, 5.2099397670143421}},
+                        {{8.6882038094481686, 5.77513414715213}, {12, 9.7149476696509041}},
+                        {{8.2851143147054245, 5.0476763931874302}, {9.5398511077386949, 3.4714351170579922}}},
+                       {6.7684874920487346, 2.8215533851180226}, {11.546836544086545, 9.4166121897687844},
+                       0.084036044640517699));
+}
+
 TEST(DiscPaths, AreFoundForTinyRadii) {
   for (const double radius : {1e-9, 1e-12, 1e-15, 1e-30, 1e-300, 0x1p-1074}) {
     const NamedScene scene = scene_of("yard", {{0, 0}, {100, 100}}, {{{50, 0}, {50, 60}}}, {20, 50}, {80, 50}, radius);
