@@ -130,7 +130,10 @@ class RandomSnapshots {
     const std::size_t dice = random_.below(100);
     if (dice < 45) publish();
     if (dice % 2 == 0 && !held_.empty()) check_and_release();
-    if (dice < 8) world_.reserve_ids({world_.largest_id_seen().value / 2 + 1}).value();
+    // The model knows nothing of reserved ids, so these are ids that items have had.
+    if (dice < 8 && !world_.largest_id_seen().is_null()) {
+      world_.reserve_ids({(world_.largest_id_seen().value + 1) / 2}).value();
+    }
     if (dice % 10 == 3) ticks_.insert_or_assign(world_.mark(), live_);
     if (dice % 10 == 4) rewind();
     if (dice % 10 == 5) static_cast<void>(world_.attempt(step.changes, [](const World& w) { return w.item_count(); }));
