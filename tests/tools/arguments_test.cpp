@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
         of_path({"--from", "1", "1"}, "--to X Y is missing: Where it ends"),
         of_path({"--from", "1", "1", "--to", "1", "1", "--algorithm", "--no-mesh"},
                 "--algorithm takes a value, NAME, and none is given"),
-        of_run({}, "SCRIPT is missing: The script (.wws); - is standard input"),
+        of_run({}, "SCRIPT is missing: The script (.wws), or a map whose items it inserts; - is standard input"),
         of_run({""}, "SCRIPT: the file's name is empty"),
         of_run({"WORLD", "--svg", ""}, "--svg: the file's name is empty"),
         of_run({"WORLD", "more"}, "'more' is one argument too many, after SCRIPT"),
