@@ -53,10 +53,11 @@ ROOMS = {
     "src/io": room(["base", "text"], ALL),
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
     "tools": room(["base"], ALL, ALL),
+    "tools/formats": room(["base", "text"], ALL, ALL),
     "examples": room([], ALL),
     "examples/lockstep": room([], ALL, BOOST),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
-    "tests": room(WORLD | {"world", "io", "oracle", "bench"}, ALL, ALL),
+    "tests": room(WORLD | {"world", "io", "formats", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),
 }
 
@@ -94,7 +95,7 @@ class Checker:
     def find(self, file, path):
         """Returns the file, relative to the root, that an include between quotes names, or None."""
         part = file.parts[0]
-        for folder in (file.parent, Path(part), Path("src"), Path("include"), Path("bench")):
+        for folder in (file.parent, Path(part), Path("src"), Path("include"), Path("bench"), Path("tools")):
             if (self.root / folder / path).is_file():
                 return folder / path
         return None

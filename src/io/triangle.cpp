@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "waywright/scene.hpp"
 
+#include "base/domain_bounds.hpp"
 #include "base/float_environment.hpp"
 #include "text/text.hpp"
 
@@ -228,14 +228,6 @@ bool SectionReader::regions() {
 
 bool SectionReader::end() { return !next_line() || fail("the end of the text", "one more line"); }
 
-/// Returns the bounds of a domain along one axis. They lie at least `margin` beyond `low` and `high`, and are multiples
-/// of `unit`: so the corners of the domain are as simple numbers as the margin allows. They are never out of range.
-std::pair<double, double> grown(double low, double high, double margin, double unit) {
-  const double least = std::floor((low - margin) / unit) * unit;
-  const double most = std::ceil((high + margin) / unit) * unit;
-  return {std::max(least, -kLargestCoordinate), std::min(most, kLargestCoordinate)};
-}
-
 Box domain_around(const std::vector<Point>& points) {
   Box box;
   if (!points.empty()) box = {points.front(), points.front()};
@@ -243,16 +235,8 @@ Box domain_around(const std::vector<Point>& points) {
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
   }
-  const double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
-  const double size =
-      std::max({std::fabs(box.min.x), std::fabs(box.min.y), std::fabs(box.max.x), std::fabs(box.max.y)});
-  // Far from the origin, rounding would swallow a margin of 1. There the least margin depends on the distance of
-  // neighbouring doubles.
-  const double margin = std::max({1.0, extent / 8.0, std::ldexp(size, -48)});
-  const double unit = std::ldexp(1.0, std::max(0, std::ilogb(margin) - 1));
-  const auto [min_x, max_x] = grown(box.min.x, box.max.x, margin, unit);
-  const auto [min_y, max_y] = grown(box.min.y, box.max.y, margin, unit);
-  return {{min_x, min_y}, {max_x, max_y}};
+  const base::Bounds bounds = base::domain_bounds({box.min.x, box.min.y, box.max.x, box.max.y}, kLargestCoordinate);
+  return {{bounds.min_x, bounds.min_y}, {bounds.max_x, bounds.max_y}};
 }
 
 Scene to_scene(const VertexList& list, const std::vector<Ends>& segments) {

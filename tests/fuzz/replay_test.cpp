@@ -65,6 +65,16 @@ class Mutator {
                                                   "map",
                                                   "\0x",
                                                   "polygon",
+                                                  "[",
+                                                  "]",
+                                                  "}",
+                                                  "(",
+                                                  ")",
+                                                  ",",
+                                                  "EMPTY",
+                                                  "null",
+                                                  "\"type\":",
+                                                  "1e31",
                                                   "replace",
                                                   "\xef\xbb\xbf",
                                                   "\xff\xfe"};
@@ -105,6 +115,10 @@ void replay(const std::string& target, Body body) {
 TEST(FuzzReplay, Scripts) { replay("parse_script", fault_of_script); }
 TEST(FuzzReplay, Maps) { replay("parse_map", fault_of_map); }
 TEST(FuzzReplay, Polys) { replay("parse_poly", fault_of_poly); }
+TEST(FuzzReplay, GeoJson) { replay("parse_geojson", fault_of_geojson); }
+TEST(FuzzReplay, Wkt) { replay("parse_wkt", fault_of_wkt); }
+TEST(FuzzReplay, PolyanyaMeshes) { replay("parse_mesh", fault_of_mesh); }
+TEST(FuzzReplay, WavefrontObj) { replay("parse_obj", fault_of_obj); }
 TEST(FuzzReplay, SavedWorlds) { replay("load_world", fault_of_saved_world); }
 TEST(FuzzReplay, Scenarios) { replay("parse_scenario", fault_of_scenario); }
 

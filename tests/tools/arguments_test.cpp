@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
         of_path({"--from", "1", "1"}, "--to X Y is missing: Where it ends"),
         of_path({"--from", "1", "1", "--to", "1", "1", "--algorithm", "--no-mesh"},
                 "--algorithm takes a value, NAME, and none is given"),
-        of_run({}, "SCRIPT is missing: The script (.wws); - is standard input"),
+        of_run({}, "SCRIPT is missing: The script (.wws), or a map whose items it inserts; - is standard input"),
         of_run({""}, "SCRIPT: the file's name is empty"),
         of_run({"WORLD", "--svg", ""}, "--svg: the file's name is empty"),
         of_run({"WORLD", "more"}, "'more' is one argument too many, after SCRIPT"),
@@ -152,11 +152,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "waywright scenario: --query: '-1' is not the number of a query, which counts from 1 (see waywright "
                 "scenario --help)"},
         Message{{"convert", "WORLD", "a.png"},
-                "waywright: convert writes world scripts (.wws), saved worlds (.wwb) and pictures (.svg), and 'a.png' "
-                "has none of these endings; "
+                "waywright: convert writes world scripts (.wws), saved worlds (.wwb), pictures (.svg) and GeoJSON "
+                "(.geojson, .json), and 'a.png' has none of these endings; "
                 "--format says which"},
         Message{{"convert", "WORLD", "-", "--format", "png"},
-                "waywright convert: --format: 'png' is none of wws, wwb and svg (see waywright convert --help)"},
+                "waywright convert: --format: 'png' is none of wws, wwb, svg, geojson and geojson-mesh (see waywright "
+                "convert --help)"},
         Message{{"path", "WORLD", "--from", "1,5", "2", "--to", "1", "1"},
                 "waywright: --from: '1,5' is not a decimal number such as -1.5 or 2e3"},
         Message{{"path", "WORLD", "--from", "0x1p3", "2", "--to", "1", "1"},

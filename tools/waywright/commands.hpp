@@ -17,8 +17,9 @@ namespace waywright::command {
 /// `waywright run`
 struct RunOptions {
   std::string script;
-  std::string dump;  ///< empty for none
-  std::string svg;   ///< empty for none
+  std::string dump;     ///< empty for none
+  std::string svg;      ///< empty for none
+  std::string geojson;  ///< empty for none
   PictureOptions picture;
   bool check = false;
   bool strict = false;
@@ -33,7 +34,8 @@ struct PathOptions {
   std::vector<std::string> to;    ///< x, y
   std::string radius = "0";       ///< of the agent
   PathAlgorithm algorithm = PathAlgorithm::optimal;
-  std::string svg;  ///< empty for none
+  std::string svg;      ///< empty for none
+  std::string geojson;  ///< empty for none
   PictureOptions picture;
 };
 
@@ -54,7 +56,8 @@ struct ScenarioOptions {
 struct ConvertOptions {
   std::string in;
   std::string out;
-  std::string format;  ///< `wws`, `wwb`, `svg`, or empty if the ending of `out` tells the format
+  std::string
+      format;  ///< `wws`, `wwb`, `svg`, `geojson`, `geojson-mesh`, or empty if the ending of `out` tells the format
   PictureOptions picture;
 };
 

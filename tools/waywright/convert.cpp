@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "file_names.hpp"
+#include "formats/write_geojson.hpp"
 #include "input.hpp"
 #include "output.hpp"
 #include "picture.hpp"
@@ -26,17 +27,19 @@ std::string picture_of(const Scene& scene, const ConvertOptions& options) {
   return draw(build_world(scene, options.in, 0.0), {}, picture);
 }
 
-/// Returns the format of OUT: `wws`, `wwb` or `svg`. Throws Failure if neither the options nor the file name tells.
+/// Returns the format of OUT: `wws`, `wwb`, `svg`, `geojson` or `geojson-mesh`. Throws Failure if neither the options
+/// nor the file name tells.
 std::string_view format_of(const ConvertOptions& options) {
   const std::string_view name = options.out;
   if (!options.format.empty()) return options.format;
   if (name == "-") return "wws";
-  for (const std::string_view format : {"wws", "wwb", "svg"}) {
+  for (const std::string_view format : {"wws", "wwb", "svg", "geojson"}) {
     if (name.ends_with(fmt::format(".{}", format))) return format;
   }
+  if (name.ends_with(".json")) return "geojson";
   throw Failure(fmt::format(
-      "waywright: convert writes world scripts (.wws), saved worlds (.wwb) and pictures (.svg), and '{}' has "
-      "none of these endings; --format says which",
+      "waywright: convert writes world scripts (.wws), saved worlds (.wwb), pictures (.svg) and GeoJSON (.geojson, "
+      ".json), and '{}' has none of these endings; --format says which",
       name));
 }
 
@@ -47,9 +50,23 @@ std::string saved_world_of(const ConvertOptions& options) {
   return std::move(bytes).str();
 }
 
+std::string geojson_mesh_of(const Scene& scene, const ConvertOptions& options) {
+  formats::GeoJsonWriter writer(scene.domain, scene.y_down);
+  writer.add_mesh(build_world(scene, options.in, 0.0).snapshot());
+  return writer.take();
+}
+
+/// Returns what OUT becomes, for a message.
+std::string_view noun_of(std::string_view format) {
+  if (format == "wwb") return "a saved world";
+  return format == "wws" ? "a world script" : "GeoJSON";
+}
+
 std::string contents_of(const ConvertOptions& options, std::string_view format) {
   if (format == "wwb") return saved_world_of(options);
   const Scene scene = load_scene(options.in);
+  if (format == "geojson") return formats::to_geojson(scene);
+  if (format == "geojson-mesh") return geojson_mesh_of(scene, options);
   return format == "svg" ? picture_of(scene, options) : to_script(scene);
 }
 
@@ -58,8 +75,7 @@ std::string contents_of(const ConvertOptions& options, std::string_view format) 
 ExitStatus convert(const ConvertOptions& options) {
   const std::string_view format = format_of(options);
   if (format != "svg" && !options.picture.crop.empty()) {
-    throw Failure(fmt::format("waywright: convert: --crop is for pictures, and OUT becomes a {}",
-                              format == "wwb" ? "saved world" : "world script"));
+    throw Failure(fmt::format("waywright: convert: --crop is for pictures, and OUT becomes {}", noun_of(format)));
   }
   refuse_shared_files(files_of_map(options.in), {{"OUT", options.out}});
   OutputFile out(options.out);

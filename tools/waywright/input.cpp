@@ -4,11 +4,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -20,6 +22,7 @@
 
 #include "base/number_text.hpp"
 #include "failure.hpp"
+#include "formats/map_format.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 
@@ -55,18 +58,46 @@ double parse_number(std::string_view option, const std::string& word) {
   return value;
 }
 
-Script parse(const std::string& text, const std::string& name) {
-  Result<Script> script = parse_script(text, name);
-  if (!script.ok()) throw Failure(script.error().message());
-  return std::move(script).value();
+template <class T>
+T value_of(Result<T> read) {
+  if (!read.ok()) throw Failure(read.error().message());
+  return std::move(read).value();
 }
 
-/// Reads standard input: a world script or a saved world.
-Scene parse_scene(const std::string& text, const std::string& name) {
-  if (!is_saved_world(text)) return scene_of(parse(text, name));
-  Result<Scene> scene = parse_saved_world(text, name);
-  if (!scene.ok()) throw Failure(scene.error().message());
-  return std::move(scene).value();
+Scene parse_map(formats::MapFormat format, const std::string& text, const std::string& name) {
+  Progress progress("read");
+  return value_of(
+      formats::parse_map(format, text, name, [&](std::size_t done, std::size_t total) { progress.show(done, total); }));
+}
+
+/// Returns the format of a text on standard input, if it is neither a world script nor a saved world. Only GeoJSON
+/// starts with a brace.
+std::optional<formats::MapFormat> format_of_input(const std::string& text) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  const std::size_t start = text.find_first_not_of(" \t\r\n", text.starts_with(kByteOrderMark) ? 3 : 0);
+  if (start == std::string::npos || text[start] != '{') return std::nullopt;
+  return formats::MapFormat::geojson;
+}
+
+/// Reads standard input: a world script, a saved world or GeoJSON.
+Scene parse_input(const std::string& text, const std::string& name) {
+  if (is_saved_world(text)) return value_of(parse_saved_world(text, name));
+  if (const auto format = format_of_input(text)) return parse_map(*format, text, name);
+  return scene_of(value_of(parse_script(text, name)));
+}
+
+/// Returns the script that inserts the items of a scene. Its lines have the numbers that they have in to_script().
+Script script_of(Scene scene) {
+  Script script{.domain = scene.domain, .domain_line = 2, .lines = {}};
+  script.lines.reserve(scene.items.size());
+  std::uint32_t line = script.domain_line;
+  for (Item& item : scene.items) {
+    ScriptLine& insertion = script.lines.emplace_back();
+    insertion.kind = ScriptLineKind::insert;
+    insertion.line = ++line;
+    insertion.item = std::move(item);
+  }
+  return script;
 }
 
 }  // namespace
@@ -78,20 +109,42 @@ std::string read_text(const std::string& name) {
   return read_all(file.get(), name);
 }
 
-Script load_script(const std::string& name) { return parse(read_text(name), name); }
+Script load_script(const std::string& name) { return value_of(parse_script(read_text(name), name)); }
+
+RunInput load_run(const std::string& name) {
+  const Result<SceneFormat> format = scene_format(name);
+  const bool is_map = formats::map_format(name) || (format.ok() && *format != SceneFormat::script);
+  if (name != "-" && is_map) {
+    Scene scene = load_scene(name);
+    const bool y_down = scene.y_down;
+    return {script_of(std::move(scene)), y_down};
+  }
+  const std::string text = read_text(name);
+  if (!is_saved_world(text) && !(name == "-" && format_of_input(text)))
+    return {value_of(parse_script(text, name)), false};
+  Scene scene = parse_input(text, name);
+  const bool y_down = scene.y_down;
+  return {script_of(std::move(scene)), y_down};
+}
 
 Scene load_scene(const std::string& name) {
-  if (name == "-") return parse_scene(read_text(name), name);
+  if (name == "-") return parse_input(read_text(name), name);
+  if (const auto format = formats::map_format(name)) {
+    const std::string text = read_text(name);
+    return is_saved_world(text) ? value_of(parse_saved_world(text, name)) : parse_map(*format, text, name);
+  }
   Result<Scene> scene = read_scene(name);
-  if (!scene.ok()) throw Failure(scene.error().message());
-  return std::move(scene).value();
+  if (!scene.ok() && scene.error().code == ErrorCode::not_supported && !scene_format(name).ok()) {
+    throw Failure(scene.error().message() + ", or in .geojson, .json, .wkt, .mesh or .obj");
+  }
+  return value_of(std::move(scene));
 }
 
 World load_world(const std::string& name) {
   std::error_code ignored;
   const bool is_readable_twice = name != "-" && std::filesystem::is_regular_file(name, ignored);
   const std::string text = is_readable_twice || name == "-" ? read_text(name) : std::string();
-  if (!is_saved_world(text)) return build_world(name == "-" ? parse_scene(text, name) : load_scene(name), name, 0.0);
+  if (!is_saved_world(text)) return build_world(name == "-" ? parse_input(text, name) : load_scene(name), name, 0.0);
   std::istringstream stream(text);
   Progress progress("load");
   Result<World> world = waywright::load_world(

@@ -19,8 +19,19 @@ namespace waywright::command {
 /// Reads a world script from a file, or from standard input if `name` is `-`. Throws Failure.
 [[nodiscard]] Script load_script(const std::string& name);
 
+/// What `waywright run` carries out.
+struct RunInput {
+  Script script;
+  bool y_down = false;  ///< Scene::y_down, if the script is made from a map
+};
+
+/// Reads a world script, or the script that inserts the items of a map. The ending of the name says the format of a
+/// map; a file with another ending, and standard input (`-`), may contain a world script or a saved world, standard
+/// input also GeoJSON. Throws Failure.
+[[nodiscard]] RunInput load_run(const std::string& name);
+
 /// Reads a scene from a file: a saved world, or another format that the ending of the name tells. If `name` is `-`,
-/// reads a saved world or a world script from standard input. Throws Failure.
+/// reads a saved world, a world script or GeoJSON from standard input. Throws Failure.
 [[nodiscard]] Scene load_scene(const std::string& name);
 
 /// Reads the same inputs as load_scene(). A saved world keeps its options and its next id. Throws Failure.

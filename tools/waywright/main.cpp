@@ -39,7 +39,14 @@ constexpr const char* kExamples =
     "Exit status: 0 done, 1 a check failed, logs differ or (--strict) an operation was refused, 2 bad arguments, a\n"
     "file that cannot be read or written, or malformed input.\n";
 constexpr const char* kAboutMap =
-    "The map: .wws, .wwb, .map, .poly or .node; - is a world script or a saved world on standard input";
+    "The map: .wws, .wwb, .map, .poly, .node, .geojson, .json, .wkt, .mesh or .obj; - is a world script, a saved world "
+    "or GeoJSON on standard input";
+constexpr const char* kFormats =
+    "Maps: .wws (world script), .wwb (saved world), .map (Moving AI), .poly and .node (Triangle), .geojson and .json\n"
+    "(GeoJSON), .wkt (well-known text), .mesh (Polyanya) and .obj (Wavefront, flat). Longitudes and latitudes are "
+    "taken\n"
+    "as x and y in the plane: lengths are then in degrees. For lengths in metres, project the file first, for example\n"
+    "with ogr2ogr -t_srs.\n";
 constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                the final world, and the queries about it\n"
@@ -59,7 +66,7 @@ constexpr const char* kPathExamples =
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --radius 1.5 --svg path.svg\n"
     "\nPrints one JSON line: the path's length and pieces, or why there is none. With --radius, the pieces are lines\n"
     "and arcs of the path of the disc's centre. If only a smaller disc gets through, the line says how large it may\n"
-    "be, and which gap stops larger discs. Maps: .wws, .wwb, .map (Moving AI), .poly and .node (Triangle).\n";
+    "be, and which gap stops larger discs. --geojson writes the path as a line.\n";
 constexpr const char* kScenarioExamples =
     "Examples:\n"
     "  waywright scenario arena.map arena.map.scen\n"
@@ -79,7 +86,10 @@ constexpr const char* kConvertExamples =
     "  waywright convert greenland.node greenland.svg\n"
     "  waywright convert face.poly face.svg --no-mesh\n"
     "  waywright convert arena.map arena.wwb                  a saved world, which loads quickly\n"
-    "  waywright convert arena.map - --format svg | display\n";
+    "  waywright convert town.geojson town.svg\n"
+    "  waywright convert arena.map arena.geojson              the items, for QGIS, Shapely and the like\n"
+    "  waywright convert arena.map mesh.geojson --format geojson-mesh     the triangles and the constrained edges\n"
+    "  waywright convert arena.map - --format svg | display\n\n";
 
 constexpr const char* kReplayExamples =
     "Examples:\n"
@@ -166,8 +176,9 @@ void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) 
 }
 
 std::string check_format(const std::string& name) {
-  const bool is_known = name == "wws" || name == "wwb" || name == "svg";
-  return is_known ? "" : "'" + name + "' is none of wws, wwb and svg";
+  const bool is_geojson = name == "geojson" || name == "geojson-mesh";
+  const bool is_known = name == "wws" || name == "wwb" || name == "svg" || is_geojson;
+  return is_known ? "" : "'" + name + "' is none of wws, wwb, svg, geojson and geojson-mesh";
 }
 
 /// Returns the number that the word consists of, or nothing.
@@ -191,11 +202,14 @@ std::string check_vertex_count(const std::string& word) {
 void add_run(CommandLine& line) {
   RunOptions& options = line.run_options;
   line.run = line.app.add_subcommand("run", "Run a world script, one JSON line per answer");
-  add_file(*line.run, "SCRIPT", options.script, "The script (.wws); - is standard input");
+  add_file(*line.run, "SCRIPT", options.script,
+           "The script (.wws), or a map whose items it inserts; - is standard input");
   add_file_option(*line.run, "--dump", options.dump, "Write the final mesh, exactly, as text");
   CLI::Option* const svg =
       add_file_option(*line.run, "--svg", options.svg, "Draw the final world, and the queries since it last changed");
   add_picture(*line.run, options.picture, svg);
+  add_file_option(*line.run, "--geojson", options.geojson,
+                  "Write the final items, and the paths since they last changed, as GeoJSON");
   line.run->add_flag("--check", options.check, "Validate after every operation; stop at the first fault");
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
   line.run->add_flag("--stats", options.stats,
@@ -226,7 +240,8 @@ void add_path(CommandLine& line) {
   add_algorithm(*line.path, options.algorithm);
   CLI::Option* const svg = add_file_option(*line.path, "--svg", options.svg, "Draw the map and the path");
   add_picture(*line.path, options.picture, svg);
-  line.path->footer(kPathExamples);
+  add_file_option(*line.path, "--geojson", options.geojson, "Write the path as GeoJSON");
+  line.path->footer(std::string(kPathExamples) + "\n" + kFormats);
 }
 
 void add_scenario(CommandLine& line) {
@@ -250,14 +265,18 @@ void add_scenario(CommandLine& line) {
 
 void add_convert(CommandLine& line) {
   ConvertOptions& options = line.convert_options;
-  line.convert = line.app.add_subcommand("convert", "Turn a map into a world script, a saved world or a picture");
+  line.convert =
+      line.app.add_subcommand("convert", "Turn a map into a world script, a saved world, a picture or GeoJSON");
   add_file(*line.convert, "MAP", options.in, kAboutMap);
-  add_file(*line.convert, "OUT", options.out, "The file to write (.wws, .wwb or .svg); - is standard output");
-  line.convert->add_option("--format", options.format, "wws, wwb or svg, where the ending of OUT does not say it")
+  add_file(*line.convert, "OUT", options.out,
+           "The file to write (.wws, .wwb, .svg, .geojson or .json); - is standard output");
+  line.convert
+      ->add_option("--format", options.format,
+                   "wws, wwb, svg, geojson (the items) or geojson-mesh, where the ending of OUT does not say it")
       ->type_name("NAME")
       ->check(check_format);
   add_picture(*line.convert, options.picture, nullptr);
-  line.convert->footer(kConvertExamples);
+  line.convert->footer(std::string(kConvertExamples) + kFormats);
 }
 
 void add_replay(CommandLine& line) {

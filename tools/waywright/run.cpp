@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "file_names.hpp"
+#include "formats/write_geojson.hpp"
 #include "input.hpp"
 #include "json_lines.hpp"
 #include "output.hpp"
@@ -37,6 +39,20 @@ World create_world(const Script& script, const RunOptions& options) {
   return std::move(world).value();
 }
 
+/// Returns the items of the world, and the paths in the overlay.
+std::string geojson_of(const World& world, const SvgOverlay& overlay, bool y_down) {
+  formats::GeoJsonWriter writer(world.domain(), y_down);
+  for (const Item& item : world.items()) writer.add_item(item);
+  for (const Path& path : overlay.paths) writer.add_path(path.points.front(), path.points.back(), path);
+  for (const SvgFailedPath& failed : overlay.failed_paths) {
+    Path path;
+    path.status = failed.status;
+    writer.add_path(failed.start, failed.goal, path);
+  }
+  for (const SvgDiscPath& disc : overlay.disc_paths) writer.add_path(disc.query.start, disc.query.goal, disc.answer);
+  return writer.take();
+}
+
 /// The result of a run, which carries out all operations or stops after one that ends it early.
 struct RunResult {
   ExitStatus status = kDone;
@@ -60,16 +76,18 @@ RunResult carry_out(const Script& script, const RunOptions& options, Runner& run
 }  // namespace
 
 ExitStatus run(const RunOptions& options) {
-  refuse_shared_files({{"SCRIPT", options.script}}, {{"--dump", options.dump}, {"--svg", options.svg}});
-  const Script script = load_script(options.script);
+  std::vector<NamedFile> inputs = files_of_map(options.script);
+  inputs.front().argument = "SCRIPT";
+  refuse_shared_files(inputs, {{"--dump", options.dump}, {"--svg", options.svg}, {"--geojson", options.geojson}});
+  const auto [script, y_down] = load_run(options.script);
   World world = create_world(script, options);
   OutputFile dump(options.dump);
   OutputFile svg(options.svg);
-  StreamWriter output(stream_beside({options.dump, options.svg}));
-  // The y axis of a script points up, as in mathematics.
-  const SvgOptions picture = svg_options(options.picture, world.domain(), title_of(options.script), false);
+  OutputFile geojson(options.geojson);
+  StreamWriter output(stream_beside({options.dump, options.svg, options.geojson}));
+  const SvgOptions picture = svg_options(options.picture, world.domain(), title_of(options.script), y_down);
   SvgOverlay overlay;
-  Runner runner(world, output, svg.wanted() ? &overlay : nullptr);
+  Runner runner(world, output, svg.wanted() || geojson.wanted() ? &overlay : nullptr);
 
   const RunResult result = carry_out(script, options, runner);
   output.flush();
@@ -81,8 +99,10 @@ ExitStatus run(const RunOptions& options) {
   if (!result.to_the_end) return result.status;
   if (dump.wanted()) dump.write(world.dump());
   if (svg.wanted()) svg.write(draw(world, overlay, picture));
+  if (geojson.wanted()) geojson.write(geojson_of(world, overlay, y_down));
   dump.commit();
   svg.commit();
+  geojson.commit();
   return result.status;
 }
 
