@@ -51,6 +51,7 @@ ROOMS = {
     "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "path.hpp"}, BOOST),
     "src/world": room(WORLD, ALL),
     "src/io": room(["base", "text"], ALL),
+    "bindings/python": room([], ALL, ("pybind11/",)),
     "tools": room(["base"], ALL, ALL),
     "examples": room([], ALL),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
@@ -58,7 +59,7 @@ ROOMS = {
     "tests/oracle": room([], libraries=ALL),
 }
 
-FOLDERS = ("include", "src", "tools", "examples", "bench", "tests")
+FOLDERS = ("include", "src", "bindings", "tools", "examples", "bench", "tests")
 HEADERS = {".hpp", ".inl", ".h"}
 SUFFIXES = HEADERS | {".cpp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>|(\S+))')

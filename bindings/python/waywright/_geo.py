@@ -116,7 +116,7 @@ def path_to_geojson(path: _core.Path) -> dict[str, Any]:
     return {"type": "LineString", "coordinates": _coordinates(points)}
 
 
-def world_to_geojson(world: _core.World) -> dict[str, Any]:
+def world_to_geojson(self: _core.World) -> dict[str, Any]:
     """Returns the items as a GeoJSON collection of features, each with its id.
 
     A ring of a polygon is a hole by the rule of the polygon, whatever its index. (Readers of GeoJSON take the first ring
@@ -132,6 +132,6 @@ def world_to_geojson(world: _core.World) -> dict[str, Any]:
             "properties": {"kind": shape.kind, "fill": shape.fill} if shape.kind == "polygon" else {"kind": shape.kind},
             "geometry": shape_to_geojson(shape),
         }
-        for number, shape in world.items()
+        for number, shape in self.items()
     ]
     return {"type": "FeatureCollection", "features": features}
