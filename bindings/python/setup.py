@@ -51,7 +51,8 @@ class CMakeBuild(build_ext):
         arguments += os.environ.get("WAYWRIGHT_CMAKE_ARGS", "").split()
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *arguments], check=True)
         jobs = os.environ.get("WAYWRIGHT_JOBS") or str(os.cpu_count() or 1)
-        subprocess.run(["cmake", "--build", build, "--config", "Release", "--target", "waywright_python", "--parallel", jobs], check=True)
+        command = ["cmake", "--build", build, "--config", "Release", "--target", "waywright_python", "--parallel", jobs]
+        subprocess.run(command, check=True)
         built = next((build / "bindings" / "python" / "waywright").rglob("_core*" + target.suffix))
         target.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(str(built), str(target))

@@ -168,7 +168,11 @@ void bind_single(WorldClass& world) {
             return self.write([&](World& w) { return w.insert(shape, id).value(); });
           },
           py::arg("rings"), py::arg("fill") = FillRule::even_odd, py::arg("id") = py::none(),
-          "Inserts a solid obstacle of one ring, or of a list of rings. Returns the id. See Shape.polygon().")
+          "Inserts a solid obstacle of one ring, or of a list of rings. Returns the id. See Shape.polygon().");
+}
+
+void bind_changing(WorldClass& world) {
+  world
       .def(
           "remove", [](WorldHandle& self, ItemId id) { self.write([&](World& w) { w.remove(id).value(); }); },
           py::arg("id"),
@@ -241,6 +245,7 @@ void bind_reading(WorldClass& world) {
 
 void bind_world_items(WorldClass& world) {
   bind_single(world);
+  bind_changing(world);
   bind_bulk(world);
   bind_reading(world);
 }

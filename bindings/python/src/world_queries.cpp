@@ -45,7 +45,11 @@ void bind_locating(WorldClass& world) {
             }));
           },
           py::arg("box"),
-          "Returns an array of the ids of the items that have a position in common with a box, ascending.")
+          "Returns an array of the ids of the items that have a position in common with a box, ascending.");
+}
+
+void bind_segments(WorldClass& world) {
+  world
       .def(
           "items_crossed",
           [](const WorldHandle& self, Point start, Point end) {
@@ -140,6 +144,7 @@ void bind_discs(WorldClass& world) {
 
 void bind_world_queries(WorldClass& world) {
   bind_locating(world);
+  bind_segments(world);
   bind_discs(world);
   world.def(
       "is_clear",
