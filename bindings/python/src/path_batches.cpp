@@ -1,4 +1,5 @@
-#include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <numeric>
 #include <optional>
 
@@ -23,6 +24,8 @@ class PathAnswers {
         points_(batch.chunk_count()),
         pieces_(batch.chunk_count()) {}
 
+  /// Makes room for the points of a chunk.
+  void begin(const Chunk& chunk) { points_[chunk.index].reserve(kUsualPoints * (chunk.end - chunk.begin)); }
   void add(const Chunk& chunk, std::size_t query, const Path& path, std::span<const Point> line) {
     statuses_[query] = static_cast<std::uint8_t>(path.status);
     lengths_[query] = path.length;
@@ -30,38 +33,42 @@ class PathAnswers {
     add(std::span(path.pieces), pieces_[chunk.index], piece_offsets_[query + 1]);
   }
 
-  /// Makes one list of the points of all chunks. Requires: all queries have answers. Needs no GIL.
-  void join(const Batch& batch) {
-    join(batch, points_, point_offsets_, all_points_);
-    join(batch, pieces_, piece_offsets_, all_pieces_);
-  }
-
-  /// Returns statuses, lengths, points, their offsets, pieces, their offsets.
+  /// Returns statuses, lengths, points, their offsets, pieces, their offsets. Requires: all queries have answers. NumPy
+  /// allocates large arrays in huge pages where the system has them, so this copy costs less than one to a std::vector.
   [[nodiscard]] py::tuple arrays() {
-    auto* const pieces = new std::vector<PathPiece>(std::move(all_pieces_));
-    const py::capsule owner(pieces, [](void* pointer) { delete static_cast<std::vector<PathPiece>*>(pointer); });
-    const py::array piece_array = pieces->empty() ? py::array(piece_type(), py::ssize_t{0})
-                                                  : py::array(piece_type(), {static_cast<py::ssize_t>(pieces->size())},
-                                                              {sizeof(PathPiece)}, pieces->data(), owner);
-    return py::make_tuple(own_numbers(std::move(statuses_)), own_numbers(std::move(lengths_)),
-                          own_points(std::move(all_points_)), own_numbers(std::move(point_offsets_)), piece_array,
-                          own_numbers(std::move(piece_offsets_)));
+    const std::int64_t point_count = add_up(point_offsets_);
+    py::array_t<double> points(std::vector<py::ssize_t>{point_count, 2});
+    py::array pieces(piece_type(), py::ssize_t{add_up(piece_offsets_)});
+    {
+      const WithoutGil no_gil;
+      join(points_, points.mutable_data());
+      join(pieces_, pieces.mutable_data());
+    }
+    return py::make_tuple(own_numbers(std::move(statuses_)), own_numbers(std::move(lengths_)), points,
+                          own_numbers(std::move(point_offsets_)), pieces, own_numbers(std::move(piece_offsets_)));
   }
 
  private:
+  static constexpr std::size_t kUsualPoints = 2;  ///< of a path: a straight one has no turns
+
   template <class T>
   static void add(std::span<const T> values, std::vector<T>& list, std::int64_t& count) {
     list.insert(list.end(), values.begin(), values.end());
     count = static_cast<std::int64_t>(values.size());
   }
-  template <class T>
-  static void join(const Batch& batch, std::vector<std::vector<T>>& lists, std::vector<std::int64_t>& offsets,
-                   std::vector<T>& all) {
+  /// Makes offsets of counts. Returns the last one.
+  static std::int64_t add_up(std::vector<std::int64_t>& offsets) {
     std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    all.reserve(static_cast<std::size_t>(offsets.back()));
-    for (std::size_t i = 0; i < batch.chunk_count(); ++i) {
-      all.insert(all.end(), lists[i].begin(), lists[i].end());
-      lists[i] = {};
+    return offsets.back();
+  }
+  /// Copies the elements of all lists to `target`, and frees the lists.
+  template <class T>
+  static void join(std::vector<std::vector<T>>& lists, void* target) {
+    auto* next = static_cast<std::byte*>(target);
+    for (std::vector<T>& list : lists) {
+      if (!list.empty()) std::memcpy(next, list.data(), list.size() * sizeof(T));
+      next += list.size() * sizeof(T);
+      list = {};
     }
   }
 
@@ -71,8 +78,6 @@ class PathAnswers {
   std::vector<std::int64_t> piece_offsets_;
   std::vector<std::vector<Point>> points_;      ///< of each chunk
   std::vector<std::vector<PathPiece>> pieces_;  ///< of each chunk
-  std::vector<Point> all_points_;
-  std::vector<PathPiece> all_pieces_;
 };
 
 /// What all queries of a batch have in common.
@@ -88,6 +93,7 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
   thread_local Path path;
   thread_local std::vector<Point> line;
   PathQuery query = options.query;
+  if (options.wants_points) answers.begin(chunk);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     query.start = starts[i];
     query.goal = goals[i];
@@ -130,7 +136,6 @@ py::tuple find_paths(const WorldHandle& self, const PointsArg& starts, const Poi
       find_chunk(world, context, chunk, starts.span(), goals.span(), is_one ? nullptr : radius.data(), options,
                  answers);
     });
-    answers.join(batch);
   });
   return answers.arrays();
 }
