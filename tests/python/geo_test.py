@@ -43,6 +43,8 @@ def test_geometries_of_shapely():
         ("polyline", [5]),
         ("polygon", [4, 3, 4]),
     ]
+    # GeoJSON repeats the first point of a ring, a shape does not.
+    assert waywright.Change.insert(geometry.Polygon(HOUSE, [COURT])).shape.ring_offsets.tolist() == [0, 4, 7]
     with pytest.raises(ValueError, match="insert_all"):
         world.insert(geometry.MultiPoint([(1, 1), (2, 2)]))
     with pytest.raises(TypeError):

@@ -10,7 +10,13 @@ import sys
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2] / "bindings" / "python"
-CHECK = "import doctest, waywright; assert doctest.testmod(waywright).attempted > 2; print(waywright.__file__)"
+CHECK = """
+import doctest, waywright
+test = doctest.DocTestParser().get_doctest(waywright.__doc__, {}, "waywright", None, 0)
+result = doctest.DocTestRunner().run(test)
+assert result.failed == 0 and result.attempted > 2, result
+print(waywright.__file__)
+"""
 
 
 def main(arguments):
