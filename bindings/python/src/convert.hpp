@@ -165,8 +165,8 @@ namespace pybind11::detail {
     PYBIND11_TYPE_CASTER(Enum, const_name("str"));                                              \
     bool load(handle source, bool) { return waywright::python::read_name(source, all, value); } \
     static handle cast(Enum source, return_value_policy, handle) {                              \
-      const std::string_view name = waywright::python::name_of(source);                         \
-      return PyUnicode_FromStringAndSize(name.data(), static_cast<Py_ssize_t>(name.size()));    \
+      const std::string_view text = waywright::python::name_of(source);                         \
+      return PyUnicode_FromStringAndSize(text.data(), static_cast<Py_ssize_t>(text.size()));    \
     }                                                                                           \
   }
 
