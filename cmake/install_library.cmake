@@ -45,4 +45,8 @@ if(NOT waywright_pc_threads AND UNIX)
   set(waywright_pc_threads -pthread)  # no effect if the C library contains threads
 endif()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/waywright.pc.in ${PROJECT_BINARY_DIR}/waywright.pc @ONLY)
+if(WAYWRIGHT_BUILD_C)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/waywright_c.pc.in ${PROJECT_BINARY_DIR}/waywright_c.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/waywright_c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 install(FILES ${PROJECT_BINARY_DIR}/waywright.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # usage: check_format.sh [--fix]
-# Refuses C++ files that clang-format would change; with --fix, changes them. Checks the files that git tracks or would
-# track. Outside a work tree, checks all files.
+# Refuses files in C++ and C that clang-format would change; with --fix, changes them. Checks the files that git tracks or
+# would track. Outside a work tree, checks all files.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -11,8 +11,8 @@ case ${1:-} in
 esac
 
 list_files() {
-  git ls-files -z --cached --others --exclude-standard -- '*.cpp' '*.hpp' '*.inl' 2>/dev/null ||
-    find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' '*.inl' \) -print0
+  git ls-files -z --cached --others --exclude-standard -- '*.cpp' '*.hpp' '*.inl' '*.c' '*.h' 2>/dev/null ||
+    find . -path ./build -prune -o \( -name '*.cpp' -o -name '*.hpp' -o -name '*.inl' -o -name '*.[ch]' \) -print0
 }
 
 list_files | while IFS= read -r -d '' file; do

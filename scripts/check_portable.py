@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-FOLDERS = ["include", "src", "tools", "examples", "tests/determinism", "tests/support"]
+FOLDERS = ["include", "src", "bindings", "tools", "examples", "tests/determinism", "tests/support"]
 SUFFIXES = {".cpp", ".hpp", ".h", ".ipp"}
 
 # The only files for code that depends on the compiler.
@@ -21,6 +21,7 @@ COMPILER_FILES = {
     "src/base/ieee.hpp",  # flags that break floating-point arithmetic
     "src/base/float_environment.hpp",  # the processor's rounding mode
     "include/waywright/export.hpp",  # visibility of symbols
+    "bindings/c/waywright.h",  # visibility of symbols
 }
 SYSTEM_FILES = COMPILER_FILES | {
     "src/base/disk.cpp",

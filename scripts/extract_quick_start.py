@@ -1,24 +1,28 @@
 #!/usr/bin/env python3
-"""Extracts the quick start from README.md: its first ```cpp block, and its output, the ```text block that follows.
+"""Extracts the quick start from a page: its first ```cpp block, and its output, the ```text block that follows.
 
-usage: extract_quick_start.py README CODE_FILE OUTPUT_FILE
+usage: extract_quick_start.py PAGE CODE_FILE OUTPUT_FILE [LANGUAGE]
+
+LANGUAGE takes the place of `cpp`.
 """
 
 import re
 import sys
 from pathlib import Path
 
-BLOCKS = re.compile(r"^```cpp\n(?P<code>.*?)^```$.*?^```text\n(?P<output>.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCKS = r"^```{}\n(?P<code>.*?)^```$.*?^```text\n(?P<output>.*?)^```$"
 
 
 def main(arguments):
-    if len(arguments) != 3:
+    if len(arguments) not in (3, 4):
         print(__doc__.strip(), file=sys.stderr)
         return 2
-    readme, code_file, output_file = map(Path, arguments)
-    match = BLOCKS.search(readme.read_text(encoding="utf-8"))
+    page, code_file, output_file = map(Path, arguments[:3])
+    language = arguments[3] if len(arguments) == 4 else "cpp"
+    blocks = re.compile(BLOCKS.format(re.escape(language)), re.MULTILINE | re.DOTALL)
+    match = blocks.search(page.read_text(encoding="utf-8"))
     if match is None:
-        print(f"{readme}: no ```cpp block with a ```text block after it", file=sys.stderr)
+        print(f"{page}: no ```{language} block with a ```text block after it", file=sys.stderr)
         return 1
     code_file.write_text(match["code"], encoding="utf-8")
     output_file.write_text(match["output"], encoding="utf-8")

@@ -47,7 +47,7 @@ class WaywrightConan(ConanFile):
     def generate(self):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
-        for part in ("TESTS", "TOOLS", "EXAMPLES"):
+        for part in ("C", "TESTS", "TOOLS", "EXAMPLES"):
             toolchain.cache_variables[f"WAYWRIGHT_BUILD_{part}"] = False
         toolchain.cache_variables["WAYWRIGHT_INSTALL"] = True
         toolchain.generate()

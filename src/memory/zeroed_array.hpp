@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
+
+#include "memory/zeroed_memory.hpp"
 
 namespace waywright::memory {
 
@@ -47,11 +48,11 @@ class ZeroedArray {
 
  private:
   struct Free {
-    void operator()(Value* values) const { std::free(values); }
+    void operator()(Value* values) const { free_zeroed(values); }
   };
 
   void grow(std::size_t size) {
-    std::unique_ptr<Value, Free> values(static_cast<Value*>(std::calloc(size, sizeof(Value))));
+    std::unique_ptr<Value, Free> values(static_cast<Value*>(allocate_zeroed(size, sizeof(Value))));
     if (values == nullptr) fail();
     if (size_ != 0) std::memcpy(static_cast<void*>(values.get()), values_.get(), size_ * sizeof(Value));
     values_ = std::move(values);

@@ -6,20 +6,12 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-void DiscChannel::begin(const DiscMap& map, const Point& start, const Point& goal) {
+void DiscChannel::begin(const DiscMap& map, const DiscEnds& ends) {
   map_ = &map;
-  start_ = start - map.origin;
-  goal_ = goal - map.origin;
+  ends_ = &ends;
   is_found_ = false;
-  surely_short_ = 4.0 * map.least_distance() * map.least_distance();
-  surely_long_ = map.surely_long();
   visited_.grow_to(std::size_t{3} * map.mesh().face_slots());
-  const locate::Located at_goal = map.walls.triangulation().locate(goal);
-  goal_face_ = at_goal.h;
-  goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
-  if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
-  dead_ends_.begin(map.mesh(), map.core, {goal_faces_, goal_faces_[0] == goal_faces_[1] ? 1U : 2U});
-  at_start_ = map.walls.triangulation().locate(start);
+  goal_face_ = ends.goal_face();
   marks_faces_ = true;
   has_seen_foot_ = false;
   restart();
@@ -30,7 +22,7 @@ void DiscChannel::restart() {
   open_.clear();
   exits_.clear();
   stamp_.next(1, visited_);
-  leave_start(at_start_);
+  leave_start(ends_->at_start());
 }
 
 void DiscChannel::leave_start(const locate::Located& location) {
@@ -38,7 +30,7 @@ void DiscChannel::leave_start(const locate::Located& location) {
   const bool is_on_edge = location.kind == locate::LocatedKind::edge;
   for (const HalfEdge first : {location.h, mesh.twin(location.h)}) {
     if (first != location.h && !is_on_edge) break;
-    if (is_goal_face(mesh::face(first))) is_found_ = true;
+    if (ends_->is_goal_face(mesh::face(first))) is_found_ = true;
   }
   if (is_found_) return;
   for (const HalfEdge first : {location.h, mesh.twin(location.h)}) {
@@ -46,9 +38,10 @@ void DiscChannel::leave_start(const locate::Located& location) {
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       const Point left = map_->position(mesh.target(h));
       const Point right = map_->position(mesh.origin(h));
-      const bool is_passage = (dead_ends_.passages(mesh::face(h)) >> (number(h) - 3 * number(mesh::face(h))) & 1U) != 0;
+      const bool is_passage =
+          (ends_->dead_ends().passages(mesh::face(h)) >> (number(h) - 3 * number(mesh::face(h))) & 1U) != 0;
       if ((h == first && is_on_edge) || !is_passage || !can_cross(h, squared_length(left - right))) continue;
-      follow({h, left, right, {start_, left, right}}, kNone);
+      follow({h, left, right, {ends_->start(), left, right}}, ChannelNode::kNone);
     }
   }
 }
@@ -63,9 +56,9 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
       continue;
     }
     const std::uint32_t index = open_.pop();
-    const Node node = nodes_[index];
+    const ChannelNode node = nodes_[index];
     ++expansions;
-    if (is_goal_face(mesh::face(node.entry))) {
+    if (ends_->is_goal_face(mesh::face(node.entry))) {
       collect(index);
       return true;
     }
@@ -86,7 +79,7 @@ bool DiscChannel::is_visited(HalfEdge entry) const {
 /// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
 /// as the disc is wide needs the exact decision.
 bool DiscChannel::can_cross(HalfEdge exit, double squared) const {
-  return squared > surely_long_ || (squared >= surely_short_ && !map_->is_closed(exit));
+  return squared > map_->surely_long || (squared >= map_->surely_short && !map_->is_closed(exit));
 }
 
 //          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
@@ -99,7 +92,7 @@ DiscChannel::Exits DiscChannel::exits_of(HalfEdge entry, const Point& left, cons
   const HalfEdge left_exit = mesh::previous(entry);
   const HalfEdge right_exit = mesh::next(entry);
   const std::uint32_t first = 3 * number(mesh::face(entry));
-  const unsigned passages = dead_ends_.passages(mesh::face(entry));
+  const unsigned passages = ends_->dead_ends().passages(mesh::face(entry));
   Exits exits;
   exits.apex = map_->position(map_->mesh().origin(left_exit));
   exits.is_left_open =
@@ -130,7 +123,7 @@ void DiscChannel::Channel::move_right(HalfEdge exit, const Point& to) {
   sight.move_right(right, left);
 }
 
-void DiscChannel::leave(const Node& node, std::uint32_t index) {
+void DiscChannel::leave(const ChannelNode& node, std::uint32_t index) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Channel channel{mesh::kNoHalfEdge, map_->position(mesh.origin(node.entry)),
                         map_->position(mesh.target(node.entry)), node.sight};
@@ -157,8 +150,9 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
     const mesh::Face f = mesh::face(entry);
     if (is_visited(entry)) return;
     const Exits exits = exits_of(entry, channel.left, channel.right);
-    if (is_goal_face(f) || (exits.is_left_open && exits.is_right_open)) {
-      const double bound = channel.sight.length_to(goal_) + kTieBreakWeight * distance(channel.left, goal_);
+    if (ends_->is_goal_face(f) || (exits.is_left_open && exits.is_right_open)) {
+      const double bound =
+          channel.sight.length_to(ends_->goal()) + kTieBreakWeight * distance(channel.left, ends_->goal());
       open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
       nodes_.push_back({exit, entry, before, channel.sight});
       return;
@@ -176,7 +170,7 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
 void DiscChannel::collect(std::uint32_t node) {
   is_found_ = true;
   goal_face_ = nodes_[node].entry;
-  for (std::uint32_t i = node; i != kNone; i = nodes_[i].before) {
+  for (std::uint32_t i = node; i != ChannelNode::kNone; i = nodes_[i].before) {
     // The exits between two nodes, backwards: go on from the first one, and reverse the piece.
     const std::size_t first = exits_.size();
     for (HalfEdge exit = nodes_[i].exit;;) {

@@ -7,7 +7,8 @@
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
-#include "path/dead_ends.hpp"
+#include "path/channel_node.hpp"
+#include "path/disc_ends.hpp"
 #include "path/disc_map.hpp"
 #include "path/open_list.hpp"
 #include "path/sight.hpp"
@@ -24,8 +25,8 @@ namespace waywright::path {
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006.
 class DiscChannel {
  public:
-  /// Starts a search. Requires: the disc is free at both ends. `map` does not change during the search.
-  void begin(const DiscMap& map, const Point& start, const Point& goal);
+  /// Starts a search. Requires: `ends` belongs to `map`. Neither changes during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   [[nodiscard]] bool is_found() const { return is_found_; }
@@ -35,15 +36,6 @@ class DiscChannel {
   [[nodiscard]] mesh::HalfEdge goal_face() const { return goal_face_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
-
-  /// A channel that the search has followed to a goal face, or to a face where it has a choice.
-  struct Node {
-    mesh::HalfEdge exit;   ///< the half-edge through which the channel left the face of the node before
-    mesh::HalfEdge entry;  ///< the half-edge through which it entered this node's face
-    std::uint32_t before;  ///< the node before, or kNone: the channel comes from a start face
-    Sight sight;
-  };
   /// A channel that the search is following.
   struct Channel {
     mesh::HalfEdge out;  ///< the last edge that it crossed
@@ -64,30 +56,23 @@ class DiscChannel {
   void restart();
   void leave_start(const locate::Located& location);
   void follow(Channel channel, std::uint32_t before);
-  void leave(const Node& node, std::uint32_t index);
+  void leave(const ChannelNode& node, std::uint32_t index);
   void collect(std::uint32_t node);
-  [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
   [[nodiscard]] bool is_visited(mesh::HalfEdge entry) const;
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const;
   [[nodiscard]] Exits exits_of(mesh::HalfEdge entry, const Point& left, const Point& right);
 
   const DiscMap* map_ = nullptr;
-  Point start_;
-  Point goal_;
-  locate::Located at_start_;
-  mesh::Face goal_faces_[2];
+  const DiscEnds* ends_ = nullptr;
   mesh::HalfEdge goal_face_;
-  double surely_short_ = 0.0;  ///< if the squared length of an edge is smaller, no position on it is free
-  double surely_long_ = 0.0;   ///< if the squared length of an edge is larger, a disc passes between its ends
   bool is_found_ = false;
   bool marks_faces_ = true;     ///< whether the search makes its choice at each face only once
   bool has_seen_foot_ = false;  ///< whether a foot bridge closed a passage from one edge of a face to another
 
-  std::vector<Node> nodes_;
+  std::vector<ChannelNode> nodes_;
   OpenList open_;                               ///< indices in `nodes_`
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by half-edge: where channels have entered a face
   memory::Stamp stamp_;
-  DeadEnds dead_ends_;
   std::vector<mesh::HalfEdge> exits_;
 };
 

@@ -26,13 +26,11 @@ Point unit(const Point& v) {
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goal) {
+void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) {
   map_ = &map;
-  start_ = start - map.origin;
-  goal_ = goal - map.origin;
+  ends_ = &ends;
+  limit_ = limit * (1.0 + 0x1p-40);  // allows for rounding
   is_found_ = false;
-  least_ = map.least_distance();
-  surely_long_ = map.surely_long();
   roots_.clear();
   windows_.clear();
   turns_.clear();
@@ -42,26 +40,21 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   open_.clear();
   stamp_.next(1, reached_);
   reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
-  const locate::Located at_goal = map.walls.triangulation().locate(goal);
-  goal_face_ = at_goal.h;
-  goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
-  if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
-  dead_ends_.begin(map.mesh(), map.core, {goal_faces_, goal_faces_[0] == goal_faces_[1] ? 1U : 2U});
-  roots_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, {}, kNone});
-  leave_start(map.walls.triangulation().locate(start));
+  roots_.push_back({{{ends_->start(), 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, {}, kNone});
+  leave_start(ends.at_start());
 }
 
 /// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a
 /// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
 /// beyond the edge.
 bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
-  if (map_->mesh().is_fixed(exit) || dead_ends_.is_before(exit)) return true;
+  if (map_->mesh().is_fixed(exit) || ends_->dead_ends().is_before(exit)) return true;
   const Point a = map_->position(map_->mesh().origin(exit));
   const Point b = map_->position(map_->mesh().target(exit));
   const double squared = squared_length(b - a);
-  if (squared > surely_long_) return false;
+  if (squared > map_->surely_long) return false;
   if (map_->is_closed(exit)) return true;
-  if (squared >= 4.0 * least_ * least_) return false;
+  if (squared >= map_->surely_short) return false;
   return root.end.contact.side == 0 ||
          squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
 }
@@ -115,12 +108,15 @@ void DiscOptimal::leave_start(const locate::Located& location) {
   const bool is_on_edge = location.kind == locate::LocatedKind::edge;
   for (const HalfEdge first : {location.h, mesh.twin(location.h)}) {
     if (first != location.h && !is_on_edge) break;
-    if (is_goal_face(mesh::face(first))) push_goal(0, {unit(goal_ - start_), waywright::length(goal_ - start_)});
+    if (ends_->is_goal_face(mesh::face(first)))
+      push_goal(0, {unit(ends_->goal() - ends_->start()), waywright::length(ends_->goal() - ends_->start())});
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       if ((h == first && is_on_edge) || is_excluded(roots_[0], h)) continue;
       const Vertex left = mesh.target(h);
       const Vertex right = mesh.origin(h);
-      offer({mesh.twin(h), 0, {{map_->position(right) - start_, right}, {map_->position(left) - start_, left}}});
+      offer({mesh.twin(h),
+             0,
+             {{map_->position(right) - ends_->start(), right}, {map_->position(left) - ends_->start(), left}}});
     }
   }
 }
@@ -132,7 +128,7 @@ void DiscOptimal::follow(Window window) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   for (int faces = 1;; ++faces) {
     ++expansions_;
-    if (is_goal_face(mesh::face(window.entry))) reach_goal(window);
+    if (ends_->is_goal_face(mesh::face(window.entry))) reach_goal(window);
     const Root& root = roots_[window.root];
     const Point apex = map_->position(mesh.apex(window.entry));
     const HalfEdge right_exit = mesh::next(window.entry);
@@ -180,7 +176,7 @@ void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
   const Root& root = roots_[window.root];
   const bool can_continue = !is_excluded(root, near_edge) || (sees_apex && !is_excluded(root, far_edge));
-  if (!can_continue && !is_goal_face(mesh::face(window.entry))) return;
+  if (!can_continue && !ends_->is_goal_face(mesh::face(window.entry))) return;
   const auto line = tangent(root.end.contact, end_at(v, side).contact, map_->radius);
   if (line) push_turn(window.root, corner, side, *line, kNone);
 }
@@ -199,8 +195,10 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
+  const double least = length + distance(touching, ends_->goal());
+  if (least > limit_) return;
   turns_.push_back({corner, root, v, turn, line, length, then});
-  open_.push(length + distance(touching, goal_), static_cast<std::uint32_t>(2 * turns_.size() - 1));
+  open_.push(least, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
 DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
@@ -210,15 +208,16 @@ DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
 }
 
 void DiscOptimal::reach_goal(const Window& window) {
-  if (side_of(window, 1, goal_) > 0 || side_of(window, -1, goal_) < 0) return;
-  const auto line = tangent(roots_[window.root].end.contact, {goal_, 0}, map_->radius);
+  if (side_of(window, 1, ends_->goal()) > 0 || side_of(window, -1, ends_->goal()) < 0) return;
+  const auto line = tangent(roots_[window.root].end.contact, {ends_->goal(), 0}, map_->radius);
   if (line) push_goal(window.root, *line);
 }
 
 void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
   if (turns_back(roots_[root], line.direction)) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
-  turns_.push_back({goal_face_, root, mesh::kNoVertex, 0, line, length, kNone});
+  if (length > limit_) return;
+  turns_.push_back({ends_->goal_face(), root, mesh::kNoVertex, 0, line, length, kNone});
   open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
@@ -228,6 +227,7 @@ void DiscOptimal::offer(const Window& window) {
     at_once_.push_back(window);
     return;
   }
+  if (least > limit_) return;
   windows_.push_back(window);
   open_.push(least, static_cast<std::uint32_t>(2 * windows_.size() - 2));
 }
@@ -240,8 +240,8 @@ double DiscOptimal::bound(const Window& window) const {
   const Point from = touching_point(root.end.contact, root.direction, map_->radius);
   const Point left = map_->position(mesh.origin(window.entry));
   const Point right = map_->position(mesh.target(window.entry));
-  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, goal_);
-  return root.length + distance_via_segment(from, left, right, goal_);
+  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, ends_->goal());
+  return root.length + distance_via_segment(from, left, right, ends_->goal());
 }
 
 // Takes the turn by value: new turns may move the memory of `turns_`.
@@ -280,7 +280,8 @@ void DiscOptimal::expand(std::uint32_t index) {
 
 void DiscOptimal::try_goal(std::uint32_t index) {
   const Turn turn = turns_[index];
-  if (!line_.is_clear(*map_, roots_[turn.root].end, {{goal_, 0}, mesh::kNoVertex}, turn.line, goal_face_)) {
+  if (!line_.is_clear(*map_, roots_[turn.root].end, {{ends_->goal(), 0}, mesh::kNoVertex}, turn.line,
+                      ends_->goal_face())) {
     return push_obstacles(index, line_.left(), line_.right());
   }
   is_found_ = true;
@@ -322,7 +323,7 @@ void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
   if (then == kNone) return;
   const Turn next = turns_[then];
   if (next.vertex == mesh::kNoVertex) {
-    if (const auto line = tangent(roots_[root].end.contact, {goal_, 0}, map_->radius)) push_goal(root, *line);
+    if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), 0}, map_->radius)) push_goal(root, *line);
     return;
   }
   const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
@@ -378,8 +379,8 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     const Vertex end = mesh.target(spoke);
     Bound last{map_->position(end) - contact.centre, end};
     if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
-    if (is_goal_face(mesh::face(at))) {
-      if (const auto line = tangent(contact, {goal_, 0}, map_->radius)) push_goal(root_index, *line);
+    if (ends_->is_goal_face(mesh::face(at))) {
+      if (const auto line = tangent(contact, {ends_->goal(), 0}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
     if (!is_outside(root, far_edge)) {
@@ -400,7 +401,7 @@ void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) {
     departure = roots_[i].direction;
   }
   std::reverse(stops_.begin(), stops_.end());
-  write_disc_pieces(*map_, stops_, goal_, pieces);
+  write_disc_pieces(*map_, stops_, ends_->goal(), pieces);
 }
 
 }  // namespace waywright::path

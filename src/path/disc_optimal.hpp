@@ -6,7 +6,7 @@
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
-#include "path/dead_ends.hpp"
+#include "path/disc_ends.hpp"
 #include "path/disc_line.hpp"
 #include "path/disc_map.hpp"
 #include "path/disc_pieces.hpp"
@@ -33,8 +33,9 @@ namespace waywright::path {
 /// point on a convex mesh.
 class DiscOptimal {
  public:
-  /// Starts a search. Requires: the disc is free at both ends. `map` does not change during the search.
-  void begin(const DiscMap& map, const Point& start, const Point& goal);
+  /// Starts a search for a path that is not longer than `limit`. Requires: `ends` belongs to `map`. Neither changes
+  /// during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends, double limit);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   [[nodiscard]] bool is_found() const { return is_found_; }
@@ -127,23 +128,18 @@ class DiscOptimal {
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
   void leave_root(std::uint32_t root, mesh::HalfEdge corner);
 
-  [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
     return root.length + arc_length(root.end.contact, root.direction, direction, map_->radius);
   }
   [[nodiscard]] double bound(const Window& window) const;
 
   const DiscMap* map_ = nullptr;
-  Point start_;
-  Point goal_;
-  mesh::Face goal_faces_[2];
-  mesh::HalfEdge goal_face_;
+  const DiscEnds* ends_ = nullptr;
   bool is_found_ = false;
   double length_ = 0.0;
+  double limit_ = 0.0;  ///< the search leaves out what leads only to longer paths
   std::uint32_t last_root_ = kNone;
   Point last_direction_;
-  double least_ = 0.0;          ///< a line must not be nearer to a vertex than this
-  double surely_long_ = 0.0;    ///< a disc passes between the ends of an edge whose squared length is larger
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   std::size_t expansions_ = 0;
 
@@ -155,7 +151,6 @@ class DiscOptimal {
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
   OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turns_` + 1
   DiscLine line_;
-  DeadEnds dead_ends_;
   std::vector<DiscStop> stops_;           ///< of the path that was found
   memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn
   memory::Stamp stamp_;

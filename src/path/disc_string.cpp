@@ -7,11 +7,10 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-bool DiscString::find(const DiscMap& map, const Point& start, const Point& goal, std::span<const HalfEdge> exits,
-                      HalfEdge goal_face) {
+bool DiscString::find(const DiscMap& map, const DiscEnds& ends, std::span<const HalfEdge> exits, HalfEdge goal_face) {
   map_ = &map;
-  start_ = start - map.origin;
-  goal_ = goal - map.origin;
+  start_ = ends.start();
+  goal_ = ends.goal();
   goal_face_ = goal_face;
   stops_.clear();
   is_funnel_open_ = true;
@@ -196,6 +195,16 @@ DiscString::Step DiscString::test_arc(std::size_t i) {
   if (!is_beyond(limit, contact, arrival, stop.line.direction)) return Step::forward;
   if (limit.limit == mesh::kNoHalfEdge) return Step::failed;
   return insert(i + 1, stop_at(limit.limit, contact.side));
+}
+
+double DiscString::length() const {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
+    const Stop& stop = stops_[i];
+    if (i > 0) length += arc_length(stop.end.contact, stops_[i - 1].line.direction, stop.line.direction, map_->radius);
+    length += stop.line.length;
+  }
+  return length;
 }
 
 void DiscString::write_path(std::vector<DiscPiece>& pieces) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "path/disc_ends.hpp"
 #include "path/disc_line.hpp"
 #include "path/disc_map.hpp"
 #include "path/disc_pieces.hpp"
@@ -23,8 +24,10 @@ class DiscString {
  public:
   /// Computes the string. `exits` are the edges that the channel crosses, and `goal_face` is a half-edge of the face in
   /// which it ends. Returns false if it finds no string: there may still be a path. A string that it finds is a path.
-  [[nodiscard]] bool find(const DiscMap& map, const Point& start, const Point& goal,
-                          std::span<const mesh::HalfEdge> exits, mesh::HalfEdge goal_face);
+  [[nodiscard]] bool find(const DiscMap& map, const DiscEnds& ends, std::span<const mesh::HalfEdge> exits,
+                          mesh::HalfEdge goal_face);
+  /// The length of the path. Requires: the last call of find() returned true.
+  [[nodiscard]] double length() const;
   /// Writes the pieces of the path. Requires: the last call of find() returned true.
   void write_path(std::vector<DiscPiece>& pieces);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -20,6 +21,9 @@
 namespace waywright {
 
 namespace {
+
+using Stage = detail::DiscSearch::Stage;
+using Outcome = detail::DiscSearch::Outcome;
 
 /// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends. Leaves out a line
 /// without length, and an arc that turns by less than a double can express.
@@ -50,48 +54,61 @@ void write_path(detail::DiscSearch& disc, Path& path) {
   path.pieces.back().to = disc.goal;
   // The length of the rounded pieces, as Path::at computes it.
   path.length = path::length_of(path.pieces);
-  path.lower_bound = disc.stage == detail::DiscSearch::Stage::shortest
-                         ? path.length
-                         : std::min(path.length, distance(disc.start, disc.goal));
+  path.lower_bound =
+      disc.stage == Stage::shortest ? path.length : std::min(path.length, distance(disc.start, disc.goal));
 }
 
-/// Starts a stage of the search.
-void begin_stage(detail::DiscSearch& disc, detail::DiscSearch::Stage stage) {
-  disc.stage = stage;
-  disc.is_found = false;
-  if (stage == detail::DiscSearch::Stage::channel) {
-    disc.channel.begin(*disc.map, disc.start, disc.goal);
-  } else {
-    disc.shortest.begin(*disc.map, disc.start, disc.goal);
-  }
+/// Tests the straight line from start to goal. If no wall is near it, writes it as the path and returns true.
+bool find_straight(detail::DiscSearch& disc) {
+  const path::DiscLine::End from{{disc.ends.start(), 0}, mesh::kNoVertex};
+  const path::DiscLine::End to{{disc.ends.goal(), 0}, mesh::kNoVertex};
+  const auto line = path::tangent(from.contact, to.contact, disc.map->radius);
+  if (!line || !disc.line.is_clear(*disc.map, from, to, *line, disc.ends.goal_face())) return false;
+  disc.length = line->length;
+  disc.pieces.assign({{disc.start, disc.goal, {}, 0, line->direction, {}}});
+  disc.outcome = Outcome::found;
+  return true;
 }
 
-/// Continues the stage with the channel. If the stage finds a path, writes its pieces.
+/// Starts the second stage of the search.
+void begin_shortest(detail::DiscSearch& disc) {
+  disc.stage = Stage::shortest;
+  disc.shortest.begin(*disc.map, disc.ends, disc.length);
+}
+
+/// Continues the stage with the channel. If it finds a string, writes its pieces.
 void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  disc.is_stage_done = disc.channel.step(limit, expansions);
-  if (!disc.channel.is_found()) return;
-  disc.is_found = disc.string.find(*disc.map, disc.start, disc.goal, disc.channel.exits(), disc.channel.goal_face());
-  if (disc.is_found) disc.string.write_path(disc.pieces);
+  if (!disc.channel.step(limit, expansions)) return;
+  if (!disc.channel.is_found()) {
+    disc.outcome = Outcome::none;
+    return;
+  }
+  if (disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) {
+    disc.string.write_path(disc.pieces);
+    disc.length = disc.string.length();
+    if (!disc.wants_shortest) {
+      disc.outcome = Outcome::found;
+      return;
+    }
+  }
+  begin_shortest(disc);
 }
 
-/// Continues the stage that finds the shortest path. If the stage finds it, writes its pieces.
+/// Continues the stage that finds the shortest path. If it is shorter than the string, writes its pieces.
 void step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  disc.is_stage_done = disc.shortest.step(limit, expansions);
-  disc.is_found = disc.shortest.is_found();
-  if (disc.is_found) disc.shortest.write_path(disc.pieces);
+  if (!disc.shortest.step(limit, expansions)) return;
+  if (disc.shortest.is_found() && disc.shortest.length() < disc.length) {
+    disc.shortest.write_path(disc.pieces);
+    disc.length = disc.shortest.length();
+  }
+  disc.outcome = std::isinf(disc.length) ? Outcome::none : Outcome::found;
 }
 
 /// Continues the search. Returns whether it has ended.
 bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  using Stage = detail::DiscSearch::Stage;
-  const bool is_channel = disc.stage == Stage::channel;
-  is_channel ? step_channel(disc, limit, expansions) : step_shortest(disc, limit, expansions);
-  if (!disc.is_stage_done) return false;
-  const bool cannot_be_found = is_channel && !disc.channel.is_found();
-  if (disc.is_found || disc.is_last_stage || cannot_be_found) return true;
-  disc.is_last_stage = true;
-  begin_stage(disc, is_channel ? Stage::shortest : Stage::channel);
-  return step(disc, limit, expansions);
+  if (disc.stage == Stage::channel) step_channel(disc, limit, expansions);
+  if (disc.stage == Stage::shortest && disc.outcome == Outcome::running) step_shortest(disc, limit, expansions);
+  return disc.outcome != Outcome::running;
 }
 
 /// Writes the time since the start of the search, if the query wants it.
@@ -142,30 +159,29 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
   return nearest_fit_of_disc(nearest, scratch);
 }
 
-/// Prepares searches from a start, for one goal after the other. Requires: the disc is free there.
-void World::Impl::set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const {
+/// Starts the search for a path, or finds the straight line. Requires: the disc is free at both ends.
+void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   const bool has_abstraction = abstraction && &walls == &triangulation;
-  disc.start = start;
-  disc.map.emplace(walls, clearance->bridges(), radius, start, has_abstraction ? &abstraction->core() : nullptr);
-}
-
-/// Starts the search for a goal. Requires: the disc is free there.
-void World::Impl::begin_disc_search(const Point& goal, PathAlgorithm algorithm, detail::QueryScratch& scratch) const {
-  detail::DiscSearch& disc = scratch.disc_search;
-  disc.goal = goal;
-  disc.is_done = false;
-  disc.is_last_stage = false;
-  using Stage = detail::DiscSearch::Stage;
-  begin_stage(disc, algorithm == PathAlgorithm::tra ? Stage::channel : Stage::shortest);
+  disc.start = query.start;
+  disc.goal = query.goal;
+  disc.map.emplace(walls, clearance->bridges(), query.radius, query.start,
+                   has_abstraction ? &abstraction->core() : nullptr);
+  disc.ends.begin(*disc.map, query.start, query.goal);
+  disc.stage = Stage::channel;
+  disc.outcome = Outcome::running;
+  if (find_straight(disc)) return;
+  disc.wants_shortest = query.algorithm != PathAlgorithm::tra;
+  disc.length = std::numeric_limits<double>::infinity();
+  disc.channel.begin(*disc.map, disc.ends);
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   path::clear(path);
   path.radius = query.radius;
   detail::DiscSearch& disc = scratch.disc_search;
-  disc.is_done = true;
+  disc.outcome = Outcome::none;
   disc.begun.reset();
   if (query.wants_time) disc.begun = std::chrono::steady_clock::now();
   PathQuery freed = query;
@@ -173,17 +189,18 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
     write_time(disc, path);
     return true;
   }
-  set_disc_start(freed.start, query.radius, scratch);
-  begin_disc_search(freed.goal, query.algorithm, scratch);
-  return false;
+  begin_disc_search(freed, scratch);
+  if (disc.outcome == Outcome::running) return false;
+  write_path(disc, path);
+  write_time(disc, path);
+  return true;
 }
 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
-  if (disc.is_done) return true;
-  disc.is_done = step(disc, limit, path.expansions);
-  if (!disc.is_done) return false;
-  if (disc.is_found) {
+  if (disc.outcome != Outcome::running) return true;
+  if (!step(disc, limit, path.expansions)) return false;
+  if (disc.outcome == Outcome::found) {
     write_path(disc, path);
   } else {
     WidestPath widest;
@@ -197,30 +214,18 @@ bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratc
 void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::QueryScratch& scratch,
                                        std::vector<Path>& paths) const {
   paths.resize(query.goals.size());
-  for (Path& path : paths) {
-    path::clear(path);
-    path.radius = query.radius;
-  }
-  if (paths.empty()) return;
-  PathQuery freed{.start = query.start, .goal = {}, .radius = query.radius, .end_tolerance = query.end_tolerance};
-  if (!free_disc_end(freed, true, std::nullopt, scratch, paths.front())) {
-    for (Path& path : paths) {
-      path.status = PathStatus::start_blocked;
-      path.blockers = scratch.fit.items;
-    }
-    return;
-  }
-  scratch.disc_search.begun.reset();
-  set_disc_start(freed.start, query.radius, scratch);
-  const std::optional<MovedEnd> moved_start = paths.front().moved_start;
+  PathQuery single{.start = query.start,
+                   .goal = {},
+                   .radius = query.radius,
+                   .algorithm = PathAlgorithm::optimal,
+                   .end_tolerance = query.end_tolerance};
   std::size_t expansions = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Path& path = paths[i];
-    path.moved_start = moved_start;
-    freed.goal = query.goals[i];
-    if (!free_disc_end(freed, false, freed.start, scratch, path)) continue;
-    begin_disc_search(freed.goal, PathAlgorithm::optimal, scratch);
-    step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
+    single.goal = query.goals[i];
+    if (!begin_disc_path(single, scratch, path)) {
+      step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
+    }
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();
   }

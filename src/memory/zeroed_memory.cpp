@@ -1,0 +1,10 @@
+#include "memory/zeroed_memory.hpp"
+
+#include <cstdlib>
+
+namespace waywright::memory {
+
+void* allocate_zeroed(std::size_t count, std::size_t size) noexcept { return std::calloc(count, size); }
+void free_zeroed(void* memory) noexcept { std::free(memory); }
+
+}  // namespace waywright::memory
