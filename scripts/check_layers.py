@@ -51,6 +51,7 @@ ROOMS = {
     "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "path.hpp"}, BOOST),
     "src/world": room(WORLD, ALL),
     "src/io": room(["base", "text"], ALL),
+    "bindings/python": room([], ALL, ("pybind11/",)),
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
     "tools": room(["base"], ALL, ALL),
     "tools/formats": room(["base", "text"], ALL, ALL),

@@ -1,0 +1,182 @@
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "bind.hpp"
+
+// The answers of queries other than paths.
+
+namespace waywright::python {
+
+namespace {
+
+std::string text_of(double number) {
+  char* const text = PyOS_double_to_string(number, 'r', 0, Py_DTSF_ADD_DOT_0, nullptr);
+  const std::string result = text;
+  PyMem_Free(text);
+  return result;
+}
+
+std::string text_of(const std::vector<ItemId>& ids) {
+  std::string text = "[";
+  for (const ItemId id : ids) text += (text.size() > 1 ? ", " : "") + std::to_string(id.value);
+  return text + "]";
+}
+
+void bind_location(py::module_& module) {
+  py::class_<Location>(module, "Location", "The answer of World.locate(): what the mesh has at a point.")
+      .def_property_readonly(
+          "kind", [](const Location& self) { return self.kind; }, "'vertex', 'edge' or 'face'.")
+      .def_property_readonly(
+          "vertices",
+          [](const Location& self) {
+            py::list vertices;
+            for (std::size_t i = 0; i < self.vertex_count; ++i) vertices.append(self.vertices[i]);
+            return vertices;
+          },
+          "The vertex, the two ends of the edge, or the three vertices of the face.")
+      .def_property_readonly(
+          "polygons", [](const Location& self) { return self.polygons; },
+          "The ids of the polygons that contain the point, ascending.")
+      .def("__repr__",
+           [](const Location& self) {
+             return "<waywright.Location " + std::string(to_string(self.kind)) + ", polygons " +
+                    text_of(self.polygons) + ">";
+           })
+      .def(py::pickle(
+          [](const Location& self) {
+            return py::make_tuple(self.kind, self.vertices, self.vertex_count, bytes_of(self.polygons));
+          },
+          [](const py::tuple& state) {
+            return Location{state[0].cast<LocationKind>(), state[1].cast<std::array<Point, 3>>(),
+                            state[2].cast<std::size_t>(), from_bytes<ItemId>(state[3].cast<py::bytes>())};
+          }));
+}
+
+void bind_ray_hit(py::module_& module) {
+  py::class_<RayHit>(
+      module, "RayHit",
+      "The answer of World.ray() and World.sweep_disc(): the first wall that the ray or the disc touches.")
+      .def_property_readonly(
+          "hit", [](const RayHit& self) { return self.hit; }, "Whether there is a wall.")
+      .def_property_readonly(
+          "at", [](const RayHit& self) { return self.at; },
+          "Where the segment touches the wall, or where the centre of the disc is then.")
+      .def_property_readonly(
+          "contact", [](const RayHit& self) { return self.contact; },
+          "The position on the walls that is nearest to ``at``.")
+      .def_property_readonly(
+          "items", [](const RayHit& self) { return self.items; },
+          "The ids of the items that are touched, ascending; 0 is the border of the domain.")
+      .def("__bool__", [](const RayHit& self) { return self.hit; })
+      .def(
+          "__eq__", [](const RayHit& a, const RayHit& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const RayHit& self) {
+             if (!self.hit) return std::string("<waywright.RayHit none>");
+             return "<waywright.RayHit at " + to_string(self.at) + ", items " + text_of(self.items) + ">";
+           })
+      .def(py::pickle(
+          [](const RayHit& self) { return py::make_tuple(self.hit, self.at, bytes_of(self.items), self.contact); },
+          [](const py::tuple& state) {
+            return RayHit{state[0].cast<bool>(), state[1].cast<Point>(), from_bytes<ItemId>(state[2].cast<py::bytes>()),
+                          state[3].cast<Point>()};
+          }));
+}
+
+void bind_fits(py::module_& module) {
+  py::class_<DiscFit>(module, "DiscFit", "The answer of World.fit_disc(): whether a disc fits at a position.")
+      .def_property_readonly(
+          "fits", [](const DiscFit& self) { return self.fits; }, "Whether the disc fits.")
+      .def_property_readonly(
+          "items", [](const DiscFit& self) { return self.items; },
+          "The ids of the items that stop the disc, ascending; 0 is the border of the domain.")
+      .def("__bool__", [](const DiscFit& self) { return self.fits; })
+      .def(
+          "__eq__", [](const DiscFit& a, const DiscFit& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const DiscFit& self) {
+             return self.fits ? "<waywright.DiscFit fits>"
+                              : "<waywright.DiscFit stopped by " + text_of(self.items) + ">";
+           })
+      .def(py::pickle([](const DiscFit& self) { return py::make_tuple(self.fits, bytes_of(self.items)); },
+                      [](const py::tuple& state) {
+                        return DiscFit{state[0].cast<bool>(), from_bytes<ItemId>(state[1].cast<py::bytes>())};
+                      }));
+  py::class_<NearestFit>(module, "NearestFit",
+                         "The answer of World.nearest_fit(): the nearest point where a disc fits.")
+      .def_property_readonly(
+          "is_found", [](const NearestFit& self) { return self.is_found; }, "Whether the disc fits somewhere.")
+      .def_property_readonly(
+          "at", [](const NearestFit& self) { return self.at; }, "Where the disc fits.")
+      .def_property_readonly(
+          "distance", [](const NearestFit& self) { return self.distance; },
+          "The distance from the point of the query to ``at``.")
+      .def("__bool__", [](const NearestFit& self) { return self.is_found; })
+      .def(
+          "__eq__", [](const NearestFit& a, const NearestFit& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const NearestFit& self) {
+             if (!self.is_found) return std::string("<waywright.NearestFit none>");
+             return "<waywright.NearestFit at " + to_string(self.at) + ", " + text_of(self.distance) + " away>";
+           })
+      .def(py::pickle([](const NearestFit& self) { return py::make_tuple(self.is_found, self.at, self.distance); },
+                      [](const py::tuple& state) {
+                        return NearestFit{state[0].cast<bool>(), state[1].cast<Point>(), state[2].cast<double>()};
+                      }));
+}
+
+void bind_widest(py::module_& module) {
+  py::class_<WidestPath>(module, "WidestPath",
+                         "The largest disc that gets from a start to a goal, and the gap that stops "
+                         "every larger disc.")
+      .def_property_readonly(
+          "is_connected", [](const WidestPath& self) { return self.is_connected; },
+          "Whether the walls leave a connection at all.")
+      .def_property_readonly(
+          "is_limited", [](const WidestPath& self) { return self.is_limited; }, "Whether a gap limits the disc.")
+      .def_property_readonly(
+          "radius", [](const WidestPath& self) { return self.radius; }, "The largest radius.")
+      .def_property_readonly(
+          "gap", [](const WidestPath& self) { return py::make_tuple(self.from, self.to); }, "The two ends of the gap.")
+      .def_property_readonly(
+          "from_items", [](const WidestPath& self) { return self.from_items; },
+          "The ids of the items at the first end of the gap.")
+      .def_property_readonly(
+          "to_items", [](const WidestPath& self) { return self.to_items; },
+          "The ids of the items at the second end of the gap.")
+      .def(
+          "__eq__", [](const WidestPath& a, const WidestPath& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const WidestPath& self) {
+             if (!self.is_connected) return std::string("<waywright.WidestPath not connected>");
+             std::string text = "<waywright.WidestPath radius " + text_of(self.radius);
+             if (self.is_limited) text += ", gap " + to_string(self.from) + " to " + to_string(self.to);
+             return text + ">";
+           })
+      .def(py::pickle(
+          [](const WidestPath& self) {
+            return py::make_tuple(self.is_connected, self.is_limited, self.radius, self.from, self.to,
+                                  bytes_of(self.from_items), bytes_of(self.to_items));
+          },
+          [](const py::tuple& state) {
+            return WidestPath{state[0].cast<bool>(),
+                              state[1].cast<bool>(),
+                              state[2].cast<double>(),
+                              state[3].cast<Point>(),
+                              state[4].cast<Point>(),
+                              from_bytes<ItemId>(state[5].cast<py::bytes>()),
+                              from_bytes<ItemId>(state[6].cast<py::bytes>())};
+          }));
+}
+
+}  // namespace
+
+void bind_answers(py::module_& module) {
+  bind_location(module);
+  bind_ray_hit(module);
+  bind_fits(module);
+  bind_widest(module);
+}
+
+}  // namespace waywright::python

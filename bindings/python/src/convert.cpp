@@ -1,0 +1,131 @@
+#include "convert.hpp"
+
+#include <cstring>
+#include <string>
+
+namespace waywright::python {
+
+static_assert(sizeof(Point) == 2 * sizeof(double) && sizeof(ItemId) == sizeof(std::uint64_t),
+              "arrays of NumPy share the memory of points and ids");
+
+namespace {
+
+/// Reads a number. Returns whether the object is one.
+bool read_number(PyObject* object, double& number) {
+  if (PyFloat_CheckExact(object)) {
+    number = PyFloat_AS_DOUBLE(object);
+    return true;
+  }
+  number = PyFloat_AsDouble(object);
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return true;
+  PyErr_Clear();
+  return false;
+}
+
+/// Reads `count` numbers from a sequence of this length.
+bool read_numbers(PyObject* object, Py_ssize_t count, double* numbers) {
+  if (!PyList_Check(object) && !PyTuple_Check(object)) {
+    if (PyUnicode_Check(object) || PyBytes_Check(object) || PySequence_Check(object) == 0) return false;
+    const py::object list = py::reinterpret_steal<py::object>(PySequence_List(object));
+    if (list) return read_numbers(list.ptr(), count, numbers);
+    PyErr_Clear();
+    return false;
+  }
+  if (PySequence_Fast_GET_SIZE(object) != count) return false;
+  PyObject** const items = PySequence_Fast_ITEMS(object);
+  for (Py_ssize_t i = 0; i < count; ++i) {
+    if (!read_number(items[i], numbers[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool read_point(py::handle object, Point& point) {
+  double numbers[2];
+  if (read_numbers(object.ptr(), 2, numbers)) {
+    point = {numbers[0], numbers[1]};
+    return true;
+  }
+  if (!py::hasattr(object, "__geo_interface__")) return false;
+  const py::object geometry = object.attr("__geo_interface__");
+  if (!py::isinstance<py::dict>(geometry) || !geometry.contains("coordinates")) return false;
+  return py::object(geometry["type"]).equal(py::str("Point")) &&
+         read_numbers(py::object(geometry["coordinates"]).ptr(), 2, numbers) &&
+         (point = {numbers[0], numbers[1]}, true);
+}
+
+bool read_box(py::handle object, Box& box) {
+  double numbers[4];
+  if (read_numbers(object.ptr(), 4, numbers)) {
+    box = {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+    return true;
+  }
+  if (PySequence_Check(object.ptr()) == 0 || PyUnicode_Check(object.ptr())) return false;
+  const py::list ends(py::reinterpret_borrow<py::object>(object));
+  return ends.size() == 2 && read_point(ends[0], box.min) && read_point(ends[1], box.max);
+}
+
+bool read_id(py::handle object, ItemId& id) {
+  if (object.is_none()) {
+    id = {};
+    return true;
+  }
+  const py::object number = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));
+  if (!number) {
+    PyErr_Clear();
+    return false;
+  }
+  int overflow = 0;
+  const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+  // The library refuses each id above its largest one, so also this one for numbers that are too large or too small.
+  id = overflow != 0 ? ItemId(-1) : ItemId(value);
+  return true;
+}
+
+Shape read_shape(py::handle object) {
+  if (py::isinstance<Shape>(object)) return object.cast<const Shape&>();
+  return py::module_::import("waywright._geo").attr("shape_of")(object).cast<Shape>();
+}
+
+py::handle new_pair(double x, double y) {
+  PyObject* const pair = PyTuple_New(2);
+  PyObject* const first = PyFloat_FromDouble(x);
+  PyObject* const second = PyFloat_FromDouble(y);
+  if (pair == nullptr || first == nullptr || second == nullptr) throw py::error_already_set();
+  PyTuple_SET_ITEM(pair, 0, first);
+  PyTuple_SET_ITEM(pair, 1, second);
+  return pair;
+}
+
+std::span<const Point> PointsArg::span() const { return {reinterpret_cast<const Point*>(array.data()), size()}; }
+
+py::array view_points(std::span<const Point> points, py::handle owner) {
+  const auto count = static_cast<py::ssize_t>(points.size());
+  if (points.empty()) return py::array_t<double>(std::vector<py::ssize_t>{0, 2});
+  return view_numbers(&points.data()->x, {count, 2}, {sizeof(Point), sizeof(double)}, owner);
+}
+
+py::array own_points(std::vector<Point> points) {
+  auto* const kept = new std::vector<Point>(std::move(points));
+  const py::capsule owner(kept, [](void* pointer) { delete static_cast<std::vector<Point>*>(pointer); });
+  const auto count = static_cast<py::ssize_t>(kept->size());
+  return py::array_t<double>(std::vector<py::ssize_t>{count, 2}, reinterpret_cast<const double*>(kept->data()), owner);
+}
+
+py::array own_ids(std::vector<ItemId> ids) {
+  auto* const kept = new std::vector<ItemId>(std::move(ids));
+  const py::capsule owner(kept, [](void* pointer) { delete static_cast<std::vector<ItemId>*>(pointer); });
+  const auto count = static_cast<py::ssize_t>(kept->size());
+  return py::array_t<std::uint64_t>(count, reinterpret_cast<const std::uint64_t*>(kept->data()), owner);
+}
+
+void refuse_name(std::string_view name, const std::vector<std::string_view>& names) {
+  std::string text = "'" + std::string(name) + "' is none of ";
+  for (const std::string_view each : names) {
+    text += (each == names.front() ? "'" : ", '") + std::string(each) + "'";
+  }
+  throw py::value_error(text);
+}
+
+}  // namespace waywright::python

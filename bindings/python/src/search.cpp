@@ -1,0 +1,73 @@
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bind.hpp"
+#include "path.hpp"
+
+// Searches in slices.
+
+namespace waywright::python {
+
+namespace {
+
+/// A search, and the world that it searches.
+struct SearchHandle {
+  PathSearch search;
+  WorldPointer world;
+};
+
+void begin(SearchHandle& self, const WorldPointer& world, Point start, Point goal, double radius,
+           PathAlgorithm algorithm, std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
+           std::optional<double> budget_time) {
+  world->refuse_in_attempt();
+  const PathQuery query = query_of(start, goal, radius, algorithm, end_tolerance, budget_expansions, budget_time);
+  self.world = world;
+  world->read([&](const World& w) { self.search.begin(w, query).value(); });
+}
+
+bool step(SearchHandle& self, std::size_t expansions) {
+  if (!self.search.is_running()) return true;
+  self.world->refuse_in_attempt();
+  return self.world->read([&](const World&) { return self.search.step(expansions).value(); });
+}
+
+}  // namespace
+
+void bind_search(py::module_& module) {
+  py::class_<SearchHandle>(module, "PathSearch", R"(
+A path search in slices, for a search that takes longer than one frame of a program has.
+
+Between the slices the world may change: the search then continues, or starts again if the change concerns it.
+
+>>> search = waywright.PathSearch()
+>>> search.begin(world, (10, 45), (90, 45))
+>>> while not search.step(100):
+...     pass  # run one frame; it may insert and remove items
+>>> search.path.found
+True
+)")
+      .def(py::init([] { return std::make_unique<SearchHandle>(); }))
+      .def("begin", &begin, py::arg("world"), py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
+           py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
+           py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
+           "Starts a search, and cancels the search that is running, if there is one. See World.find_path().")
+      .def("step", &step, py::arg("expansions"),
+           "Continues the search for this number of triangles. Returns whether the search is done.")
+      .def_property_readonly(
+          "path", [](const SearchHandle& self) { return Path(self.search.path()); },
+          "A copy of the answer or, before the search is done, of the best path so far.")
+      .def_property_readonly(
+          "restarts", [](const SearchHandle& self) { return self.search.restarts(); },
+          "How often the search has started again because of changes of the world.")
+      .def_property_readonly(
+          "is_running", [](const SearchHandle& self) { return self.search.is_running(); },
+          "Whether a search has begun and is neither done nor cancelled.")
+      .def(
+          "cancel", [](SearchHandle& self) { self.search.cancel(); }, "Cancels the search.")
+      .def("__repr__", [](const SearchHandle& self) {
+        return std::string("<waywright.PathSearch ") + (self.search.is_running() ? "running>" : "not running>");
+      });
+}
+
+}  // namespace waywright::python

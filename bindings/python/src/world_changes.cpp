@@ -1,0 +1,120 @@
+#include <optional>
+
+#include "bind.hpp"
+
+// Several changes at once, going back, trying out, and what has changed.
+
+namespace waywright::python {
+
+namespace {
+
+/// Returns changes from a list of them, or the insertion of a geometry.
+std::vector<Change> changes_of(const py::object& source) {
+  if (py::isinstance<Change>(source)) return {source.cast<Change>()};
+  if (py::isinstance<Shape>(source) || py::isinstance<py::dict>(source) || py::hasattr(source, "__geo_interface__")) {
+    return {Change::insert(read_shape(source))};
+  }
+  std::vector<Change> changes;
+  for (const py::handle change : source) changes.push_back(change.cast<const Change&>());
+  return changes;
+}
+
+py::object changes_since(const WorldHandle& self, std::uint64_t since) {
+  std::vector<ChangedBox> boxes;
+  const bool has_all = self.read([&](const World& world) {
+    const auto all = world.changes_since(since);
+    if (all) boxes.assign(all->begin(), all->end());
+    return all.has_value();
+  });
+  if (!has_all) return py::none();
+  const py::object make = py::module_::import("waywright._batch").attr("ChangedBox");
+  py::list list;
+  for (const ChangedBox& box : boxes) list.append(make(box.version, box.box, box.is_insertion, box.is_removal));
+  return list;
+}
+
+void bind_history(WorldClass& world) {
+  world
+      .def(
+          "keep_history",
+          [](WorldHandle& self, std::size_t ticks) {
+            self.write([&](World& w) { w.keep_history(ticks); });
+            self.keeps_history = ticks > 0;
+          },
+          py::arg("ticks"), "Makes the world remember its last ``ticks`` ticks, so that rewind() can go back to them.")
+      .def(
+          "mark",
+          [](WorldHandle& self) {
+            if (!self.keeps_history) throw py::value_error("call keep_history() with 1 or more before mark()");
+            return self.write([](World& w) { return w.mark(); });
+          },
+          "Names the current state of the world. Returns its tick.")
+      .def(
+          "rewind",
+          [](WorldHandle& self, std::uint64_t tick) { self.write([&](World& w) { w.rewind(tick).value(); }); },
+          py::arg("tick"), R"(Brings back the state of the world at a tick.
+
+>>> world.keep_history(8)
+>>> tick = world.mark()
+>>> world.remove(1)
+>>> world.rewind(tick)
+>>> 1 in world
+True
+)");
+}
+
+}  // namespace
+
+void bind_world_changes(WorldClass& world) {
+  world
+      .def(
+          "apply",
+          [](WorldHandle& self, const py::object& changes) {
+            const std::vector<Change> list = changes_of(changes);
+            return self.write([&](World& w) { return w.apply(list).value(); });
+          },
+          py::arg("changes"),
+          "Makes several changes as one operation: all or, on an error, none. Returns the id of the item of each "
+          "change.")
+      .def(
+          "attempt",
+          [](const py::object& self, const py::object& changes, const py::function& question) {
+            return self.cast<WorldHandle&>().attempt(changes_of(changes), self, question);
+          },
+          py::arg("changes"), py::arg("question"),
+          R"(Makes changes, calls ``question(world)``, takes the changes back, and returns the answer of the question.
+
+The question may ask anything about the world, but must not change it. ``changes`` is a list of changes, or a geometry to
+insert.
+
+>>> wall = waywright.Shape.segment((30, 0), (30, 100))
+>>> world.attempt(wall, lambda changed: changed.find_path((10, 50), (90, 50)).found)
+False
+>>> world.find_path((10, 50), (90, 50)).found
+True
+)")
+      .def(
+          "would_disconnect",
+          [](WorldHandle& self, const py::object& changes, const PointsArg& points, double radius) {
+            const std::vector<Change> list = changes_of(changes);
+            return self.write([&](World& w) { return w.would_disconnect(list, points.span(), radius).value(); });
+          },
+          py::arg("changes"), py::arg("points"), py::arg("radius") = 0.0,
+          R"(Returns whether changes would wall an agent in: cut off one of the points from another, or block it.
+
+>>> world.would_disconnect(waywright.Shape.segment((30, 0), (30, 100)), [(10, 50), (90, 50)])
+True
+)")
+      .def(
+          "changes_since", &changes_since, py::arg("version"),
+          R"(Returns the boxes that the operations after a version have changed, or None if the world no longer has them.
+
+>>> before = world.version
+>>> world.remove(1)
+>>> world.changes_since(before)[0].box
+(40.0, 40.0, 60.0, 60.0)
+)");
+  bind_history(world);
+}
+
+}  // namespace waywright::python

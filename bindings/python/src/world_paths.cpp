@@ -1,0 +1,103 @@
+#include <memory>
+#include <optional>
+
+#include "bind.hpp"
+#include "path.hpp"
+
+// Queries for one path, and for the paths from one start.
+
+namespace waywright::python {
+
+namespace {
+
+std::unique_ptr<Path> find_path(const WorldHandle& self, Point start, Point goal, double radius,
+                                PathAlgorithm algorithm, std::optional<double> end_tolerance,
+                                std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
+                                bool wants_channel, bool wants_time) {
+  PathQuery query = query_of(start, goal, radius, algorithm, end_tolerance, budget_expansions, budget_time);
+  query.wants_channel = wants_channel;
+  query.wants_time = wants_time;
+  auto path = std::make_unique<Path>();
+  const ContextPool::Loan context(self.contexts());
+  self.read_long([&](const World& world) { world.find_path(query, *context, *path).value(); });
+  return path;
+}
+
+std::vector<Path> find_paths_from(const WorldHandle& self, Point start, const PointsArg& goals, double radius,
+                                  bool wants_points, std::optional<double> end_tolerance) {
+  const ManyGoalsQuery query{.start = start,
+                             .goals = goals.span(),
+                             .radius = radius,
+                             .wants_points = wants_points,
+                             .end_tolerance = end_tolerance};
+  const ContextPool::Loan context(self.contexts());
+  return self.read_long([&](const World& world) {
+    std::vector<Path> paths;
+    world.find_paths_from(query, *context, paths).value();
+    return paths;
+  });
+}
+
+void bind_affected(WorldClass& world) {
+  world
+      .def(
+          "is_affected",
+          [](const WorldHandle& self, const py::object& path, std::uint64_t since) {
+            if (py::isinstance<Path>(path)) {
+              const auto& known = path.cast<const Path&>();
+              return self.read([&](const World& w) { return w.is_affected(known, since); });
+            }
+            const auto points = path.cast<PointsArg>();
+            return self.read([&](const World& w) { return w.is_affected(points.span(), since); });
+          },
+          py::arg("path"), py::arg("version"),
+          "Returns whether a path or a list of points meets a box that an operation after a version has changed.")
+      .def(
+          "find_affected",
+          [](const WorldHandle& self, const py::iterable& paths, std::uint64_t since) {
+            std::vector<std::size_t> affected;
+            self.read([&](const World& w) {
+              std::size_t index = 0;
+              for (const py::handle path : paths) {
+                if (w.is_affected(path.cast<const Path&>(), since)) affected.push_back(index);
+                ++index;
+              }
+            });
+            return affected;
+          },
+          py::arg("paths"), py::arg("version"), "Returns the indices of the paths for which is_affected() is true.");
+}
+
+}  // namespace
+
+void bind_world_paths(WorldClass& world) {
+  world
+      .def("find_path", &find_path, py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
+           py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
+           py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
+           py::arg("wants_channel") = false, py::arg("wants_time") = false,
+           R"(Finds a path from a start to a goal. "No path" is an answer, not an error.
+
+With a radius above 0, it is the shortest path of a disc's centre, in Path.pieces; the world must keep its bridges.
+``algorithm`` is 'optimal', 'ta' (a first path quickly, and a better one with a budget) or 'tra' (for crowds).
+``end_tolerance``: the largest distance by which the search may move a blocked end. ``budget_expansions``: the number of
+triangles, ``budget_time``: the number of seconds that a search by 'ta' may use.
+
+>>> world.find_path((10, 45), (90, 45), radius=5)
+<waywright.Path found, length 83.30297354829254, 5 pieces, radius 5.0>
+>>> world.find_path((50, 50), (90, 45)).status
+'start-blocked'
+)")
+      .def("find_paths_from", &find_paths_from, py::arg("start"), py::arg("goals"), py::arg("radius") = 0.0,
+           py::kw_only(), py::arg("wants_points") = false, py::arg("end_tolerance") = py::none(),
+           R"(Finds the shortest path from a start to each goal. Returns a list of paths.
+
+With ``wants_points=False`` the paths have a status and a length only.
+
+>>> [round(path.length, 3) for path in world.find_paths_from((10, 50), [(90, 50), (90, 90)])]
+[83.246, 90.3]
+)");
+  bind_affected(world);
+}
+
+}  // namespace waywright::python

@@ -1,0 +1,162 @@
+#include <limits>
+#include <optional>
+
+#include "bind.hpp"
+
+// Queries about one point, segment, box or disc. The short ones keep the GIL: to release it takes longer than to
+// answer, and another busy thread would then keep it for milliseconds.
+
+namespace waywright::python {
+
+namespace {
+
+void bind_locating(WorldClass& world) {
+  world
+      .def(
+          "locate",
+          [](const WorldHandle& self, Point point) {
+            Location location;
+            const ContextPool::Loan context(self.contexts());
+            self.read([&](const World& w) { w.locate(point, *context, location).value(); });
+            return location;
+          },
+          py::arg("point"), R"(Finds the vertex, edge or face at a point, and the polygons there.
+
+>>> world.locate((50, 45))
+<waywright.Location face, polygons [1]>
+)")
+      .def(
+          "items_at",
+          [](const WorldHandle& self, Point point) {
+            std::vector<ItemId> items;
+            const ContextPool::Loan context(self.contexts());
+            self.read([&](const World& w) { w.items_at(point, *context, items).value(); });
+            return items;
+          },
+          py::arg("point"), "Returns the ids of the items that contain a point, ascending.")
+      .def(
+          "items_in",
+          [](const WorldHandle& self, const Box& box) {
+            const ContextPool::Loan context(self.contexts());
+            return own_ids(self.read_long([&](const World& w) {
+              std::vector<ItemId> items;
+              w.items_in(box, *context, items).value();
+              return items;
+            }));
+          },
+          py::arg("box"),
+          "Returns an array of the ids of the items that have a position in common with a box, ascending.");
+}
+
+void bind_segments(WorldClass& world) {
+  world
+      .def(
+          "items_crossed",
+          [](const WorldHandle& self, Point start, Point end) {
+            std::vector<CrossedItem> items;
+            const ContextPool::Loan context(self.contexts());
+            self.read([&](const World& w) { w.items_crossed(start, end, *context, items).value(); });
+            py::list list;
+            for (const CrossedItem& item : items) list.append(py::make_tuple(item.id, item.at));
+            return list;
+          },
+          py::arg("start"), py::arg("end"),
+          R"(Returns the items whose sides a segment meets, as pairs (id, position), from its start to its end.
+
+>>> world.items_crossed((50, 50), (50, 90))
+[(1, (50.0, 60.0)), (2, (50.0, 80.0))]
+)")
+      .def(
+          "ray",
+          [](const WorldHandle& self, Point start, Point end) {
+            RayHit hit;
+            self.read([&](const World& w) { w.ray(start, end, hit).value(); });
+            return hit;
+          },
+          py::arg("start"), py::arg("end"), R"(Finds the first wall that a segment touches, seen from its start.
+
+>>> world.ray((10, 50), (90, 50))
+<waywright.RayHit at (40, 50), items [1]>
+)");
+}
+
+void bind_discs(WorldClass& world) {
+  world
+      .def(
+          "sweep_disc",
+          [](const WorldHandle& self, Point start, Point end, double radius) {
+            RayHit hit;
+            const ContextPool::Loan context(self.contexts());
+            self.read([&](const World& w) { w.sweep_disc(start, end, radius, *context, hit).value(); });
+            return hit;
+          },
+          py::arg("start"), py::arg("end"), py::arg("radius"),
+          R"(Finds the first wall that a disc touches while its centre moves along a segment.
+
+>>> world.sweep_disc((10, 50), (90, 50), 5).at
+(35.0, 50.0)
+)")
+      .def(
+          "fit_disc",
+          [](const WorldHandle& self, Point centre, double radius) {
+            DiscFit fit;
+            const ContextPool::Loan context(self.contexts());
+            self.read([&](const World& w) { w.fit_disc(centre, radius, *context, fit).value(); });
+            return fit;
+          },
+          py::arg("centre"), py::arg("radius"), R"(Finds out whether a disc fits at a position.
+
+>>> world.fit_disc((30, 50), 12)
+<waywright.DiscFit stopped by [1]>
+)")
+      .def(
+          "nearest_fit",
+          [](const WorldHandle& self, Point point, double radius, std::optional<Point> goal, double limit) {
+            NearestFit fit;
+            const ContextPool::Loan context(self.contexts());
+            const NearestFitQuery query{.point = point, .radius = radius, .goal = goal, .limit = limit};
+            self.read_long([&](const World& w) { w.nearest_fit(query, *context, fit).value(); });
+            return fit;
+          },
+          py::arg("point"), py::arg("radius"), py::kw_only(), py::arg("goal") = py::none(),
+          py::arg("limit") = std::numeric_limits<double>::infinity(),
+          R"(Finds the point nearest to ``point`` where a disc fits; with ``goal``, and from which it gets to the goal.
+
+>>> world.nearest_fit((45, 50), 5)
+<waywright.NearestFit at (35, 50), 10.0 away>
+)")
+      .def(
+          "widest_path",
+          [](const WorldHandle& self, Point start, Point goal) {
+            WidestPath widest;
+            const ContextPool::Loan context(self.contexts());
+            self.read_long([&](const World& w) { w.widest_path(start, goal, *context, widest).value(); });
+            return widest;
+          },
+          py::arg("start"), py::arg("goal"), R"(Finds the largest disc that gets from a start to a goal.
+
+>>> world.widest_path((10, 70), (90, 70)).radius
+20.0
+)");
+}
+
+}  // namespace
+
+void bind_world_queries(WorldClass& world) {
+  bind_locating(world);
+  bind_segments(world);
+  bind_discs(world);
+  world.def(
+      "is_clear",
+      [](const WorldHandle& self, const PointsArg& points) {
+        const ContextPool::Loan context(self.contexts());
+        return self.read_long([&](const World& w) { return w.is_clear(points.span(), *context).value(); });
+      },
+      py::arg("points"), R"(Returns whether a point agent can walk along the straight segments between points.
+
+>>> world.is_clear([(10, 50), (40, 40), (90, 30)]), world.is_clear([(10, 50), (90, 50)])
+(True, False)
+)");
+}
+
+}  // namespace waywright::python

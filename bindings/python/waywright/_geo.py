@@ -1,0 +1,137 @@
+"""Conversions from and to GeoJSON, and so from and to Shapely and other libraries with ``__geo_interface__``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from waywright import _core
+
+Geometry = Mapping[str, Any]
+
+
+def geometry_of(source: Any) -> Geometry:
+    """Returns the GeoJSON geometry of an object: of a feature its geometry."""
+    if not isinstance(source, Mapping):
+        source = getattr(source, "__geo_interface__", None)
+        if not isinstance(source, Mapping):
+            raise TypeError("a geometry must be a Shape, a GeoJSON geometry, or an object with __geo_interface__")
+    if source.get("type") == "Feature":
+        return geometry_of(source["geometry"])
+    return source
+
+
+def _points(coordinates: Any) -> np.ndarray:
+    points = np.asarray(coordinates, dtype=np.float64)
+    if points.size == 0:
+        return points.reshape(0, 2)
+    if points.ndim != 2 or points.shape[1] < 2:
+        raise ValueError("the coordinates of a geometry must be pairs of numbers")
+    return np.ascontiguousarray(points[:, :2])
+
+
+def _polygon(rings: Iterable[Any]) -> _core.Shape:
+    """Returns a polygon. GeoJSON repeats the first point of a ring as its last one."""
+    lists = [_points(ring) for ring in rings]
+    lists = [ring[:-1] if len(ring) > 1 and (ring[0] == ring[-1]).all() else ring for ring in lists]
+    points = np.concatenate(lists) if lists else np.empty((0, 2))
+    return _core._shape("polygon", points, [0, *np.cumsum([len(ring) for ring in lists], dtype=int).tolist()])
+
+
+def shape_of(source: Any) -> _core.Shape:
+    """Returns the shape of a geometry that is one item.
+
+    A multi-polygon is one item with the rings of all its polygons.
+    """
+    geometry = geometry_of(source)
+    kind, coordinates = geometry.get("type"), geometry.get("coordinates")
+    if kind == "Point":
+        points = _points([coordinates])
+        return _core._shape("point", points, [0, 1])
+    if kind in ("LineString", "LinearRing"):
+        points = _points(coordinates)
+        return _core._shape("segment" if len(points) == 2 else "polyline", points, [0, len(points)])
+    if kind == "Polygon":
+        return _polygon(coordinates)
+    if kind == "MultiPolygon":
+        return _polygon(ring for rings in coordinates for ring in rings)
+    raise ValueError(f"a geometry of the type {kind} is not one item; use insert_all() for a collection")
+
+
+def _geometries(geometry: Geometry) -> Iterator[Any]:
+    """Yields the geometries of a collection, each of which is one item."""
+    kind = geometry.get("type")
+    if kind == "FeatureCollection":
+        for feature in geometry["features"]:
+            yield from _items_of_feature(feature)
+    elif kind == "GeometryCollection":
+        for member in geometry["geometries"]:
+            yield from _geometries(member)
+    elif kind in ("MultiPoint", "MultiLineString"):
+        for coordinates in geometry["coordinates"]:
+            yield {"type": kind[len("Multi") :], "coordinates": coordinates}
+    else:
+        yield geometry
+
+
+def _items_of_feature(feature: Geometry) -> Iterator[Any]:
+    shapes = list(_geometries(geometry_of(feature)))
+    number = feature.get("id")
+    if isinstance(number, int) and len(shapes) == 1:
+        yield number, shapes[0]
+    else:
+        yield from shapes
+
+
+def items_of(source: Any) -> Iterator[Any]:
+    """Yields what insert_all() inserts: geometries, and pairs (id, geometry)."""
+    if isinstance(source, _core.Shape):
+        yield source
+    elif isinstance(source, Mapping) or hasattr(source, "__geo_interface__"):
+        geometry = source if isinstance(source, Mapping) else source.__geo_interface__
+        yield from _items_of_feature(geometry) if geometry.get("type") == "Feature" else _geometries(geometry)
+    else:
+        yield from source
+
+
+def _coordinates(points: np.ndarray) -> list[tuple[float, float]]:
+    return [(x, y) for x, y in points.tolist()]
+
+
+def shape_to_geojson(shape: _core.Shape) -> dict[str, Any]:
+    """The shape as a GeoJSON geometry. Shapely and other libraries read it."""
+    if shape.kind == "point":
+        return {"type": "Point", "coordinates": _coordinates(shape.points)[0]}
+    if shape.kind != "polygon":
+        return {"type": "LineString", "coordinates": _coordinates(shape.points)}
+    rings = [_coordinates(ring) for ring in shape.rings]
+    return {"type": "Polygon", "coordinates": [[*ring, ring[0]] for ring in rings]}
+
+
+def path_to_geojson(path: _core.Path) -> dict[str, Any]:
+    """The path as a GeoJSON line. The line of a disc's path differs from it by 1/100 of the radius at most."""
+    points = path.polyline(path.radius / 100.0) if path.found else np.empty((0, 2))
+    return {"type": "LineString", "coordinates": _coordinates(points)}
+
+
+def world_to_geojson(self: _core.World) -> dict[str, Any]:
+    """Returns the items as a GeoJSON collection of features, each with its id.
+
+    A ring of a polygon is a hole by the rule of the polygon, whatever its index. (Readers of GeoJSON take the first ring
+    for the outer one.)
+
+    >>> [feature["geometry"]["type"] for feature in world.to_geojson()["features"]]
+    ['Polygon', 'LineString']
+    """
+    features = [
+        {
+            "type": "Feature",
+            "id": number,
+            "properties": {"kind": shape.kind, "fill": shape.fill} if shape.kind == "polygon" else {"kind": shape.kind},
+            "geometry": shape_to_geojson(shape),
+        }
+        for number, shape in self.items()
+    ]
+    return {"type": "FeatureCollection", "features": features}

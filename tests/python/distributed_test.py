@@ -1,0 +1,157 @@
+"""Queries on a real scheduler and real worker processes, one of which dies."""
+
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+import waywright
+from waywright import Change, Shape, World
+
+distributed = pytest.importorskip("distributed")
+from waywright.distributed import DistributedWorld, _Worlds, State, Update, WorkerError, find_paths_in_worlds  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, memory_limit=0
+    ) as made:
+        yield made
+
+
+@pytest.fixture
+def client(cluster):
+    with distributed.Client(cluster) as made:
+        made.wait_for_workers(2, timeout=60)
+        yield made
+
+
+def walls(seed, count=400, **options):
+    generator = np.random.default_rng(seed)
+    world = World((0, 0, 100, 100), **options)
+    starts = generator.uniform(2, 98, (count, 2))
+    points = np.stack([starts, starts + generator.uniform(-2, 2, (count, 2))], axis=1).reshape(-1, 2)
+    world.insert_ragged("segment", points, np.arange(0, 2 * count + 1, 2))
+    return world
+
+
+def queries(count, seed=9):
+    generator = np.random.default_rng(seed)
+    return generator.uniform(1, 99, (count, 2)), generator.uniform(1, 99, (count, 2))
+
+
+def test_the_answers_are_those_of_one_process(client):
+    world = walls(1, keep_bridges=True)
+    starts, goals = queries(2000)
+    everywhere, done = DistributedWorld(client, world), []
+    for radius in (0.0, np.where(np.arange(2000) % 2, 0.5, 0.0)):
+        batch = everywhere.find_paths(starts, goals, radius, progress=lambda *numbers: done.append(numbers))
+        assert batch.to_bytes() == world.find_paths(starts, goals, radius).to_bytes()
+    assert done[-1][0] == done[-1][1] > 1
+    assert everywhere.find_paths(starts, goals, chunk_size=7).to_bytes() == world.find_paths(starts, goals).to_bytes()
+    assert len(everywhere.find_paths([], [])) == 0
+
+
+def test_updates_travel_as_operations(client):
+    world = walls(2)
+    starts, goals = queries(600)
+    everywhere = DistributedWorld(client, world)
+    before = everywhere.find_paths(starts, goals)
+    for step in range(70):  # more than UPDATES_PER_BASE
+        wall = Shape.segment((step + 10, 5), (step + 10, 95))
+        changes = [Change.insert(wall, 1000 + step), Change.remove(step + 1)]
+        changes += [Change.remove(999 + step)] if step else []
+        assert everywhere.apply(changes) == world.apply(changes)
+        if step % 10 == 3 or step > 67:
+            batch = everywhere.find_paths(starts, goals)
+            assert batch.to_bytes() == world.find_paths(starts, goals).to_bytes()
+            assert batch != before
+    assert everywhere.items_hash == world.items_hash and everywhere.version == 70
+    with pytest.raises(waywright.UnknownIdError):
+        everywhere.apply([Change.remove(12345)])
+    assert everywhere.find_paths(starts, goals).to_bytes() == world.find_paths(starts, goals).to_bytes()
+
+
+def test_many_worlds_over_one_batch(client):
+    worlds = [walls(seed, 100) for seed in range(20, 30)]
+    starts, goals = queries(150)
+    answers = find_paths_in_worlds(client, worlds, starts, goals)
+    for world, batch in zip(worlds, answers):
+        assert batch.to_bytes() == world.find_paths(starts, goals).to_bytes()
+    assert len({batch.to_bytes() for batch in answers}) == 10
+
+
+def test_the_error_names_the_first_refused_query(client):
+    starts, goals = queries(1000)
+    goals[[555, 700, 901]] = 500
+    with pytest.raises(waywright.BadValueError) as caught:
+        DistributedWorld(client, walls(1)).find_paths(starts, goals, chunk_size=50)
+    assert caught.value.index == 555 and "query 555" in str(caught.value)
+
+
+def test_a_worker_that_dies_changes_nothing(cluster, client):
+    world = walls(3, 3000)
+    starts, goals = queries(20_000)
+    everywhere = DistributedWorld(client, world)
+    everywhere.apply([Change.insert(Shape.segment((50, 10), (50, 90)))])
+    workers = {address: worker["pid"] for address, worker in client.run(lambda dask_worker: {"pid": os.getpid()}).items()}
+    killed, done = [], []
+
+    def report(finished, total):
+        done.append(finished)
+        if not killed and finished >= 2:
+            # Kill the worker that has the world: the other one, or a new one, must get it again.
+            killed.append(list(workers.values())[0])
+            os.kill(killed[0], signal.SIGKILL)
+
+    batch = everywhere.find_paths(starts, goals, chunk_size=500, progress=report)
+    assert killed and len(done) == 40
+    client.wait_for_workers(2, timeout=60)
+    assert killed[0] not in client.run(os.getpid).values()
+    assert batch.to_bytes() == everywhere.world.find_paths(starts, goals).to_bytes()
+    # The new worker answers, too.
+    assert everywhere.find_paths(starts, goals, chunk_size=500).to_bytes() == batch.to_bytes()
+
+
+def test_a_worker_that_joins_late_changes_nothing(client, cluster):
+    world = walls(4, 2000)
+    starts, goals = queries(10_000)
+    everywhere = DistributedWorld(client, world)
+    cluster.scale(1)
+    while len(client.nthreads()) > 1:
+        time.sleep(0.05)
+    joining = threading.Timer(0.1, lambda: cluster.scale(2))
+    joining.start()
+    batch = everywhere.find_paths(starts, goals, chunk_size=200)
+    joining.join()
+    client.wait_for_workers(2, timeout=60)
+    assert batch.to_bytes() == world.find_paths(starts, goals).to_bytes()
+
+
+def test_what_a_worker_keeps():
+    """A worker goes on from the version that it has, and gives an old task its old world."""
+    world = walls(5, 50)
+    base, states = world.to_bytes(), [State("w", 0, world.items_hash)]
+    updates = []
+    for step in range(3):
+        changes = [Change.remove(step + 1)]
+        world.apply(changes)
+        states.append(State("w", step + 1, world.items_hash))
+        updates.append(Update(changes, states[-1]))
+    worlds = _Worlds()
+    with worlds.use(base, states[0], []) as first:
+        with worlds.use(base, states[0], updates[:2]) as second:
+            assert (first.items_hash, second.items_hash) == (states[0].items_hash, states[2].items_hash)
+    with worlds.use(base, states[0], updates) as third:
+        assert third.items_hash == world.items_hash and third is second
+    with worlds.use(base, states[0], updates[:1]) as old:
+        assert old.items_hash == states[1].items_hash and old is not third
+    with worlds.use(base, states[0], updates) as again:
+        assert again is third
+    wrong = states[0]._replace(name="x", items_hash="0" * 32)
+    with pytest.raises(WorkerError):
+        with worlds.use(base, wrong, []):
+            pass
