@@ -64,6 +64,8 @@ void register_abstraction() {
     const std::string moves = "square_moves/" + std::to_string(count);
     register_updates<ForPaths<WaywrightReplace>>(moves, "waywright_replace_for_paths",
                                                  [count] { return square_moves(count); });
+    register_updates<ForDiscs<WaywrightReplace>>(moves, "waywright_replace_for_discs",
+                                                 [count] { return square_moves(count); });
     register_updates<WaywrightReplace>(moves, "waywright_replace", [count] { return square_moves(count); });
     benchmark::RegisterBenchmark(("no_path/" + std::to_string(count) + "/waywright").c_str(),
                                  [count](benchmark::State& state) { time_unconnected_ends(state, count); })

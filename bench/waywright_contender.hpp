@@ -52,4 +52,11 @@ class ForPaths : public Contender {
   explicit ForPaths(const Box& domain) : Contender(domain, WorldOptions{}) {}
 };
 
+/// One of the contenders above, which also maintains the path abstraction and the bridges, for paths of discs.
+template <class Contender>
+class ForDiscs : public Contender {
+ public:
+  explicit ForDiscs(const Box& domain) : Contender(domain, WorldOptions{.keep_bridges = true}) {}
+};
+
 }  // namespace waywright::bench

@@ -23,7 +23,10 @@ COMPILER_FILES = {
     "include/waywright/export.hpp",  # visibility of symbols
     "bindings/c/waywright.h",  # visibility of symbols
 }
-SYSTEM_FILES = COMPILER_FILES | {"tools/waywright/platform.cpp"}
+SYSTEM_FILES = COMPILER_FILES | {
+    "src/base/disk.cpp",
+    "tools/waywright/platform.cpp",
+}
 # The code that determines meshes and the lengths of paths.
 LIBRARY = ("include/", "src/")
 

@@ -31,12 +31,17 @@ enum class ErrorCode : std::uint8_t {
   bad_id,                ///< an id above 2^63 - 1, for example an id made from a negative number
   bad_domain,            ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,           ///< a polyline or ring without points, a polygon without rings
-  too_large,             ///< more than 2^27 vertices, not counting the crossings that the change makes
+  too_large,             ///< more than 2^27 vertices without the crossings of the change, or 350 million with them
+  too_many_vertices,     ///< an operation that would make more vertices than WorldOptions::new_vertex_limit allows
   world_gone,            ///< the world of a PathSearch no longer exists
   not_supported,         ///< a request that this version or this world does not support
   no_bridges,            ///< a query that needs bridges, of a world that does not keep them
+  no_history,            ///< a rewind of a world that keeps no history
+  old_tick,              ///< a tick that the history of a world no longer contains
+  unknown_tick,          ///< a tick that no mark of a world has
   unreadable,            ///< a file that cannot be opened or read
-  malformed,             ///< text that does not follow its format
+  malformed,             ///< text or bytes that do not follow their format
+  unwritable,            ///< a file or a stream that cannot be written
 };
 
 /// Returns the name of a code in the output of world scripts: `coordinate-range`, `out-of-domain`, ...
@@ -77,6 +82,7 @@ struct ErrorWords {
   PointName point_name;  ///< if a point is refused: its name
   Point point;
   Box domain;
+  std::uint64_t limit = 0;  ///< if a limit would be passed: the limit
 };
 
 }  // namespace detail

@@ -22,11 +22,12 @@ struct MemoryUse {
   std::size_t sectors = 0;      ///< for point location: the vertices from which searches start
   std::size_t abstraction = 0;  ///< the path abstraction: see WorldOptions::keep_abstraction
   std::size_t bridges = 0;      ///< the bridges: see WorldOptions::keep_bridges
+  std::size_t history = 0;      ///< the ticks to which World::rewind can return
   std::size_t spare = 0;        ///< unused capacity of arrays, and the undo logs and scratch that operations keep
 
   /// Returns the sum of all members.
   [[nodiscard]] std::size_t total() const {
-    return vertices + crossings + faces + walls + items + sectors + abstraction + bridges + spare;
+    return vertices + crossings + faces + walls + items + sectors + abstraction + bridges + history + spare;
   }
   friend bool operator==(const MemoryUse&, const MemoryUse&) = default;
 };

@@ -29,5 +29,7 @@ inline constexpr char kMovedContext[] =
     "QueryContext: this one has been moved from; it may only be assigned to or destroyed";
 inline constexpr char kMovedSearch[] =
     "PathSearch: this one has been moved from; it may only be assigned to or destroyed";
+inline constexpr char kMovedWatch[] =
+    "PathWatch: this one has been moved from; it may only be assigned to or destroyed";
 
 }  // namespace waywright::detail

@@ -64,7 +64,8 @@ struct PathQuery {
   Point start;
   Point goal;
   /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
-  /// (WorldOptions::keep_bridges). The answer is then the shortest path for every algorithm, in Path::pieces.
+  /// (WorldOptions::keep_bridges), and the path is in Path::pieces. PathAlgorithm::ta then gives the shortest path,
+  /// as PathAlgorithm::optimal does.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
@@ -188,7 +189,7 @@ struct WAYWRIGHT_API Path {
   /// least the radius from all walls, up to rounding errors.
   std::vector<PathPiece> pieces;
   /// The edges that the path crosses, in order. Empty if there is no path, if PathQuery::wants_channel is false, or if
-  /// the query has a radius above 0: the search for discs does not look at single edges.
+  /// the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the number of steps of the
   /// search.

@@ -39,6 +39,7 @@ enum class SceneFormat : unsigned char {
   movingai,       ///< `.map` of Moving AI: blocked cells become polygons
   triangle_poly,  ///< `.poly` of Triangle: segments, and as points the vertices that lie on no segment
   triangle_node,  ///< `.node` of Triangle: points
+  saved_world,    ///< `.wwb`, a saved world: its domain and its items; see save_world
 };
 
 /// @name Reading and writing scenes
@@ -82,7 +83,17 @@ enum class SceneFormat : unsigned char {
 /// parse_triangle_poly.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_node(std::string_view text, std::string_view name);
 
-/// Reads a scene from a file. The ending of the file name says the format. Error messages start with the file name.
+/// Returns whether the bytes of a file start like a saved world (SceneFormat::saved_world).
+[[nodiscard]] WAYWRIGHT_API bool is_saved_world(std::string_view bytes);
+
+/// Reads the domain and the items of a saved world from its bytes. Error messages start with `NAME: `. To read the
+/// options and the next id, too, use load_world().
+/// Errors: malformed, not_supported.
+/// Cost: the cost of load_world().
+[[nodiscard]] WAYWRIGHT_API Result<Scene> parse_saved_world(std::string_view bytes, std::string_view name);
+
+/// Reads a scene from a file. A file that starts like a saved world is one, whatever its name. Otherwise the ending of
+/// the file name says the format. Error messages start with the file name.
 /// Errors: unreadable, not_supported, malformed, coordinate_range.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> read_scene(const std::string& file_name);
 

@@ -10,6 +10,7 @@
 #include "waywright/item.hpp"
 #include "waywright/path.hpp"
 #include "waywright/scene.hpp"
+#include "waywright/world.hpp"
 
 namespace waywright {
 
@@ -28,7 +29,8 @@ enum class ScriptLineKind : std::uint8_t {
   path,
   check,
   hash,
-  clear
+  clear,
+  tick
 };
 
 /// One line of a world script. The parser does not check whether numbers are in range or points lie in the domain. A
@@ -44,6 +46,8 @@ struct ScriptLine {
   std::optional<PathAlgorithm> algorithm;  ///< for path, if the line names one
   std::optional<double> end_tolerance;     ///< for path, if the line gives one
   bool has_goal = false;                   ///< for nearest: whether the line gives a goal
+  std::uint64_t tick = 0;                  ///< for tick: its number
+  std::optional<ItemsHash> items_hash;     ///< for tick, if the line gives one
 };
 
 /// Returns the first word of the line: `point`, `segment`, ..., `remove`, `replace`, `locate`, ...

@@ -1,24 +1,28 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "waywright/bulk_options.hpp"
+#include "waywright/change.hpp"
+#include "waywright/changed_box.hpp"
 #include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
+#include "waywright/hashes.hpp"
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
 #include "waywright/job_system.hpp"
+#include "waywright/location.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/mesh_snapshot.hpp"
 #include "waywright/owned.hpp"
@@ -26,138 +30,27 @@
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/ray.hpp"
+#include "waywright/validation.hpp"
+#include "waywright/world_options.hpp"
 
 namespace waywright {
 
 /// @addtogroup world
 /// @{
 
-/// One of several changes that World::apply makes together.
-///
-/// @code{.cpp}
-/// const Shape gate = Shape::segment({30, 40}, {40, 40});
-/// const std::vector<Change> changes = {Change::insert(gate, 12), Change::remove(2)};
-/// world.apply(changes).value();
-/// @endcode
-struct Change {
-  /// The kind of a change.
-  enum class Kind : std::uint8_t { insert, remove, replace };
+namespace detail {
 
-  Kind kind = Kind::insert;
-  ItemId id;    ///< the id of the item; for an insertion, null lets the world choose it
-  Shape shape;  ///< for an insertion or a replacement
-
-  /// Returns the insertion of a shape under `id`, or under an id that the world chooses.
-  [[nodiscard]] static Change insert(Shape shape, ItemId id = {}) { return {Kind::insert, id, std::move(shape)}; }
-  /// Returns the removal of an item.
-  [[nodiscard]] static Change remove(ItemId id) { return {Kind::remove, id, {}}; }
-  /// Returns the replacement of the shape of an item.
-  [[nodiscard]] static Change replace(ItemId id, Shape shape) { return {Kind::replace, id, std::move(shape)}; }
+/// The result of World::attempt() for a question that returns a T.
+template <class T>
+struct ResultOf {
+  using Type = Result<T>;
+};
+template <class T>
+struct ResultOf<Result<T>> {
+  using Type = Result<T>;
 };
 
-/// The options of World::insert_all and World::insert_points.
-///
-/// @code{.cpp}
-/// BulkOptions options;
-/// options.threads = 2;
-/// options.progress = [](std::size_t done, std::size_t total) { std::printf("%zu of %zu\n", done, total); };
-/// world.insert_points({{1, 1}, {2, 1}, {3, 1}}, 100, options).value();
-/// @endcode
-struct BulkOptions {
-  /// The number of threads, 1 or more, including the calling thread. The world is the same for any number. More than
-  /// one thread makes the call faster if the world has no items yet. With a job system, this is the number of jobs that
-  /// may run at the same time. A number above 256 counts as 256.
-  std::size_t threads = 1;
-  /// A function that the library calls on the calling thread from time to time, and at the end with `done` equal to
-  /// `total`. The unit of both numbers has no meaning. The function must not use the world.
-  std::function<void(std::size_t done, std::size_t total)> progress;
-  /// The job system that provides the other threads. If it is null, the library starts threads.
-  JobSystem* jobs = nullptr;
-};
-
-/// The hash of the domain and the live items of a world. World::items_hash returns it. Two worlds with equal domains
-/// and equal live items have equal hashes, on every machine and whatever operations led to these items. In practice,
-/// two worlds with equal hashes have equal domains and equal items. docs/hashes.md defines the hash, so that other
-/// programs can compute it.
-///
-/// @code{.cpp}
-/// const ItemsHash before = world.items_hash();
-/// const ItemId id = world.insert_point({3, 3}).value();
-/// world.remove(id).value();
-/// const bool is_same = world.items_hash() == before;  // == true
-/// std::printf("items %s, mesh %s\n", to_string(before).c_str(), to_string(world.mesh_hash()).c_str());
-/// @endcode
-struct ItemsHash {
-  std::array<std::uint64_t, 2> words{};
-
-  friend bool operator==(const ItemsHash&, const ItemsHash&) = default;
-};
-/// The hash of the mesh of a world: the SHA-256 of its dump. World::mesh_hash returns it. It is equal for two worlds
-/// under the same conditions as ItemsHash. docs/hashes.md defines the hash.
-struct MeshHash {
-  std::array<std::uint8_t, 32> bytes{};
-
-  friend bool operator==(const MeshHash&, const MeshHash&) = default;
-};
-
-/// Returns the hash as 32 hexadecimal digits.
-[[nodiscard]] WAYWRIGHT_API std::string to_string(const ItemsHash& hash);
-/// Returns the hash as 64 hexadecimal digits.
-[[nodiscard]] WAYWRIGHT_API std::string to_string(const MeshHash& hash);
-
-/// The kind of a location in the mesh.
-enum class LocationKind : std::uint8_t { vertex, edge, face };
-
-/// Returns the name of the kind in the output of world scripts: `vertex`, `edge`, `face`.
-[[nodiscard]] WAYWRIGHT_API std::string_view to_string(LocationKind kind);
-
-/// The answer of World::locate: what the mesh has at a point.
-///
-/// @code{.cpp}
-/// const Location location = world.locate({50, 50}).value();
-/// const bool is_in_house = !location.polygons.empty() && location.polygons.front() == 1;  // == true
-/// for (std::size_t i = 0; i < location.vertex_count; ++i) std::puts(to_string(location.vertices[i]).c_str());
-/// @endcode
-struct Location {
-  LocationKind kind = LocationKind::face;
-  /// The vertices of the location, each coordinate rounded to the nearest double: 1 vertex, the 2 ends of an edge, or
-  /// the 3 vertices of a face, counter-clockwise. Of an edge or a face, the first vertex in the array is the one that
-  /// comes first in (x, y) order.
-  std::array<Point, 3> vertices{};
-  std::size_t vertex_count = 0;  ///< the number of vertices in `vertices`
-  /// The polygons that contain the point in their interior or on their boundary, ascending.
-  std::vector<ItemId> polygons;
-};
-
-/// The answer of World::validate.
-///
-/// @code{.cpp}
-/// const Validation validation = world.validate();
-/// if (!validation.ok) std::puts(validation.fault.c_str());
-/// @endcode
-struct Validation {
-  bool ok = true;
-  std::string fault;  ///< the first fault; empty if `ok`
-};
-
-/// The options of World::create.
-///
-/// @code{.cpp}
-/// World mesh_only = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
-/// @endcode
-struct WorldOptions {
-  /// Whether the world maintains the path abstraction: data that says which triangles are connected, which polygons
-  /// cover them, and which triangles lie in dead ends. Without the abstraction, an operation costs less, and a world
-  /// takes 10 bytes less for each vertex (up to 18 bytes less if walls change everywhere). But then many path queries
-  /// enter far more triangles, and the world does not support PathAlgorithm::tra.
-  bool keep_abstraction = true;
-  /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
-  /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
-  /// them. An operation then takes several times as long, because it also updates the bridges near its changes. A world
-  /// takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one corner, the world
-  /// keeps a second mesh, of the walls alone, and each operation changes both meshes.
-  bool keep_bridges = false;
-};
+}  // namespace detail
 
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
 /// box. Every decision about the mesh is exact. The live items alone determine the mesh, in whatever order you inserted
@@ -183,13 +76,14 @@ struct WorldOptions {
 class WAYWRIGHT_API World {
  public:
   /// @name Making a world
-  /// You need this group once, at the start of your program or level. A world can be moved, but not copied: to copy
-  /// one, give its items() to a new world.
+  /// You need this group once, at the start of your program or level, and to copy a world: to try changes, or to go
+  /// back to an earlier state.
   ///
   /// @code{.cpp}
   /// World arena = World::create({{0, 0}, {10, 10}}).value();
-  /// World copy = World::create(arena.domain()).value();
-  /// copy.insert_all(arena.items()).value();
+  /// World copy = arena.clone();
+  /// copy.insert_segment({4, 0}, {4, 7}).value();
+  /// const bool is_empty = arena.item_count() == 0;  // == true
   /// @endcode
   /// @{
 
@@ -203,8 +97,18 @@ class WAYWRIGHT_API World {
   World& operator=(World&&) noexcept;
   ~World();
 
+  /// Returns a copy of the world: an independent world with the same domain, options, items, mesh, hashes, version()
+  /// and history. It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity.
+  /// The copy does not belong to the searches (PathSearch) of this world, and has no context yet. If memory runs out,
+  /// this world does not change. Requires: no question of attempt() is running on this world.
+  /// Cost: a copy of memory().total() bytes at most; no geometry is computed.
+  [[nodiscard]] World clone() const;
+
   /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
+  /// Returns the options with which the world was created.
+  /// Cost: O(1).
+  [[nodiscard]] WorldOptions options() const;
 
   /// @}
 
@@ -223,7 +127,7 @@ class WAYWRIGHT_API World {
   /// Inserts a shape under `id`. If `id` is null, the world chooses the id: the largest id that it has seen, plus 1.
   /// Returns the id. If the function refuses a point, Error::index is the index of this point in the shape, counted
   /// from 0 over all rings.
-  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large.
+  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large, too_many_vertices.
   /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
   /// O(log n) for each item that shares a position or an edge with this one. With the abstraction: for a polygon, also
   /// the triangles inside it that no polygon within it covers; and if the walls divide an area, the triangles of the
@@ -295,6 +199,147 @@ class WAYWRIGHT_API World {
 
   /// @}
 
+  /// @name Going back and trying out
+  /// You need this group for a game with rollback, for the undo of an editor, and to find out what a change would lead
+  /// to before you make it.
+  ///
+  /// @code{.cpp}
+  /// world.keep_history(8);  // the last 8 ticks
+  /// const std::uint64_t tick = world.mark();
+  /// world.insert(house).value();
+  /// world.remove(1).value();
+  /// world.rewind(tick).value();
+  /// const bool is_back = world.contains(1) && world.item_count() == 2;  // == true
+  /// @endcode
+  /// @{
+
+  /// Makes the world remember its last `ticks` ticks from now on. A tick is a state of the world that mark() has named.
+  /// If the history has more ticks, the world drops the oldest. With 0, the world drops its history and keeps none.
+  /// Cost: O(1), or linear in what the world drops.
+  void keep_history(std::size_t ticks);
+
+  /// Names the current state of the world. Returns its tick: 1 for the first call, and one more for each further call.
+  /// After a rewind, the numbers continue from the tick to which the world went back. While the history has a tick,
+  /// each operation also records the ids of the items that it changes, and the shapes that it removes or replaces.
+  /// Requires: keep_history() was called with 1 or more.
+  /// Cost: amortised O(1). Allocates nothing if the history has had as many ticks and changes before.
+  std::uint64_t mark();
+
+  /// Brings back the state of the world at a tick, as one operation: the same items with the same shapes, the same next
+  /// id, the same mesh and hashes. So every query gives the same answer, and every later operation has the same result.
+  /// Afterwards, `tick` is the last tick of the history: the later ticks no longer exist.
+  ///
+  /// Only two things differ from the state then. version() grows by one, because paths and searches must take the
+  /// change into account. And the world may have more spare memory.
+  /// Errors: no_history; old_tick, if the history no longer has the tick; unknown_tick, if no mark has this tick.
+  /// Error::index is the tick.
+  /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
+  /// changed. An item whose shape is as it was at the tick costs only a comparison. The insertions are as fast as
+  /// insert_all(). If the removed items have most of the corners of the world, it costs as much as a new world.
+  Result<void> rewind(std::uint64_t tick);
+
+  /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
+  /// is a function that takes a `const World&`. If it returns a value, the result contains a copy of the value. If it
+  /// returns nothing or a Result, the result has the same type.
+  ///
+  /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
+  /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
+  /// exception, the world takes the changes back, too. The world asks no question if it refuses a change.
+  ///
+  /// @code{.cpp}
+  /// const std::vector<Change> changes = {Change::insert(house), Change::remove(2)};
+  /// const Path then = world.attempt(changes, [&](const World& changed) {
+  ///   return changed.find_path({.start = start, .goal = goal});
+  /// }).value();
+  /// const std::size_t count = world.attempt(changes, [](const World& w) { return w.item_count(); }).value();  // == 2
+  /// @endcode
+  ///
+  /// version(), changes_since(), is_affected() and mark() do not know the changes. A PathSearch of this world may
+  /// exist, and continues afterwards as if there had been no attempt. Requires: the question calls no member of this
+  /// world that is not const, no attempt() and no would_disconnect(), and neither begins nor continues a PathSearch of
+  /// this world. Errors: the errors of apply(), and those that the question returns. Error::index is the index of the
+  /// refused change in `changes`. Cost: the cost of apply() and of the question. Taking the changes back allocates
+  /// nothing and costs less than making them. Threads: like an operation, also while the question runs: no other thread
+  /// may call any member.
+  template <class Question>
+  auto attempt(std::span<const Change> changes, Question&& question) ->
+      typename detail::ResultOf<std::remove_cvref_t<std::invoke_result_t<Question&, const World&>>>::Type {
+    using Answer = typename detail::ResultOf<std::remove_cvref_t<std::invoke_result_t<Question&, const World&>>>::Type;
+    if (auto begun = begin_attempt(changes); !begun) return Answer(begun.error());
+    const AttemptGuard guard(*this);
+    if constexpr (std::is_void_v<std::invoke_result_t<Question&, const World&>>) {
+      question(std::as_const(*this));
+      return Answer();
+    } else {
+      return Answer(question(std::as_const(*this)));
+    }
+  }
+  /// Does the same for changes that you write in braces.
+  template <class Question>
+  auto attempt(std::initializer_list<Change> changes, Question&& question) {
+    return attempt(std::span<const Change>(std::data(changes), changes.size()), std::forward<Question>(question));
+  }
+
+  /// Returns whether changes would wall an agent in: whether an agent that can now get from one of the points to
+  /// another could not do so after the changes, or whether one of the points at which the agent can stand now would be
+  /// blocked. The function makes no change. It is exact and moves no point.
+  ///
+  /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent gets from one point
+  /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
+  /// disc does not fit there (fit_disc()), and the disc must get through all gaps. Points that are blocked or not
+  /// connected now do not matter.
+  ///
+  /// @code{.cpp}
+  /// const std::vector<Point> doors = {{10, 50}, {90, 50}};
+  /// const bool by_house = world.would_disconnect(house, doors).value();                                   // == false
+  /// const bool by_wall = world.would_disconnect(Shape::segment({50, 0}, {50, 100}), doors).value();      // == true
+  /// @endcode
+  /// Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
+  /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
+  /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
+  /// bridges.
+  /// Cost: the cost of attempt() and the location of each point, twice. With a radius above 0, also the gaps that the
+  /// disc can pass, for each area in which a point lies.
+  [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
+  /// Does the same for the insertion of one shape.
+  [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
+
+  /// @}
+
+  /// @name Limiting operations
+  /// You need this group if your program takes shapes from people whom you do not know, for example on a server. Few
+  /// points can make many vertices: two polylines of n points can have n^2 crossings. A limit bounds the number of
+  /// vertices that one operation may make. Limit the number of points, too: sides that lie on existing edges make no
+  /// vertices, but take time and memory.
+  ///
+  /// @code{.cpp}
+  /// World board = World::create({{0, 0}, {100, 100}}, {.new_vertex_limit = 3}).value();
+  /// board.insert_segment({10, 50}, {90, 50}).value();  // makes 2 vertices: the ends
+  /// board.insert_segment({50, 10}, {50, 90}).value();  // makes 3: the ends and a crossing
+  /// const Result<ItemId> refused = board.insert_segment({20, 40}, {60, 60});  // 4: the ends and two crossings
+  /// const bool is_refused = refused.error().code == ErrorCode::too_many_vertices;  // == true
+  /// @endcode
+  /// @{
+
+  /// Sets the largest number of vertices that one operation may make: each later call of a function that changes items
+  /// is one operation. The limit counts the vertices at new corners and the vertices at new crossings. It does not
+  /// count vertices that exist already. If an operation changes several items, their new vertices are added up. If it
+  /// also removes items, a vertex that their removal has removed and that an insertion makes again counts.
+  ///
+  /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
+  /// Error::item is the item at which it passed the limit. insert_all(), insert_points() and apply() choose the order
+  /// in which they make the vertices of the items, so it need not be the item with the most vertices.
+  ///
+  /// To limit a single operation, set the limit before it, and kNoVertexLimit after it. To limit the size of a world,
+  /// set the limit to the difference between your largest size and vertex_count().
+  /// Cost: O(1). A refused operation costs the check of all its points, what it did until it passed the limit, and
+  /// taking this back.
+  void set_new_vertex_limit(std::size_t limit);
+  /// Returns the largest number of vertices that one operation may make.
+  [[nodiscard]] std::size_t new_vertex_limit() const;
+
+  /// @}
+
   /// @name Reading items
   /// You need this group to save a world, to send it to another machine, or to look up a shape.
   ///
@@ -306,6 +351,23 @@ class WAYWRIGHT_API World {
   /// const bool has_item = world.contains(99);  // == false
   /// @endcode
   /// @{
+
+  /// Returns the largest id that the world has seen, or null if it has seen none: the largest id of all items that it
+  /// has ever contained, or the id given to reserve_ids(). If the world chooses an id, it is this id plus 1.
+  /// Cost: O(1).
+  [[nodiscard]] ItemId largest_id_seen() const;
+  /// Lets the world continue its ids after `last`, as if it had seen this id. The world never chooses `last` or a
+  /// smaller id afterwards; you may still insert items under these ids. Does nothing if the world has seen a larger id.
+  /// The call is not an operation: it does not change version(). Use it to give a world the next id of another world.
+  ///
+  /// @code{.cpp}
+  /// World arena = World::create({{0, 0}, {10, 10}}).value();
+  /// arena.reserve_ids(1000).value();
+  /// const ItemId id = arena.insert_point({3, 3}).value();  // == ItemId{1001}
+  /// @endcode
+  /// Errors: bad_id.
+  /// Cost: O(1).
+  Result<void> reserve_ids(ItemId last);
 
   /// Returns whether a live item has this id.
   /// Cost: O(1).
@@ -328,7 +390,8 @@ class WAYWRIGHT_API World {
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
   /// into a new world over the same domain, the two worlds have the same mesh and give the same answers. Only the ids
-  /// that they choose for later items can differ, because each world adds 1 to the largest id that it has seen.
+  /// that they choose for later items can differ, because each world adds 1 to the largest id that it has seen: see
+  /// reserve_ids().
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const
@@ -619,6 +682,20 @@ class WAYWRIGHT_API World {
   /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
+  /// Returns the regions that the operations after version `since` have changed, the oldest first: the bounding box of
+  /// each segment, polyline or polygon that they inserted or removed. A replacement is a removal and an insertion, a
+  /// rewind is one removal or insertion or both for each item that it changes. Returns nothing if the world no longer
+  /// has all boxes since that version. It keeps as many as is_affected() says. The answer is valid until the next
+  /// operation.
+  ///
+  /// These boxes are enough to find out what a change means for paths, although the triangles of the mesh change
+  /// outside of them, too. Triangles without walls do not matter for paths: an agent can walk where it could walk
+  /// before, unless an item was inserted there. Items of the kind point are not walls, and have no box.
+  ///
+  /// PathWatch reads these boxes for many paths at once.
+  /// Cost: O(log n) in the boxes that the world keeps. Allocates nothing.
+  [[nodiscard]] std::optional<std::span<const ChangedBox>> changes_since(std::uint64_t since) const;
+
   /// Returns the number of operations that the world has carried out. It grows by one with each operation that
   /// succeeds.
   /// Cost: O(1).
@@ -692,9 +769,31 @@ class WAYWRIGHT_API World {
 
  private:
   friend class PathSearch;
+  friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;
+  /// Ends an attempt when it is destroyed, unless release() was called.
+  class AttemptGuard {
+   public:
+    explicit AttemptGuard(World& world) : world_(&world) {}
+    ~AttemptGuard() {
+      if (world_ != nullptr) world_->end_attempt();
+    }
+    AttemptGuard(const AttemptGuard&) = delete;
+    AttemptGuard& operator=(const AttemptGuard&) = delete;
+
+    void release() { world_ = nullptr; }
+
+   private:
+    World* world_;
+  };
+
   explicit World(std::unique_ptr<Impl> impl);
+  /// Makes changes and leaves their operation open. Requires: no attempt is under way.
+  [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);
+  /// Takes the changes of begin_attempt() back. Allocates nothing.
+  void end_attempt() noexcept;
+
   detail::Owned<Impl, detail::kMovedWorld> impl_;
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "clearance/disc.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -14,11 +16,19 @@ namespace waywright::clearance {
 
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
-  /// The faces beyond an edge that a corner sees, and the vertices that bound the view.
+  /// A vertex as a corner sees it.
+  struct Seen {
+    Point offset;   ///< from the corner
+    double square;  ///< of the distance from the corner
+    double error;   ///< see BridgeFinder::is_not_acute()
+  };
+  /// The face beyond an edge that a corner sees, and the vertices that bound the view.
   struct View {
     mesh::HalfEdge entry;
     mesh::Vertex left;
     mesh::Vertex right;
+    Seen entry_left;  ///< the ends of the edge
+    Seen entry_right;
   };
 
   std::vector<mesh::HalfEdge> to_enter;  ///< half-edges through which a search enters faces
@@ -57,7 +67,7 @@ class BridgeFinder {
         triangulation_(triangulation),
         mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
-        rounding_(geometry_.has_constructed() ? largest_rounding(triangulation.domain()) : 0.0) {
+        rounding_(constraint::largest_rounding(triangulation)) {
     scratch.visited.grow_to(mesh_.face_slots());
   }
 
@@ -72,6 +82,12 @@ class BridgeFinder {
     return Disc::of_triangle(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), position_of(mesh_.apex(h)),
                              rounding_);
   }
+  /// Returns false only if no position of the edge `border`, without its ends, lies strictly inside the circle of the
+  /// face of `h`.
+  [[nodiscard]] bool may_circle_meet(mesh::HalfEdge h, mesh::HalfEdge border) const;
+  /// Returns false only if no position of the edge `border`, without its ends, lies strictly inside the disc whose
+  /// diameter is the edge of `h`. Requires: `border` is another edge.
+  [[nodiscard]] bool may_disc_meet(mesh::HalfEdge h, mesh::HalfEdge border) const;
   /// Returns false only if no point of the edge lies in the closed exact disc.
   [[nodiscard]] bool may_touch(const Disc& disc, mesh::HalfEdge h) const {
     return disc.may_touch(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
@@ -85,18 +101,69 @@ class BridgeFinder {
   [[nodiscard]] exact::Gap gap_to_wall(mesh::HalfEdge corner, mesh::HalfEdge wall) const;
 
  private:
+  /// A gap that may be a bridge.
+  struct Candidate {
+    exact::Gap gap;
+    mesh::Vertex from;
+    mesh::Vertex to;  ///< kNoVertex if the gap ends at a foot
+    Disc disc;
+
+    /// Returns false only if the segment from an end to `v` contains no position strictly inside the exact disc. Each
+    /// coordinate of `v` may be wrong by `rounding`.
+    [[nodiscard]] bool may_enter_from(mesh::Vertex end, const Point& v, double rounding) const {
+      return end == from ? disc.may_enter(v, rounding) : !Disc::is_surely_not_acute(v, gap.a, gap.from, rounding);
+    }
+  };
+
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const { return geometry_.is_explicit(number(v)); }
-  /// The largest difference between a coordinate of a constructed vertex and the rounded coordinate.
-  [[nodiscard]] static double largest_rounding(const Box& domain);
   /// Says where `v` lies relative to a gap that ends at a foot on the line from a to b: positive if `v` is farther
   /// along this line than the foot, zero if it lies on the line of the gap, negative otherwise.
   [[nodiscard]] exact::Sign side_of_foot(const exact::Gap& gap, mesh::Vertex v) const;
   [[nodiscard]] bool has_foot_on(const exact::Gap& gap, mesh::HalfEdge corner, mesh::HalfEdge wall) const;
   [[nodiscard]] bool is_blocked_by(const exact::Gap& gap, mesh::HalfEdge wall) const;
-  [[nodiscard]] bool is_clear(const exact::Gap& gap, const Disc& disc);
-  [[nodiscard]] bool enter(const exact::Gap& gap, const Disc& disc, mesh::HalfEdge h);
+  /// Returns whether a vertex, which is not an end of the candidate, surely lies in the closed disc.
+  [[nodiscard]] bool is_blocked_by(const Candidate& candidate, mesh::Vertex v) const {
+    return v != candidate.from && v != candidate.to && is_explicit(v) && candidate.disc.surely_contains(position_of(v));
+  }
+  [[nodiscard]] bool is_clear(const Candidate& candidate);
+  [[nodiscard]] bool enter(const Candidate& candidate, mesh::HalfEdge h);
+  [[nodiscard]] bool enter_at_end(const Candidate& candidate, mesh::HalfEdge h, mesh::Vertex end, mesh::Vertex v);
+  [[nodiscard]] bool enter_surely(const Candidate& candidate, mesh::HalfEdge h);
+  /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
+  [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
+    return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
+  }
+  /// Returns false only if no foot bridge starts at the origin of `corner` and runs into the face of `corner`.
+  [[nodiscard]] bool may_have_foot(mesh::HalfEdge corner) const {
+    const mesh::Vertex w = mesh_.origin(corner);
+    const mesh::Vertex x = mesh_.target(corner);
+    const mesh::Vertex y = mesh_.apex(corner);
+    const Point along = position_of(y) - position_of(x);
+    const Point to_x = position_of(x) - position_of(w);
+    const Point to_y = position_of(y) - position_of(w);
+    const double at_x = to_x.x * along.x + to_x.y * along.y;
+    const double at_y = to_y.x * along.x + to_y.y * along.y;
+    if ((at_x < 0.0) & (at_y > 0.0)) return true;  // one branch instead of several that are hard to predict
+    return !is_not_acute(w, x, y) && !is_not_acute(w, y, x);
+  }
+  [[nodiscard]] mesh::HalfEdge cross(mesh::HalfEdge corner, const BridgeScratch::Seen& x, const BridgeScratch::Seen& y,
+                                     BridgeScratch::View& view);
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
+  [[nodiscard]] BridgeScratch::Seen seen_from(const Point& corner, mesh::Vertex v) const {
+    const Point offset = position_of(v) - corner;
+    const double square = offset.x * offset.x + offset.y * offset.y;
+    double error = 0x1p-48 * square;
+    if (rounding_ > 0.0) error += 16.0 * rounding_ * (std::abs(offset.x) + std::abs(offset.y) + rounding_);
+    return {offset, square, error};
+  }
+  /// Returns whether the angle at `v` between the corner and `p` is surely at least 90 degrees. If c is the corner,
+  /// then (c - v) . (p - v) = (v - c)^2 - (v - c) . (p - c). The errors of the two vertices together bound the errors
+  /// of this formula.
+  [[nodiscard]] static bool is_not_acute(const BridgeScratch::Seen& v, const BridgeScratch::Seen& p) {
+    const double dot = v.offset.x * p.offset.x + v.offset.y * p.offset.y;
+    return dot - v.square >= v.error + p.error;
+  }
   [[nodiscard]] exact::Sign side(mesh::Vertex from, mesh::Vertex to, mesh::Vertex v) const {
     return geometry_.orientation(geometry_.view(number(from)), geometry_.view(number(to)), geometry_.view(number(v)));
   }

@@ -17,10 +17,6 @@ namespace {
 /// update() never rebuilds the bridges for this many changed faces or fewer, whatever their share of the mesh.
 constexpr std::size_t kFewFaces = 1000;
 
-bool is_in_domain(const Bridges::Triangulation& triangulation, HalfEdge h) {
-  return !triangulation.triangulation().is_ghost_face(h);
-}
-
 }  // namespace
 
 /// Rolls the bridges back when it is destroyed, unless done() was called.
@@ -28,10 +24,7 @@ class Bridges::Guard {
  public:
   explicit Guard(Bridges& bridges) : bridges_(bridges) { bridges_.begin(); }
   ~Guard() {
-    for (const Face f : bridges_.touched_) bridges_.is_touched_[number(f)] = false;
-    for (const Vertex v : bridges_.near_) bridges_.is_near_[number(v)] = false;
-    bridges_.touched_.clear();
-    bridges_.near_.clear();
+    bridges_.region_.clear();
     if (!is_done_) bridges_.roll_back();
   }
   Guard(const Guard&) = delete;
@@ -50,14 +43,12 @@ Bridges::Bridges(const Triangulation& triangulation) {
   BridgeFinder finder(triangulation, scratch_);
   for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
     const HalfEdge h{i};
-    if (i % 3 == 0 && !triangulation.triangulation().is_in_box(mesh::face(h))) {
+    if (i % 3 == 0 && !triangulation.triangulation().is_in_domain(mesh::face(h))) {
       i += 2;
       continue;
     }
     find_at_corner(triangulation, finder, h);
-    if (!mesh.is_fixed(h) && i < number(mesh.twin(h))) set_bridge(h, finder.is_bridge(h));
-    if (mesh.is_fixed(h)) continue;
-    if (i < number(mesh.twin(h))) set_bridge(mesh.twin(h), is_bridge(h));
+    if (!mesh.is_fixed(h) && h < mesh.twin(h)) find_at_edge(triangulation, finder, h);
     if (i % 3 == 0) begin();  // empties the logs: there is no earlier state to go back to
   }
   begin();
@@ -91,16 +82,15 @@ void Bridges::roll_back() {
 void Bridges::update(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
-  collect_touched(triangulation);
-  if (touched_.size() > kFewFaces && 2 * touched_.size() > mesh.face_slots()) {
+  region_.collect_faces(triangulation);
+  if (region_.faces().size() > kFewFaces && 2 * region_.faces().size() > mesh.face_slots()) {
     rebuild(triangulation);
     return guard.done();
   }
   grow_to_mesh(mesh);
-  clear_touched();
   BridgeFinder finder(triangulation, scratch_);
-  collect_near(triangulation, finder);
-  for (const Vertex v : near_) find_at(triangulation, finder, v);
+  find_in_touched(triangulation, finder);
+  find_beyond(triangulation, finder);
   guard.done();
 }
 
@@ -119,21 +109,27 @@ void Bridges::swap_bridges(Bridges& other) {
   std::swap(free_feet_, other.free_feet_);
 }
 
-void Bridges::collect_touched(const Triangulation& triangulation) {
+/// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
+/// an edge of such a face. Then finds the first two kinds again.
+void Bridges::find_in_touched(const Triangulation& triangulation, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
-  if (is_near_.size() < mesh.vertex_slots()) is_near_.resize(mesh.vertex_slots());
-  mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch) {
-    if (is_touched_[number(f)]) return;
-    touched_.push_back(f);
-    is_touched_[number(f)] = true;
-  });
+  for (const Face f : region_.faces()) clear_face(f);
+  for (const Face f : region_.faces()) {
+    if (!triangulation.triangulation().is_in_domain(f)) continue;
+    for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
+      const HalfEdge h{i};
+      find_at_corner(triangulation, finder, h);
+      const HalfEdge twin = mesh.twin(h);
+      if (!mesh.is_fixed(h) && (h < twin || !region_.contains(mesh::face(twin))))
+        find_at_edge(triangulation, finder, h);
+    }
+  }
 }
 
-/// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
-/// an edge of such a face.
-void Bridges::clear_touched() {
-  for (const Face f : touched_) clear_face(f);
+void Bridges::find_beyond(const Triangulation& triangulation, BridgeFinder& finder) {
+  region_.collect_beyond(triangulation, finder, scratch_);
+  for (const HalfEdge corner : region_.corners()) find_at_corner(triangulation, finder, corner);
+  for (const HalfEdge h : region_.edges()) find_at_edge(triangulation, finder, h);
 }
 
 void Bridges::clear_face(Face f) {
@@ -145,62 +141,6 @@ void Bridges::clear_face(Face f) {
   }
 }
 
-// A bridge appears or vanishes only if its disc, which is empty before or after the change, meets the region R of the
-// touched faces. Let q be a position of R in the disc, and w a vertex at which the bridge ends. A smaller disc through
-// w and q is empty, too. So if q were a new vertex, the edge from w to q would be Delaunay, and the insertion of q
-// would replace a face at w: the circle of a face at w contains q. The faces whose circles contain q and which are
-// visible from q are connected. So w is a vertex of R, or a search finds it that starts at an edge e on the border of
-// R, enters faces outside R whose circles meet e, and goes on from there.
-void Bridges::collect_near(const Triangulation& triangulation, BridgeFinder& finder) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  for (const Face f : touched_) {
-    if (!triangulation.triangulation().is_in_box(f)) continue;
-    for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
-      const HalfEdge h{i};
-      note_near(mesh.origin(h));
-      if (!mesh.is_fixed(h) && !is_touched_[number(mesh::face(mesh.twin(h)))]) visit_beyond(triangulation, finder, h);
-    }
-  }
-}
-
-void Bridges::note_near(Vertex v) {
-  if (is_near_[number(v)]) return;
-  near_.push_back(v);
-  is_near_[number(v)] = true;
-}
-
-void Bridges::visit_beyond(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge border) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  auto& to_enter = scratch_.to_enter;
-  scratch_.begin();
-  to_enter.assign({mesh.twin(border)});
-  while (!to_enter.empty()) {
-    const HalfEdge entry = to_enter.back();
-    to_enter.pop_back();
-    if (!scratch_.visit(mesh::face(entry))) continue;
-    note_near(mesh.apex(entry));
-    for (const HalfEdge exit : {mesh::next(entry), mesh::previous(entry)}) {
-      if (mesh.is_fixed(exit)) continue;
-      const HalfEdge beyond = mesh.twin(exit);
-      if (is_touched_[number(mesh::face(beyond))]) continue;
-      if (finder.may_touch(finder.circle_of(beyond), border)) to_enter.push_back(beyond);
-    }
-  }
-}
-
-/// Finds the bridges that start at `v` again. An edge is a candidate only if both of its ends are near.
-void Bridges::find_at(const Triangulation& triangulation, BridgeFinder& finder, Vertex v) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  mesh.for_each_outgoing(v, [&](HalfEdge h) {
-    if (is_in_domain(triangulation, h)) find_at_corner(triangulation, finder, h);
-    const Vertex other = mesh.target(h);
-    if (mesh.is_fixed(h) || !is_near_[number(other)] || number(v) > number(other)) return;
-    const bool is_one = finder.is_bridge(h);
-    set_bridge(h, is_one);
-    set_bridge(mesh.twin(h), is_one);
-  });
-}
-
 void Bridges::find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge corner) {
   const HalfEdge wall = finder.find_wall(corner);
   const std::uint32_t old = foot_at(corner);
@@ -209,6 +149,12 @@ void Bridges::find_at_corner(const Triangulation& triangulation, BridgeFinder& f
     remove_foot(old);
   }
   if (wall != mesh::kNoHalfEdge) insert_foot(triangulation, corner, wall);
+}
+
+void Bridges::find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge h) {
+  const bool is_one = finder.is_bridge(h);
+  set_bridge(h, is_one);
+  set_bridge(triangulation.topology().twin(h), is_one);
 }
 
 void Bridges::set_bridge(HalfEdge h, bool is_bridge) {
@@ -284,7 +230,7 @@ std::optional<std::string> Bridges::find_fault(const Triangulation& triangulatio
   for (std::uint32_t i = 0; i < 3 * triangulation.topology().face_slots(); ++i) {
     const HalfEdge h{i};
     // If an operation was undone, the mesh may have more slots than the bridges have. These additional slots are free.
-    if (!triangulation.triangulation().is_in_box(mesh::face(h))) continue;
+    if (!triangulation.triangulation().is_in_domain(mesh::face(h))) continue;
     if (is_bridge(h) != rebuilt.is_bridge(h)) return fault_at("the bridge", i);
     if (wall_at(*this, h) != wall_at(rebuilt, h)) return fault_at("the foot bridge", i);
     std::uint32_t p = first_foot_on(h);
@@ -301,8 +247,8 @@ void Bridges::count_memory(MemoryUse& use) const {
   corners_.count_memory(use, &MemoryUse::bridges);
   walls_.count_memory(use, &MemoryUse::bridges);
   feet_.count_memory(use, &MemoryUse::bridges);
-  use.bridges += (is_touched_.capacity() + is_near_.capacity()) / 8;
-  memory::count_spare(use, touched_, near_, scratch_.to_enter, scratch_.to_cross);
+  region_.count_memory(use);
+  memory::count_spare(use, scratch_.to_enter, scratch_.to_cross);
   use.spare += scratch_.visited.size() * sizeof(std::uint32_t);
 }
 
@@ -311,8 +257,7 @@ void Bridges::shrink_to_fit() {
   corners_.shrink_to_fit();
   walls_.shrink_to_fit();
   feet_.shrink_to_fit();
-  memory::shrink(is_touched_, is_near_);
-  memory::release(touched_, near_);
+  region_.release();
   scratch_ = {};
 }
 

@@ -10,6 +10,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "clearance/bridge_finder.hpp"
+#include "clearance/changed_region.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
@@ -26,8 +27,8 @@ namespace waywright::clearance {
 /// at a corner of a face, crosses free edges and ends at its foot. Each wall has a list of the foot bridges that end on
 /// its left, in the order of their feet.
 ///
-/// update() updates the bridges after a change of the mesh: it looks only at vertices near the change. The result
-/// always equals a rebuild. Memory: eight bytes per half-edge, and twelve per foot bridge.
+/// update() updates the bridges after a change of the mesh: it looks only at corners and edges near the change
+/// (ChangedRegion). The result always equals a rebuild. Memory: eight bytes per half-edge, and twelve per foot bridge.
 ///
 /// Requires: each vertex of the mesh is the end of a wall.
 class Bridges {
@@ -45,6 +46,15 @@ class Bridges {
 
   /// Finds all bridges. Cost: linear in the number of faces, plus the number of faces that the bridges' discs touch.
   explicit Bridges(const Triangulation& triangulation);
+  /// Copies the bridges. The copy belongs to a copy of the triangulation. Requires: no update is in progress.
+  Bridges(const Bridges& other)
+      : corners_(other.corners_),
+        walls_(other.walls_),
+        feet_(other.feet_),
+        free_feet_(other.free_feet_),
+        free_feet_before_(other.free_feet_before_) {}
+  Bridges& operator=(const Bridges&) = delete;
+  ~Bridges() = default;
 
   /// Returns whether the edge of `h` is a bridge.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h) const { return (corners_[number(h)] & kIsBridge) != 0; }
@@ -81,15 +91,11 @@ class Bridges {
   void rebuild(const Triangulation& triangulation);
   void grow_to_mesh(const mesh::TriangleMesh& mesh);
 
-  void collect_touched(const Triangulation& triangulation);
-  void clear_touched();
   void clear_face(mesh::Face f);
-  /// Collects in `near_` the vertices at which bridges may have appeared or vanished.
-  void collect_near(const Triangulation& triangulation, BridgeFinder& finder);
-  void note_near(mesh::Vertex v);
-  void visit_beyond(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge border);
-  void find_at(const Triangulation& triangulation, BridgeFinder& finder, mesh::Vertex v);
+  void find_in_touched(const Triangulation& triangulation, BridgeFinder& finder);
+  void find_beyond(const Triangulation& triangulation, BridgeFinder& finder);
   void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
+  void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);
   void set_bridge(mesh::HalfEdge h, bool is_bridge);
 
   [[nodiscard]] std::uint32_t add_foot(const Foot& foot);
@@ -107,10 +113,7 @@ class Bridges {
   std::unique_ptr<Bridges> before_rebuild_;  ///< the bridges before the last update(), if it was a rebuild
 
   // Scratch.
-  std::vector<bool> is_touched_;  ///< by face
-  std::vector<mesh::Face> touched_;
-  std::vector<bool> is_near_;  ///< by vertex
-  std::vector<mesh::Vertex> near_;
+  ChangedRegion region_;
   BridgeScratch scratch_;
 };
 

@@ -63,7 +63,7 @@ exact::Gap Cells::gap(const CellEdge& gate) const {
 }
 
 Point Cells::position_of_foot(std::uint32_t foot) const {
-  return exact::end(canonical_gap({CellEdge::Kind::foot_down, bridges_.foot(foot).corner, foot}));
+  return exact::end_of(canonical_gap({CellEdge::Kind::foot_down, bridges_.foot(foot).corner, foot}));
 }
 
 exact::Gap Cells::canonical_gap(const CellEdge& gate) const {

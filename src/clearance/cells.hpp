@@ -52,6 +52,10 @@ class Cells {
   [[nodiscard]] mesh::Vertex origin(const CellEdge& edge) const;
   /// The bridge as a gap.
   [[nodiscard]] exact::Gap gap(const CellEdge& gate) const;
+  /// The position of a vertex of the cell's border near the edge, in doubles.
+  [[nodiscard]] Point position_near(const CellEdge& edge) const {
+    return triangulation_.triangulation().geometry().rounded(number(mesh_.origin(edge.h)));
+  }
   /// The position of a foot, in doubles. It depends only on the geometry of the mesh.
   [[nodiscard]] Point position_of_foot(std::uint32_t foot) const;
   /// The bridge as a gap that depends only on the geometry of the mesh, not on the direction of the gate. A bridge

@@ -29,6 +29,12 @@ class Clearance {
   /// The bridges of a world. Pass the triangulation of the world, which may have been moved, to every function with a
   /// parameter `world`.
   explicit Clearance(const Triangulation& world);
+  /// Copies the bridges, and the second triangulation if there is one. Requires: no operation is under way.
+  Clearance(const Clearance& other)
+      : walls_(other.walls_ ? std::make_unique<Triangulation>(*other.walls_) : nullptr),
+        bridges_(std::make_unique<Bridges>(*other.bridges_)) {}
+  Clearance& operator=(const Clearance&) = delete;
+  ~Clearance() = default;
 
   /// The triangulation to which bridges() belongs.
   [[nodiscard]] const Triangulation& walls(const Triangulation& world) const { return walls_ ? *walls_ : world; }

@@ -6,19 +6,21 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "clearance/distance_bounds.hpp"
 
 namespace waywright::clearance {
 
 /// A disc in doubles, a little larger than the exact disc that it stands for. A search that visits the faces around a
-/// bridge leaves out edges that this disc does not touch. The disc decides nothing else: exact predicates decide
-/// whether a gap is a bridge.
+/// bridge leaves out edges that this disc does not touch. The disc also rejects a gap if the exact disc surely contains
+/// a vertex. It decides nothing else: exact predicates decide whether a gap is a bridge.
 ///
 /// All positions are relative to `origin`, a vertex on the circle, so that a small disc far from (0, 0) keeps its
 /// precision.
 struct Disc {
   Point origin;
   Point centre;  ///< relative to `origin`
-  double squared_radius = 0.0;
+  double radius = 0.0;
+  double error = 0.0;  ///< of each coordinate of `centre`: at most this, plus 2^-50 of the coordinates' magnitudes
 
   /// Returns the disc whose diameter is the segment from `from` to the foot of the perpendicular on the line through
   /// `a` and `b`, or to `a` if the two are equal.
@@ -34,6 +36,11 @@ struct Disc {
     }
     return around(from, {0.5 * to.x, 0.5 * to.y}, error);
   }
+  /// Returns the disc whose diameter is the segment from `a` to `b`. Each coordinate of the two points may be wrong by
+  /// `rounding`.
+  [[nodiscard]] static Disc of_edge(const Point& a, const Point& b, double rounding) {
+    return around(a, {0.5 * (b.x - a.x), 0.5 * (b.y - a.y)}, 2.0 * rounding);
+  }
   /// Returns the disc whose border contains the three vertices of a triangle. Each coordinate of a vertex may be wrong
   /// by `rounding`.
   [[nodiscard]] static Disc of_triangle(const Point& a, const Point& b, const Point& c, double rounding) {
@@ -44,7 +51,7 @@ struct Disc {
     const double area = one - other;
     const double extent = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
     const double uncertain = kUnit * (std::abs(one) + std::abs(other)) + 4.0 * rounding * extent;
-    if (!(std::abs(area) > 0x1p20 * uncertain)) return {a, {0.0, 0.0}, HUGE_VAL};
+    if (!(std::abs(area) > 0x1p20 * uncertain)) return {a, {0.0, 0.0}, HUGE_VAL, HUGE_VAL};
     const double p_lift = p.x * p.x + p.y * p.y;
     const double q_lift = q.x * q.x + q.y * q.y;
     const double scale = 0.5 / area;
@@ -61,15 +68,48 @@ struct Disc {
   [[nodiscard]] bool may_touch(const Point& a, const Point& b, double rounding) const {
     const Point from{a.x - origin.x - centre.x, a.y - origin.y - centre.y};
     const Point along{b.x - a.x, b.y - a.y};
+    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
+    const double limit = (radius + (kUnit * extent + 4.0 * rounding)) * (1.0 + kUnit);
     const double squared_length = along.x * along.x + along.y * along.y;
     const double dot = -(from.x * along.x + from.y * along.y);
-    const double share = dot <= 0.0 ? 0.0 : dot >= squared_length ? 1.0 : dot / squared_length;
-    const double x = from.x + share * along.x;
-    const double y = from.y + share * along.y;
-    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
-    const double slack = kUnit * extent + 4.0 * rounding;
-    const double distance = std::max(std::sqrt(x * x + y * y) - slack, 0.0);
-    return !(distance * distance > squared_radius);
+    if (dot > 0.0 && dot < squared_length) {
+      const double cross = from.x * along.y - from.y * along.x;
+      return !(cross * cross > limit * limit * squared_length);
+    }
+    const Point nearest = dot <= 0.0 ? from : from + along;
+    return !(nearest.x * nearest.x + nearest.y * nearest.y > limit * limit);
+  }
+  /// Returns false only if the segment from `origin` to `p` contains no position strictly inside the exact disc: then
+  /// the angle between the segment and the radius to `origin` is at least 90 degrees. Requires: the exact circle
+  /// contains the exact position of `origin`. Each coordinate of the two points may be wrong by `rounding`.
+  [[nodiscard]] bool may_enter(const Point& p, double rounding) const {
+    const Point along{p.x - origin.x, p.y - origin.y};
+    const double x = along.x * centre.x;
+    const double y = along.y * centre.y;
+    const double slack = kUnit * (std::abs(x) + std::abs(y)) + error * (std::abs(along.x) + std::abs(along.y)) +
+                         4.0 * rounding * (std::abs(centre.x) + std::abs(centre.y) + error);
+    return !(x + y + slack <= 0.0);
+  }
+  /// Returns true only if `p` lies in the closed exact disc. Requires: `origin` and `p` are exact.
+  [[nodiscard]] bool surely_contains(const Point& p) const {
+    const Point from{p.x - origin.x, p.y - origin.y};
+    const double x = from.x * (from.x - 2.0 * centre.x);
+    const double y = from.y * (from.y - 2.0 * centre.y);
+    const double extent = std::abs(from.x) + std::abs(from.y);
+    const double slack = kUnit * extent * (extent + std::abs(centre.x) + std::abs(centre.y)) + 4.0 * error * extent;
+    return x + y + slack <= 0.0;
+  }
+
+  /// Returns true only if the exact value of (q - p) . (r - p) is not positive. Each coordinate of the points may be
+  /// wrong by `rounding`.
+  [[nodiscard]] static bool is_surely_not_acute(const Point& q, const Point& p, const Point& r, double rounding) {
+    const Point to_q{q.x - p.x, q.y - p.y};
+    const Point to_r{r.x - p.x, r.y - p.y};
+    const double x = to_q.x * to_r.x;
+    const double y = to_q.y * to_r.y;
+    if (x + y > 0.0) return false;
+    const double extent = std::abs(to_q.x) + std::abs(to_q.y) + std::abs(to_r.x) + std::abs(to_r.y);
+    return x + y + kUnit * (std::abs(x) + std::abs(y)) + 4.0 * rounding * (extent + 4.0 * rounding) <= 0.0;
   }
 
  private:
@@ -78,7 +118,7 @@ struct Disc {
   /// `error` bounds the error of each coordinate of the centre. The circle contains the origin.
   [[nodiscard]] static Disc around(const Point& origin, const Point& centre, double error) {
     const double radius = std::sqrt(centre.x * centre.x + centre.y * centre.y) * (1.0 + kUnit) + 4.0 * error;
-    return {origin, centre, radius * radius * (1.0 + kUnit)};
+    return {origin, centre, radius, error};
   }
 };
 

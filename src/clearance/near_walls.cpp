@@ -1,11 +1,12 @@
 #include "clearance/near_walls.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 
+#include "clearance/distance_bounds.hpp"
 #include "clearance/wall_line.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::clearance {
@@ -16,44 +17,26 @@ using mesh::Vertex;
 
 namespace {
 
-/// Bounds of the distance from a point to an edge.
-struct Distance {
-  double least;
-  double most;
-};
-
 /// Computes distances from a point to edges in doubles, with bounds of their errors.
 class Distances {
  public:
   Distances(const constraint::ExactTriangulation& triangulation, const Point& point)
-      : mesh_(triangulation.topology()), geometry_(triangulation.triangulation().geometry()), point_(point) {
-    const Box& domain = triangulation.domain();
-    if (!geometry_.has_constructed()) return;
-    rounding_ = 0x1p-50 * std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x),
-                                    std::abs(domain.max.y)});
-  }
+      : mesh_(triangulation.topology()),
+        geometry_(triangulation.triangulation().geometry()),
+        point_(point),
+        rounding_(constraint::largest_rounding(triangulation)) {}
 
-  [[nodiscard]] Distance to(HalfEdge h) const {
+  [[nodiscard]] DistanceBounds to(HalfEdge h) const {
     const Point& a = geometry_.rounded(number(mesh_.origin(h)));
     const Point& b = geometry_.rounded(number(mesh_.target(h)));
-    const Point from{a.x - point_.x, a.y - point_.y};
-    const Point along{b.x - a.x, b.y - a.y};
-    const double squared_length = along.x * along.x + along.y * along.y;
-    const double dot = -(from.x * along.x + from.y * along.y);
-    const double share = dot <= 0.0 ? 0.0 : dot >= squared_length ? 1.0 : dot / squared_length;
-    const double x = from.x + share * along.x;
-    const double y = from.y + share * along.y;
-    const double extent = std::abs(from.x) + std::abs(from.y) + std::abs(along.x) + std::abs(along.y);
-    const double slack = 0x1p-48 * extent + rounding_;
-    const double distance = std::sqrt(x * x + y * y);
-    return {distance - slack, distance + slack};
+    return bound_distance({a.x - point_.x, a.y - point_.y}, {b.x - a.x, b.y - a.y}, rounding_);
   }
 
  private:
   const mesh::TriangleMesh& mesh_;
   const exact::Geometry& geometry_;
   Point point_;
-  double rounding_ = 0.0;
+  double rounding_;
 };
 
 }  // namespace
@@ -126,7 +109,7 @@ void NearWalls::find_candidates(const Triangulation& triangulation, const Point&
       triangulation, point, [&](HalfEdge h) { return !mesh.is_fixed(h) && distances.to(h).least <= most; },
       [&](HalfEdge h) {
         if (!mesh.is_fixed(h)) return;
-        const Distance distance = distances.to(h);
+        const DistanceBounds distance = distances.to(h);
         if (distance.least > most) return;
         most = std::min(most, distance.most);
         candidates_.push_back({h, distance.least});

@@ -8,6 +8,8 @@
 
 #include "base/ieee.hpp"
 #include "clearance/wall_line.hpp"
+#include "constraint/rounding.hpp"
+#include "exact/filter.hpp"
 #include "exact/gap.hpp"
 #include "exact/next_coordinate.hpp"
 
@@ -19,7 +21,8 @@ using Interval = OffsetCurve::Interval;
 
 namespace {
 
-/// An interval of a circle between two walls of its vertex that is shorter than this is the end of an offset line.
+/// If an interval of a circle between two walls of its vertex is shorter than this, the search drops it: then it is the
+/// single position where the offset lines of the two walls end.
 constexpr double kShortestArc = 0x1p-40;
 
 bool is_later(double p, double q) { return p > q; }
@@ -66,8 +69,8 @@ std::optional<Point> NearestFit::find(const Triangulation& triangulation, constr
   if (query.radius > domain.width() || query.radius > domain.height()) return std::nullopt;
   if (goal != nullptr) reach_.begin(Cells(goal->walls, goal->bridges), goal->cell, query.radius);
   if (fits(query.point) && counts(query.point)) return query.point;
-  largest_ = std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-  rounding_ = triangulation.triangulation().geometry().has_constructed() ? 0x1p-50 * largest_ : 0.0;
+  largest_ = exact::filter::largest_magnitude(domain);
+  rounding_ = constraint::largest_rounding(triangulation);
   open_.clear();
   pieces_.clear();
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -150,7 +153,8 @@ void NearestFit::push_piece(Kind kind, const Piece& piece) {
   push(bound, kind, piece.h, static_cast<std::uint32_t>(pieces_.size() - 1));
 }
 
-/// Clips the piece of the line that is nearest to the point. The rest waits until no other position can be nearer.
+/// Clips the piece of the line that is nearest to the point. Pushes the other pieces to the open list: the search clips
+/// them when no other entry can give a nearer position.
 void NearestFit::clip_line(std::uint32_t piece) {
   const Piece line = pieces_[piece];
   const double nearest = line.curve.nearest(line.interval);
@@ -219,7 +223,7 @@ bool NearestFit::is_outside(HalfEdge h, const Point& direction) {
 
 /// Removes from `intervals_` the positions that are too near to a wall. Starts at the half-edges in `to_cross_`, and
 /// enters each face that a disc at a position of the intervals meets. A wall hides the walls beyond it: a disc that is
-/// too near to one of these is too near to a wall that the search finds, too.
+/// too near to a hidden wall is also too near to a wall that the search finds.
 void NearestFit::clip(const OffsetCurve& curve, HalfEdge own) {
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   for (std::size_t i = 0; i < to_cross_.size() && !intervals_.empty(); ++i) {
@@ -248,8 +252,8 @@ void NearestFit::block(const OffsetCurve& curve, HalfEdge wall) {
 }
 
 /// If the gap between the curve's own wall and another wall is shorter than the diameter by less than a rounding error,
-/// block() may have left the positions where the disc would pass the gap. Exact predicates find these gaps. So no
-/// interval contains positions from which the disc does not get to the others.
+/// block() may have kept the positions where the disc would pass the gap. Exact predicates find these gaps, and cut the
+/// interval there. So from each position of an interval, the disc gets to all others of this interval.
 void NearestFit::divide_at_gaps(const OffsetCurve& curve, HalfEdge own, HalfEdge wall) {
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const auto divide = [&](const exact::Gap& gap, const Point& other) {
@@ -296,7 +300,8 @@ HalfEdge NearestFit::blocker_at(const Piece& piece, double parameter) const {
   return parameter == piece.interval.high ? piece.interval.high_blocker : mesh::kNoHalfEdge;
 }
 
-/// clip() makes intervals a little longer than they are. Returns the end of the interval as precisely as doubles allow.
+/// The intervals of clip() are a little longer than the exact ones. Returns the end of the exact interval, as precisely
+/// as doubles allow.
 /// If the angle between the two curves is small, the parameter stays as it is.
 double NearestFit::sharpened(const Piece& piece, double parameter) const {
   const HalfEdge blocker = blocker_at(piece, parameter);
@@ -324,7 +329,7 @@ Point NearestFit::inward(const Piece& piece, double parameter) const {
 }
 
 /// Tries positions at the distances `least`, 2 `least`, 4 `least`, ... up to `most` in a direction. If the disc fits at
-/// one of them, looks for a nearer one between this and the one before.
+/// one of them, a bisection finds the nearest position between this one and the one before.
 bool NearestFit::push_inwards(const Point& from, const Point& direction, double least, double most) {
   double before = 0.0;
   for (double push = least; push <= most; push *= 2.0) {

@@ -21,9 +21,9 @@ namespace waywright::clearance {
 ///
 /// The search visits faces in the order of their distances from the point. For each wall it takes the two offset curves
 /// of the wall, and for each vertex the circle around it. clip() removes from a curve the positions that are too near
-/// to another wall. What is left are the positions where the disc touches the curve's wall and fits, up to rounding
-/// errors, and never less. The nearest position of each interval is a candidate. The search stops when no other
-/// candidate and no other wall can give a nearer position.
+/// to another wall. At each remaining position, the disc fits and touches the curve's wall. Rounding errors can add
+/// positions, but they never remove one. The nearest position of each remaining interval is a candidate. The search
+/// stops when no other candidate and no other wall can give a nearer position.
 ///
 /// Exact predicates check each answer. A candidate is rounded to a point where the disc fits: first to the nearest
 /// point, then to points that lie farther and farther inside the free positions.
@@ -36,7 +36,7 @@ class NearestFit {
     double radius = 0.0;  ///< above 0
     double limit = 0.0;   ///< the largest distance of the answer from the point; may be infinity
   };
-  /// The positions that count: those from which the disc gets to a goal.
+  /// A goal. Only the positions count from which the disc gets to the goal.
   struct Goal {
     const Triangulation& walls;
     const Bridges& bridges;
@@ -51,7 +51,7 @@ class NearestFit {
 
  private:
   enum class Kind : std::uint8_t {
-    enter,      ///< the face of `h`
+    enter,      ///< the face of `h`, which the search has not entered yet
     line,       ///< an interval of an offset line of which nothing has been removed yet: an element of `pieces_`
     circle,     ///< the circle around a vertex, the origin of `h`
     candidate,  ///< an interval without the positions that walls block: an element of `pieces_`

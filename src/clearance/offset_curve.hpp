@@ -8,8 +8,9 @@
 
 namespace waywright::clearance {
 
-/// The positions at a distance r from a wall, on its left: a straight line. Or the positions at the distance r from a
-/// vertex: a circle. Each free position that is nearest to a position that is not free lies on such a curve.
+/// One of two curves: the straight line of the positions at the distance r from the line through a wall, on its left;
+/// or the circle of radius r around a vertex. If a position is not free, the free position nearest to it lies on such a
+/// curve.
 ///
 /// A parameter says where a position lies on the curve. On a line, it is the distance from the foot of the
 /// perpendicular from the query's point. On a circle it is an angle, from 0 to 4: each of its integers is a multiple of
@@ -27,7 +28,7 @@ class OffsetCurve {
   };
   using Intervals = std::vector<Interval>;
 
-  /// What a segment does to a curve.
+  /// The interval of the curve that a segment blocks: its positions are nearer to the segment than r.
   struct Blocked {
     bool is_blocked = false;
     double low = 0.0;

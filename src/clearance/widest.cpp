@@ -26,46 +26,91 @@ bool is_shorter(const Cells& cells, const CellEdge& p, double p_length, const Ce
   return key(p_gap) < key(q_gap);
 }
 
+/// The order of the heap of open gates.
+constexpr auto kIsFarther = [](const auto& p, const auto& q) { return p.squared_distance > q.squared_distance; };
+
 }  // namespace
 
 Narrowest WidestSearch::find(const Cells& cells, const CellEdge& start, const CellEdge& goal) {
   visited_.grow_to(cells.key_count());
-  stamp_.next(1, visited_);
-  open_.clear();
-  if (enter(cells, start, goal, nullptr)) return {true, std::nullopt};
-  const auto is_less = [&](const Entry& p, const Entry& q) {
-    return is_shorter(cells, p.narrowest, p.length, q.narrowest, q.length);
-  };
-  std::make_heap(open_.begin(), open_.end(), is_less);
-  while (!open_.empty()) {
-    std::pop_heap(open_.begin(), open_.end(), is_less);
-    const Entry entry = open_.back();
-    open_.pop_back();
-    const CellEdge beyond = cells.across(entry.gate);
-    if (visited_[cells.key(beyond)] == stamp_.value()) continue;
-    const std::size_t count = open_.size();
-    if (enter(cells, beyond, goal, &entry)) return {true, entry.narrowest};
-    for (std::size_t i = count; i < open_.size(); ++i) {
-      std::push_heap(open_.begin(), open_.begin() + static_cast<std::ptrdiff_t>(i) + 1, is_less);
-    }
+  constexpr std::uint32_t kStamps = 2;
+  stamp_.next(kStamps, visited_);
+  begin(cells, ends_[0], goal, stamp_.value());
+  begin(cells, ends_[1], start, stamp_.value() + 1);
+  if (enter(cells, ends_[0], start, &goal)) return {true, std::nullopt};
+  (void)enter(cells, ends_[1], goal, nullptr);
+  for (int turn = 0; has_gates(ends_[turn]); turn = 1 - turn) {
+    End& end = ends_[turn];
+    const CellEdge beyond = cells.across(pop(cells, end));
+    const std::uint32_t visited = visited_[cells.key(beyond)];
+    if (visited == ends_[1 - turn].stamp) return narrower_level(cells);
+    if (visited != end.stamp) (void)enter(cells, end, beyond, nullptr);
   }
   return {};
 }
 
-/// Enters the cell of `from`, and appends its gates to `open_`. Returns whether it is the cell of `goal`.
-bool WidestSearch::enter(const Cells& cells, const CellEdge& from, const CellEdge& goal, const Entry* before) {
+void WidestSearch::begin(const Cells& cells, End& end, const CellEdge& target, std::uint32_t stamp) {
+  end.target = cells.position_near(target);
+  end.stamp = stamp;
+  end.level.reset();
+  end.open.clear();
+  end.shorter.clear();
+}
+
+/// Removes the next gate to cross. If none is as long as the level, lowers the level. Requires: the search has gates.
+CellEdge WidestSearch::pop(const Cells& cells, End& end) {
+  if (!end.open.empty()) {
+    std::pop_heap(end.open.begin(), end.open.end(), kIsFarther);
+    const CellEdge gate = end.open.back().edge;
+    end.open.pop_back();
+    return gate;
+  }
+  const auto is_less = [&](const Gate& p, const Gate& q) {
+    return is_shorter(cells, p.edge, p.length, q.edge, q.length);
+  };
+  std::pop_heap(end.shorter.begin(), end.shorter.end(), is_less);
+  end.level = end.shorter.back();
+  end.shorter.pop_back();
+  return end.level->edge;
+}
+
+/// Enters the cell of `from` and looks at its gates. Returns whether `other_end` is an edge of this cell.
+bool WidestSearch::enter(const Cells& cells, End& end, const CellEdge& from, const CellEdge* other_end) {
   CellEdge edge = from;
   do {
-    if (edge == goal) return true;
+    if (other_end != nullptr && edge == *other_end) return true;
     if (edge.is_gate()) {
-      visited_[cells.key(edge)] = stamp_.value();
-      const double length = exact::length(cells.gap(edge));
-      const bool is_narrowest = before == nullptr || is_shorter(cells, edge, length, before->narrowest, before->length);
-      open_.push_back({edge, is_narrowest ? edge : before->narrowest, is_narrowest ? length : before->length});
+      visited_[cells.key(edge)] = end.stamp;
+      see(cells, end, edge);
     }
     edge = cells.next(edge);
   } while (edge != from);
   return false;
+}
+
+/// Adds a gate of a cell that the search has entered, unless the search has entered the cell beyond it, too.
+void WidestSearch::see(const Cells& cells, End& end, const CellEdge& gate) {
+  if (visited_[cells.key(cells.across(gate))] == end.stamp) return;
+  const exact::Gap gap = cells.gap(gate);
+  const Gate seen{gate, exact::length(gap)};
+  if (end.level && !is_shorter(cells, seen.edge, seen.length, end.level->edge, end.level->length)) {
+    end.open.push_back({gate, squared_length(end.target - gap.from)});
+    std::push_heap(end.open.begin(), end.open.end(), kIsFarther);
+    return;
+  }
+  end.shorter.push_back(seen);
+  std::push_heap(end.shorter.begin(), end.shorter.end(),
+                 [&](const Gate& p, const Gate& q) { return is_shorter(cells, p.edge, p.length, q.edge, q.length); });
+}
+
+/// Returns the shorter of the two levels: the narrowest gate on the connection through the cell where the searches
+/// meet.
+Narrowest WidestSearch::narrower_level(const Cells& cells) const {
+  const std::optional<Gate>& a = ends_[0].level;
+  const std::optional<Gate>& b = ends_[1].level;
+  if (!b) return {true, a->edge};
+  if (!a) return {true, b->edge};
+  return {true, is_shorter(cells, a->edge, a->length, b->edge, b->length) ? a->edge : b->edge};
 }
 
 }  // namespace waywright::clearance

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "waywright/point.hpp"
+
 #include "clearance/cells.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -19,7 +21,14 @@ struct Narrowest {
 /// Finds the widest connection between two cells: the one whose narrowest gate is longest. Use one object for many
 /// queries, because it keeps its memory.
 ///
-/// Source: the bottleneck path (Pollack, *The maximum capacity through a network*, 1960), as a best-first search.
+/// Two searches run in turns, one from each end, until one of them enters a cell that the other has entered. Each
+/// search has a *level*: the narrowest gate that it has crossed so far. It first crosses all gates that it has seen and
+/// that are not shorter than its level, those near the other end first. Only then it crosses the longest gate that is
+/// left, which becomes its level. So a search that lowers its level has entered all cells that it can reach through
+/// longer gates. When the two meet, the shorter of the two levels is therefore the gate that the query asks for. If one
+/// end lies in a small room, its search soon leaves this room and runs straight towards the other end.
+///
+/// Source: the bottleneck path (Pollack, *The maximum capacity through a network*, 1960).
 class WidestSearch {
  public:
   /// Returns the narrowest gate of the widest connection from the cell of `start` to the cell of `goal`. All
@@ -27,16 +36,34 @@ class WidestSearch {
   [[nodiscard]] Narrowest find(const Cells& cells, const CellEdge& start, const CellEdge& goal);
 
  private:
-  struct Entry {
-    CellEdge gate;
-    CellEdge narrowest;  ///< the narrowest gate up to this one, and this one included
-    double length;       ///< of `narrowest`, in doubles
+  /// A gate that a search has seen but not crossed, with its length in doubles.
+  struct Gate {
+    CellEdge edge;
+    double length;
+  };
+  /// A gate that is not shorter than the level of its search.
+  struct OpenGate {
+    CellEdge edge;
+    double squared_distance;  ///< from the other end, about
+  };
+  /// The search from one end.
+  struct End {
+    Point target;                ///< about where the other end is
+    std::uint32_t stamp;         ///< marks the gates of the cells that this search has entered
+    std::optional<Gate> level;   ///< nothing as long as the search has crossed no gate
+    std::vector<OpenGate> open;  ///< a heap; the gate nearest to the target comes first
+    std::vector<Gate> shorter;   ///< a heap of gates that are shorter than the level; the longest comes first
   };
 
-  [[nodiscard]] bool enter(const Cells& cells, const CellEdge& from, const CellEdge& goal, const Entry* before);
+  static void begin(const Cells& cells, End& end, const CellEdge& target, std::uint32_t stamp);
+  [[nodiscard]] static bool has_gates(const End& end) { return !end.open.empty() || !end.shorter.empty(); }
+  [[nodiscard]] CellEdge pop(const Cells& cells, End& end);
+  [[nodiscard]] bool enter(const Cells& cells, End& end, const CellEdge& from, const CellEdge* other_end);
+  void see(const Cells& cells, End& end, const CellEdge& gate);
+  [[nodiscard]] Narrowest narrower_level(const Cells& cells) const;
 
-  std::vector<Entry> open_;                     ///< a heap
-  memory::ZeroedArray<std::uint32_t> visited_;  ///< by key: the number of the last query that entered the gate's cell
+  End ends_[2];                                 ///< from the start, from the goal
+  memory::ZeroedArray<std::uint32_t> visited_;  ///< by key: the stamp of the search that has entered the gate's cell
   memory::Stamp stamp_;
 };
 

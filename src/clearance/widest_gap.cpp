@@ -40,7 +40,7 @@ void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, 
   result.is_limited = true;
   result.radius = exact::largest_radius(gap);
   result.from = gap.from;
-  result.to = exact::end(gap);
+  result.to = exact::end_of(gap);
   const bool starts_at_origin =
       gap.from == triangulation.triangulation().geometry().rounded(number(mesh.origin(gate.h)));
   append_items_at(triangulation, starts_at_origin ? mesh.origin(gate.h) : mesh.target(gate.h), result.from_items);

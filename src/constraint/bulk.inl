@@ -33,6 +33,22 @@ locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::sp
   return locate::sort_along_curve(domain, corners, team);
 }
 
+/// The index of the first item of a batch that has a corner whose rank satisfies `is_wanted`, or the size of the batch.
+/// `ranks` are the ranks of the corners of the items, one after the other.
+template <class Batch, class IsWanted>
+std::size_t find_item(const Batch& batch, std::span<const std::uint32_t> ranks, IsWanted&& is_wanted) {
+  std::size_t corner = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (const auto& ring : batch.rings(i)) {
+      const std::span<const std::uint32_t> of_ring =
+          ranks.subspan(corner, count_corners(ring, batch.kind(i) == ItemKind::polygon));
+      if (std::any_of(of_ring.begin(), of_ring.end(), is_wanted)) return i;
+      corner += of_ring.size();
+    }
+  }
+  return batch.size();
+}
+
 /// The sum of the hashes of a batch's items. The corners are hashed as the caller gave them, so no mesh is needed.
 template <class Batch>
 ItemHash::Words hash_of_batch(const Batch& batch) {
@@ -56,10 +72,20 @@ ItemHash::Words hash_of_batch(const Batch& batch) {
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
-                                                             const threads::ThreadTeam& team)
-    : domain_(domain), triangulation_(domain, kSidesOfBox) {
+                                                             const threads::ThreadTeam& team,
+                                                             const VertexLimits& limits)
+    : domain_(domain), triangulation_(domain, kSidesOfDomain), budget_(limits) {
   locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), team);
   const std::span<const std::uint32_t> ranks(sorted.ranks);
+  const std::size_t corner_count = sorted.points.size() - 4;  // without those of the domain
+  budget_.begin_insertion(4);
+  budget_.add(corner_count);
+  if (has_too_many_vertices()) {
+    refused_index_ = find_item(batch, ranks.subspan(4), [&](std::uint32_t rank) {
+      return rank >= budget_.allowed() && std::find(ranks.begin(), ranks.begin() + 4, rank) == ranks.begin() + 4;
+    });
+    return;
+  }
   corner_uses_.grow_to(sorted.points.size() + 1, UseLists::kNone);
   std::vector<std::uint32_t> with_sides;
   ItemHash::Words hash{};
@@ -71,11 +97,11 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
         });
       },
       [&] { hash = hash_of_batch(batch); }};
-  triangulation_ = Triangulation(domain, kSidesOfBox, std::move(sorted), team, jobs);
+  triangulation_ = Triangulation(domain, kSidesOfDomain, std::move(sorted), team, jobs);
   items_.outline(ItemTable::kDomain, outline_);
   items_.add_hash(hash_of(ItemTable::kDomain, outline_));
   items_.add_hash(hash);
-  insert_sides(with_sides, [&](std::size_t items) {
+  insert_sides(batch, with_sides, [&](std::size_t items) {
     if (items % kItemsBetweenReports != 0) return;
     begin();
     team.report(ranks.size() - 4 + items);
@@ -94,37 +120,45 @@ template <class Geometry>
 template <class Batch>
 void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, team);
-  const std::vector<mesh::Vertex> vertices = insert_sorted(sorted.points, team);
+  std::vector<mesh::Vertex> vertices;
+  budget_.begin_insertion(topology().vertex_count() - 1);
+  if (const auto stopped = insert_sorted(sorted.points, team, vertices)) {
+    refused_index_ = find_item(batch, sorted.ranks, [&](std::uint32_t rank) { return rank == *stopped; });
+    return;
+  }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
   items_.add_hash(hash_of_batch(batch));
-  insert_sides(add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {}), [&](std::size_t items) {
+  const std::vector<std::uint32_t> with_sides = add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {});
+  insert_sides(batch, with_sides, [&](std::size_t items) {
     if (items % kItemsBetweenReports == 0) team.report(sorted.ranks.size() + items);
   });
 }
 
 /// Makes a vertex at each point, first in their order. If this is costly, it inserts the others in scattered order.
 template <class Geometry>
-std::vector<mesh::Vertex> ConstrainedTriangulation<Geometry>::insert_sorted(std::span<const Point> points,
-                                                                            const threads::ThreadTeam& team) {
-  std::vector<mesh::Vertex> vertices;
+std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::insert_sorted(std::span<const Point> points,
+                                                                               const threads::ThreadTeam& team,
+                                                                               std::vector<mesh::Vertex>& vertices) {
   vertices.reserve(points.size());
   CostWatch watch(kUsualTests);
   while (vertices.size() < points.size() && !watch.is_costly()) {
     const auto inserted = triangulation_.insert(points[vertices.size()]);
     watch.add(inserted.tested_edges);
     vertices.push_back(insert_vertex(inserted));
+    if (has_too_many_vertices()) return static_cast<std::uint32_t>(vertices.size() - 1);
     if (vertices.size() % kItemsBetweenReports == 0) team.report(vertices.size());
   }
-  if (vertices.size() == points.size()) return vertices;
+  if (vertices.size() == points.size()) return std::nullopt;
   std::size_t done = vertices.size();
   order_.clear();
   append_scattered(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(points.size()), true, order_);
   vertices.resize(points.size());
   for (const std::uint32_t i : order_) {
     vertices[i] = insert_vertex(triangulation_.insert(points[i]));
+    if (has_too_many_vertices()) return i;
     if (++done % kItemsBetweenReports == 0) team.report(done);
   }
-  return vertices;
+  return std::nullopt;
 }
 
 template <class Geometry>
@@ -162,10 +196,16 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
 }
 
 template <class Geometry>
-template <class AfterItem>
-void ConstrainedTriangulation<Geometry>::insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item) {
+template <class Batch, class AfterItem>
+void ConstrainedTriangulation<Geometry>::insert_sides(const Batch& batch, const std::vector<std::uint32_t>& items,
+                                                      AfterItem&& after_item) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     items_.for_each_side(items[i], [&](std::uint32_t side) { insert_side(side); });
+    if (has_too_many_vertices()) {
+      refused_index_ = 0;
+      while (batch.id(refused_index_) != items_.id(items[i])) ++refused_index_;
+      return;
+    }
     after_item(i + 1);
   }
 }

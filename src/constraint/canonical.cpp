@@ -51,7 +51,7 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
   fixed.clear();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
-    if (!delaunay.is_in_box(f)) continue;
+    if (!delaunay.is_in_domain(f)) continue;
     mesh::HalfEdge h = mesh::first(f);
     std::array<std::uint32_t, 3> corners{};
     for (std::uint32_t& corner : corners) {

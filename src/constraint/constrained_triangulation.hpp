@@ -14,6 +14,7 @@
 #include "constraint/batch.hpp"
 #include "constraint/item_table.hpp"
 #include "constraint/use_lists.hpp"
+#include "constraint/vertex_budget.hpp"
 #include "delaunay/triangulation.hpp"
 #include "locate/curve.hpp"
 #include "memory/journaled_array.hpp"
@@ -32,9 +33,11 @@ class ConstrainedTriangulation {
   using Triangulation = delaunay::Triangulation<Geometry>;
 
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
-  /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster.
+  /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster. If it needs more
+  /// vertices than the limits allow, the triangulation is incomplete, and has_too_many_vertices() returns true.
   template <class Batch>
-  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::ThreadTeam& team = {});
+  ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::ThreadTeam& team = {},
+                           const VertexLimits& limits = {});
 
   [[nodiscard]] const Box& domain() const { return domain_; }
   [[nodiscard]] const Triangulation& triangulation() const { return triangulation_; }
@@ -42,6 +45,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] const ItemTable& items() const { return items_; }
   /// Marks an id as used: the table never chooses it for a new item.
   void mark_used(ItemId id) { items_.mark_used(id); }
+  /// Sets the largest id seen, as a change of the operation under way. Requires: no item has a larger id.
+  void set_largest_id_seen(ItemId id) { items_.set_largest_id_seen(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
@@ -50,8 +55,10 @@ class ConstrainedTriangulation {
   /// destructor undoes all changes since the object was made. Requires: no other operation is under way.
   class UndoGuard {
    public:
-    explicit UndoGuard(ConstrainedTriangulation& triangulation) : triangulation_(triangulation) {
+    explicit UndoGuard(ConstrainedTriangulation& triangulation, const VertexLimits& limits = {})
+        : triangulation_(triangulation) {
       triangulation_.begin();
+      triangulation_.budget_ = VertexBudget(limits);
     }
     ~UndoGuard() {
       if (!is_committed_) triangulation_.roll_back();
@@ -65,6 +72,14 @@ class ConstrainedTriangulation {
     ConstrainedTriangulation& triangulation_;
     bool is_committed_ = false;
   };
+
+  /// Whether the operation has made more vertices than its limits allow. insert() and insert_all() then return before
+  /// they are done, and the operation must be undone.
+  [[nodiscard]] bool has_too_many_vertices() const { return budget_.is_exceeded(); }
+  [[nodiscard]] const VertexBudget& budget() const { return budget_; }
+  /// The index in its batch of an item at which the operation passed a limit. Requires: has_too_many_vertices() is true
+  /// after the insertion of a batch.
+  [[nodiscard]] std::size_t refused_index() const { return refused_index_; }
 
   /// Inserts an item. Requires: all points lie in the domain and are in range, no item has this id, and no ring is
   /// empty. Source: Chen 2009, section 3.3, after Anglada 1997.
@@ -108,8 +123,8 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
   /// The first four sides are those of the domain.
-  static constexpr std::array<mesh::Label, 4> kSidesOfBox = {UseLists::single(0), UseLists::single(1),
-                                                             UseLists::single(2), UseLists::single(3)};
+  static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
+                                                                UseLists::single(2), UseLists::single(3)};
 
   /// The next piece of a side. It first crosses the free edges in `crossed_`. It ends at `vertex`, or at the edge
   /// `fixed`.
@@ -139,9 +154,13 @@ class ConstrainedTriangulation {
   template <class Batch, class VertexOf, class AfterRecord>
   [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
                                                        VertexOf&& vertex_of, AfterRecord&& after_record);
-  [[nodiscard]] std::vector<mesh::Vertex> insert_sorted(std::span<const Point> points, const threads::ThreadTeam& team);
-  template <class AfterItem>
-  void insert_sides(const std::vector<std::uint32_t>& items, AfterItem&& after_item);
+  /// Makes a vertex at each point. If this passes a limit, stops and returns the index of the point.
+  [[nodiscard]] std::optional<std::uint32_t> insert_sorted(std::span<const Point> points,
+                                                           const threads::ThreadTeam& team,
+                                                           std::vector<mesh::Vertex>& vertices);
+  /// Inserts the sides of these items of a batch. If this passes a limit, stops and sets `refused_index_`.
+  template <class Batch, class AfterItem>
+  void insert_sides(const Batch& batch, const std::vector<std::uint32_t>& items, AfterItem&& after_item);
 
   [[nodiscard]] ItemHash::Words hash_of(std::uint32_t slot, const Outline& outline) const;
   void insert_corners(const Rings& rings, std::uint32_t slot);
@@ -195,6 +214,8 @@ class ConstrainedTriangulation {
   UseLists uses_;
   Triangulation triangulation_;
   memory::JournaledArray<Uses> corner_uses_;  ///< by vertex: the items with a corner there
+  VertexBudget budget_;                       ///< of the operation
+  std::size_t refused_index_ = 0;
 
   /// A corner of the item that the operation inserts. Its vertex is not made yet.
   struct LateCorner {

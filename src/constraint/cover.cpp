@@ -60,7 +60,7 @@ void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Vis
   const auto& delaunay = triangulation.triangulation();
   while (!delaunay.is_ghost_face(h)) {
     const mesh::Vertex v = mesh.origin(h);
-    const bool is_last = v == delaunay.box_corners()[0];
+    const bool is_last = v == delaunay.domain_corners()[0];
     const mesh::Vertex towards = is_last ? delaunay.ghost() : mesh.target(first_neighbour(triangulation, v));
     while (mesh.target(h) != towards) {
       visit(mesh::previous(h));

@@ -40,7 +40,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault(
   // The neighbours of the ghost vertex are the vertices on the border. Clockwise around the ghost vertex means
   // counter-clockwise around the domain.
   std::size_t corner = 0;
-  const auto& corners = triangulation_.box_corners();
+  const auto& corners = triangulation_.domain_corners();
   mesh::HalfEdge h = mesh.find(triangulation_.ghost(), corners[0]);
   if (h == mesh::kNoHalfEdge) return "a corner of the domain is not on the border";
   do {

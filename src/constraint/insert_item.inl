@@ -12,8 +12,10 @@ namespace waywright::constraint {
 // that lies on it, for example at another corner of its own item.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert(const Shape& shape, ItemId id) {
+  budget_.begin_insertion(topology().vertex_count() - 1);
   const std::uint32_t slot = items_.add_item(id, shape.kind, shape.fill);
   insert_corners(shape.rings, slot);
+  if (has_too_many_vertices()) return;
   end_item(slot);
   items_.for_each_side(slot, [&](std::uint32_t side) { insert_side(side); });
 }
@@ -30,6 +32,7 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
 }
 
 /// Inserts the corners of all rings, first in their order. If this is costly, it inserts the others in scattered order.
+/// Stops if the vertices are too many.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_corners(const Rings& rings, std::uint32_t slot) {
   outline_.clear();
@@ -37,6 +40,7 @@ void ConstrainedTriangulation<Geometry>::insert_corners(const Rings& rings, std:
   CostWatch watch(kUsualTests);
   for (const PointSpan& ring : rings) {
     for_each_corner(ring, items_.kind(slot) == ItemKind::polygon, [&](const Point& point) {
+      if (has_too_many_vertices()) return;
       if (watch.is_costly()) [[unlikely]] {
         late_corners_.push_back({point, static_cast<std::uint32_t>(outline_.corners.size())});
         outline_.corners.push_back(mesh::kNoVertex);
@@ -58,6 +62,7 @@ void ConstrainedTriangulation<Geometry>::insert_late_corners(std::uint32_t slot)
   append_scattered(0, static_cast<std::uint32_t>(late_corners_.size()), true, order_);
   for (const std::uint32_t i : order_) {
     const mesh::Vertex v = insert_vertex(triangulation_.insert(late_corners_[i].point));
+    if (has_too_many_vertices()) return;
     outline_.corners[late_corners_[i].index] = v;
     set_corner_uses(v, uses_.add(corner_uses_[number(v)], slot));
   }
@@ -67,6 +72,7 @@ template <class Geometry>
 mesh::Vertex ConstrainedTriangulation<Geometry>::insert_vertex(const typename Triangulation::Inserted& inserted) {
   if (inserted.split != mesh::kNoHalfEdge) split_uses(inserted.split);
   grow_corner_uses();
+  budget_.add(inserted.is_new ? 1 : 0);
   return inserted.vertex;
 }
 
@@ -88,9 +94,10 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 }
 
 // Inserts a side piece by piece. A piece ends at the next vertex on the side, or at a new vertex on the first fixed
-// edge that the side crosses.
+// edge that the side crosses. Stops if the vertices are too many.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
+  if (has_too_many_vertices()) return;
   Side side = items_.side(slot);
   if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   mesh::Vertex u = side.from;
@@ -98,6 +105,7 @@ void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   for (;;) {
     if (step.fixed != mesh::kNoHalfEdge) {
       const mesh::Vertex x = cut(step.fixed, side);
+      if (has_too_many_vertices()) return;
       const mesh::HalfEdge piece = take(u, step_to_crossing(u, x), slot);
       step = leave_crossing(topology().twin(piece), side);
       u = x;
@@ -248,6 +256,7 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   const Side& other = items_.side(uses_.any(topology().label(fixed)));
   const mesh::Vertex x = triangulation_.insert_crossing(fixed, side.from, side.to, other.from, other.to);
   grow_corner_uses();
+  budget_.add(1);
   split_uses(topology().find(x, end));
   return x;
 }

@@ -127,6 +127,8 @@ class ItemTable {
   }
   [[nodiscard]] ItemId largest_id_seen() const { return largest_id_seen_; }
   void mark_used(ItemId id) { largest_id_seen_ = std::max(largest_id_seen_, id); }
+  /// Sets the largest id seen. roll_back() restores the old one. Requires: no item has a larger id.
+  void set_largest_id_seen(ItemId id) { largest_id_seen_ = id; }
 
   void count_memory(MemoryUse& use) const {
     memory::count(use, &MemoryUse::items, items_);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/ieee.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::constraint {
@@ -24,7 +25,7 @@ namespace {
 /// meet, but it misses none.
 ///
 /// The disc lies in a box around the segment of its centre, wider than the segment by the radius on each side. In
-/// coordinates along and across the segment, the function clips an edge to this box. All numbers have errors of less
+/// coordinates along and across the segment, earliest() clips an edge to this box. All numbers have errors of less
 /// than 2^-49 times the sum of the magnitudes, and the box is wider than the exact one by 2^-46 times this sum. If a
 /// vertex is a crossing, its coordinates are rounded, and the box is wider by this error, too.
 class Reach {
@@ -33,18 +34,15 @@ class Reach {
       : mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
         from_(sweep.from),
-        radius_(std::min(sweep.radius, kLargestRadius)) {
+        radius_(std::min(sweep.radius, kLargestRadius)),
+        rounding_(largest_rounding(triangulation)) {
     const Point d = sweep.to - sweep.from;
     length_ = std::sqrt(d.x * d.x + d.y * d.y);
     if (length_ > 0.0) direction_ = {d.x / length_, d.y / length_};
-    if (!geometry_.has_constructed()) return;
-    const Box& domain = triangulation.domain();
-    rounding_ = 0x1p-50 * std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x),
-                                    std::abs(domain.max.y)});
   }
 
-  /// Returns a distance that the centre has moved at least when the disc meets the edge, or nothing if the disc does
-  /// not meet it.
+  /// Returns a lower bound of the distance that the centre has moved when the disc first meets the edge. Returns
+  /// nothing if the disc does not meet the edge.
   [[nodiscard]] std::optional<double> earliest(HalfEdge h) const {
     const Point p = position(geometry_.rounded(number(mesh_.origin(h))));
     const Point q = position(geometry_.rounded(number(mesh_.target(h))));
@@ -71,7 +69,8 @@ class Reach {
     return std::max(0.0, least - limit);
   }
 
-  /// A distance that the centre has moved at most when it is at `centre`, which exact::centre_at() has returned.
+  /// Returns an upper bound of the distance that the centre has moved when it is at `centre`. Requires:
+  /// exact::centre_at() has returned `centre`.
   [[nodiscard]] double latest(const Point& centre) const {
     const Point moved = centre - from_;
     const double error = 0x1p-46 * length_ + 0x1p-49 * (std::abs(from_.x) + std::abs(from_.y));
@@ -79,7 +78,7 @@ class Reach {
   }
 
  private:
-  /// In range, no distance is above 2^101.5, so two larger radii have the same answers.
+  /// No distance in the range of coordinates is above 2^101.5. So all larger radii have the same answer.
   static constexpr double kLargestRadius = 0x1p103;
 
   /// The position along and across the segment.
@@ -101,7 +100,7 @@ class Reach {
 Point nearest_on_wall(const Point& point, const Point& a, const Point& b) {
   if (exact::dot(a, point, a, b) != Sign::positive) return a;
   if (exact::dot(b, point, a, b) != Sign::negative) return b;
-  return exact::end({point, a, b});
+  return exact::end_of({point, a, b});
 }
 
 auto key_of(const Touch& touch) { return std::tuple(touch.kind, touch.a.x, touch.a.y, touch.b.x, touch.b.y); }
@@ -197,7 +196,7 @@ Point SweptDisc::contact(const Sweep& sweep, const Point& centre) const {
                            ? exact::compare_distances(sweep.from, touch.a, touch.b, nearest->a, nearest->b)
                            : std::strong_ordering::equal;
     if (order > 0) continue;
-    const Point position = touch.kind == Touch::Kind::line ? exact::end({centre, touch.a, touch.b})
+    const Point position = touch.kind == Touch::Kind::line ? exact::end_of({centre, touch.a, touch.b})
                                                            : nearest_on_wall(centre, touch.a, touch.b);
     if (nearest == nullptr || order < 0 || is_before(position, result)) {
       nearest = &touch;

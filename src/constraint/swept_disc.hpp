@@ -15,8 +15,8 @@ namespace waywright::constraint {
 /// Finds the first wall that a moving disc touches. Use one object for many queries, because it keeps its memory.
 class SweptDisc {
  public:
-  /// Requires: both ends of the sweep lie in the domain, and its radius is finite and positive. Cost: the faces that
-  /// the disc meets before it touches a wall, and a logarithm of their number for each.
+  /// Requires: both ends of the sweep lie in the domain, and its radius is finite and positive. Cost: n log n in the
+  /// number n of faces that the disc meets before it touches a wall.
   void find_first_wall(const ExactTriangulation& triangulation, const exact::Sweep& sweep, RayHit& hit);
 
  private:
@@ -25,7 +25,7 @@ class SweptDisc {
     double earliest;  ///< the centre has moved at least this far when the disc meets the edge
     mesh::HalfEdge h;
   };
-  /// A side that no side precedes so far, and how the disc touches it.
+  /// A side that the disc touches first, among the sides that the search has seen; and how it touches this side.
   struct TouchedSide {
     exact::Touch touch;
     std::uint32_t item;

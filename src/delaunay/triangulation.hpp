@@ -58,9 +58,9 @@ class Triangulation {
     return mesh_.origin(h) == ghost_ || mesh_.target(h) == ghost_ || mesh_.apex(h) == ghost_;
   }
   /// Whether the face is live and lies in the domain.
-  [[nodiscard]] bool is_in_box(mesh::Face f) const { return mesh_.is_live(f) && !is_ghost_face(mesh::first(f)); }
+  [[nodiscard]] bool is_in_domain(mesh::Face f) const { return mesh_.is_live(f) && !is_ghost_face(mesh::first(f)); }
   /// The corners of the domain as vertices, counter-clockwise from the first in (x, y) order.
-  [[nodiscard]] const std::array<mesh::Vertex, 4>& box_corners() const { return box_corners_; }
+  [[nodiscard]] const std::array<mesh::Vertex, 4>& domain_corners() const { return domain_corners_; }
 
   [[nodiscard]] View view(mesh::Vertex v) const { return geometry_.view(number(v)); }
   [[nodiscard]] exact::Sign orientation(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c) const {
@@ -223,7 +223,7 @@ class Triangulation {
   Geometry geometry_;
   locate::Sectors sectors_;
   mesh::Vertex ghost_{};
-  std::array<mesh::Vertex, 4> box_corners_{};
+  std::array<mesh::Vertex, 4> domain_corners_{};
   mesh::HalfEdge recent_{};  ///< a half-edge of a face in the domain, near the last change
   mesh::HalfEdge recent_before_{};
 

@@ -32,7 +32,7 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
   sorted.points.insert(sorted.points.begin(), Point{});  // the point of the ghost
   set_positions(std::move(sorted.points));
   mesh_ = mesh::TriangleMesh(std::move(corners), vertex_count);
-  for (std::size_t i = 0; i < 4; ++i) box_corners_[i] = vertex_of_rank(sorted.ranks[i]);
+  for (std::size_t i = 0; i < 4; ++i) domain_corners_[i] = vertex_of_rank(sorted.ranks[i]);
   fix_border(side_labels);
   begin();
 }
@@ -50,12 +50,12 @@ void Triangulation<Geometry>::set_positions(std::vector<Point>&& points) {
 // counter-clockwise around the domain.
 template <class Geometry>
 void Triangulation<Geometry>::fix_border(const std::array<mesh::Label, 4>& side_labels) {
-  mesh::HalfEdge h = mesh_.find(ghost_, box_corners_[0]);
+  mesh::HalfEdge h = mesh_.find(ghost_, domain_corners_[0]);
   for (std::size_t side = 0; side < 4; ++side) {
     do {
       h = mesh_.previous_around(h);
       mesh_.set_label(next(h), side_labels[side]);
-    } while (mesh_.target(h) != box_corners_[(side + 1) % 4]);
+    } while (mesh_.target(h) != domain_corners_[(side + 1) % 4]);
   }
   remember(h);
 }

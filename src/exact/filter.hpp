@@ -75,8 +75,8 @@ inline constexpr double kUnderflow = 0x1p-1000;
   return Sign::zero;
 }
 
-template <class LocationKind>
-[[nodiscard]] double orientation_determinant(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
+template <class Position>
+[[nodiscard]] double orientation_determinant(const Position& a, const Position& b, const Position& c) {
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
@@ -88,9 +88,8 @@ struct CircleTerms {
   double determinant;
 };
 
-template <class LocationKind>
-[[nodiscard]] CircleTerms circle_terms(const LocationKind& a, const LocationKind& b, const LocationKind& c,
-                                       const LocationKind& d) {
+template <class Position>
+[[nodiscard]] CircleTerms circle_terms(const Position& a, const Position& b, const Position& c, const Position& d) {
   const double adx = a.x - d.x;
   const double ady = a.y - d.y;
   const double bdx = b.x - d.x;
@@ -120,8 +119,8 @@ template <class LocationKind>
 }
 
 /// Compares the rounded coordinates: first x, then y.
-template <class LocationKind>
-[[nodiscard]] std::strong_ordering order(const LocationKind& p, const LocationKind& q) {
+template <class Position>
+[[nodiscard]] std::strong_ordering order(const Position& p, const Position& q) {
   const bool by_x = p.x != q.x;
   const double one = by_x ? p.x : p.y;
   const double other = by_x ? q.x : q.y;
@@ -139,8 +138,8 @@ inline constexpr double kOrientationByPosition = kHalfUlp / 500.0;
 inline constexpr double kInCircleBySquares = 3450.0 * kHalfUlp;
 inline constexpr double kInCircleByPosition = kHalfUlp / 300.0;
 
-template <class LocationKind>
-[[nodiscard]] Sign orientation(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
+template <class Position>
+[[nodiscard]] Sign orientation(const Position& a, const Position& b, const Position& c) {
   const double acx = a.x - c.x;
   const double acy = a.y - c.y;
   const double bcx = b.x - c.x;
@@ -152,16 +151,16 @@ template <class LocationKind>
 }
 
 /// `position` is in_circle_position_term() of the last point, or of a box that contains all four points.
-template <class LocationKind>
-[[nodiscard]] Sign in_circle(const LocationKind& a, const LocationKind& b, const LocationKind& c, const LocationKind& d,
+template <class Position>
+[[nodiscard]] Sign in_circle(const Position& a, const Position& b, const Position& c, const Position& d,
                              double position) {
   const CircleTerms terms = circle_terms(a, b, c, d);
   const double squares = terms.a_lift + terms.b_lift + terms.c_lift;
   const double error = squares * (kInCircleBySquares * squares + position) + kUnderflow;
   return sign_beyond(terms.determinant, error);
 }
-template <class LocationKind>
-[[nodiscard]] double in_circle_position_term(const LocationKind& last) {
+template <class Position>
+[[nodiscard]] double in_circle_position_term(const Position& last) {
   return kInCircleByPosition * (last.x * last.x + last.y * last.y);
 }
 [[nodiscard]] inline double in_circle_position_term(const Box& box) {
@@ -173,19 +172,18 @@ template <class LocationKind>
 
 /// Whether three explicit points lie on a line parallel to an axis, or the last point equals one of the others. Then
 /// both products of the determinant have a factor 0. If walls lie on a grid, this is by far the most common tie.
-template <class LocationKind>
-[[nodiscard]] bool is_flat(const LocationKind& a, const LocationKind& b, const LocationKind& c) {
+template <class Position>
+[[nodiscard]] bool is_flat(const Position& a, const Position& b, const Position& c) {
   if (a.x == c.x) return b.x == c.x || a.y == c.y;
   return b.y == c.y && (a.y == c.y || b.x == c.x);
 }
 
 /// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. Such points lie on a
 /// circle, so nothing needs to be computed. If walls lie on a grid, this is by far the most common tie.
-template <class LocationKind>
-[[nodiscard]] bool is_rectangle(const LocationKind& a, const LocationKind& b, const LocationKind& c,
-                                const LocationKind& d) {
-  const auto is_opposite = [&](const LocationKind& p, const LocationKind& q,
-                               const LocationKind& r) {  // whether d - p and q - r are opposite sides
+template <class Position>
+[[nodiscard]] bool is_rectangle(const Position& a, const Position& b, const Position& c, const Position& d) {
+  const auto is_opposite = [&](const Position& p, const Position& q,
+                               const Position& r) {  // whether d - p and q - r are opposite sides
     return q.x == r.x && ((q.y == d.y && r.y == p.y) || (q.y == p.y && r.y == d.y));
   };
   if (d.x == a.x) return is_opposite(a, b, c);

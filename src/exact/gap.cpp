@@ -288,7 +288,7 @@ double length(const Gap& gap) {
 
 // The foot is from + W with W = (X / M) (-ab.y, ab.x). If W nearly cancels a coordinate of `from`, the foot is computed
 // in integers.
-Point end(const Gap& gap) {
+Point end_of(const Gap& gap) {
   if (!gap.has_foot()) return gap.a;
   if (gap.a.x == gap.b.x) return {gap.a.x, gap.from.y};
   if (gap.a.y == gap.b.y) return {gap.from.x, gap.a.y};
@@ -311,7 +311,7 @@ StageAnswers<Sign> dot(const Point& p, const ExactPoint& q, const Point& a, cons
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
   StageAnswers<Sign> answers;
   answers.doubles = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b);
-  answers.any = detail::finer_dot(p, *q.crossing, a, b);
+  answers.integers = detail::finer_dot(p, *q.crossing, a, b);
   return answers;
 }
 StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius) {

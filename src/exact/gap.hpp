@@ -82,18 +82,18 @@ template <class Coordinate>
 
 /// The end of the gap, `a` or the foot of the perpendicular: each coordinate up to a few ulps. For output and for the
 /// order of a search only, never for decisions.
-[[nodiscard]] Point end(const Gap& gap);
+[[nodiscard]] Point end_of(const Gap& gap);
 
 /// The answer of each stage alone, so that tests can compare them with one another. A stage that cannot answer is
 /// empty.
 template <class Answer>
 struct StageAnswers {
   std::optional<Answer> doubles;
-  std::optional<Answer> whole;   ///< small multiples of 1 (with a radius: of 2^-10), without a search for the lattice
-  std::optional<Answer> small;   ///< offsets below 2^13 in units of the lattice
-  std::optional<Answer> narrow;  ///< offsets below 2^29
-  std::optional<Answer> wide;    ///< offsets below 2^60
-  std::optional<Answer> any;     ///< integers of any size, which always answer
+  std::optional<Answer> whole;     ///< small multiples of 1 (with a radius: of 2^-10), without a search for the lattice
+  std::optional<Answer> small;     ///< offsets below 2^13 in units of the lattice
+  std::optional<Answer> narrow;    ///< offsets below 2^29
+  std::optional<Answer> wide;      ///< offsets below 2^60
+  std::optional<Answer> integers;  ///< integers of any size, which always answer
 };
 
 namespace stages {

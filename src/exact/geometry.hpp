@@ -52,6 +52,22 @@ class Geometry {
       : orientation_error_(filter::largest_orientation_error(box)),
         in_circle_position_term_(filter::coarse::in_circle_position_term(box)) {}
 
+  Geometry(const Geometry& other)
+      : orientation_error_(other.orientation_error_),
+        in_circle_position_term_(other.in_circle_position_term_),
+        positions_(other.positions_),
+        crossing_of_(other.crossing_of_),
+        crossings_(other.crossings_),
+        left_crossings_(other.left_crossings_),
+        journal_(other.journal_) {
+    free_crossings_.reserve(crossings_.size());
+    free_crossings_.assign(other.free_crossings_.begin(), other.free_crossings_.end());
+  }
+  Geometry(Geometry&&) noexcept = default;
+  Geometry& operator=(const Geometry&) = delete;
+  Geometry& operator=(Geometry&&) noexcept = default;
+  ~Geometry() = default;
+
   /// Sets the position of `vertex` to an explicit point. Makes the table longer if needed. Requires: the point is in
   /// range.
   void set_position(std::uint32_t vertex, const Point& point);

@@ -36,14 +36,14 @@ class Offsets {
   explicit Offsets(const Point& origin) : origin_(origin) {}
 
   void add(const Point& point) {
-    parts_[count_] = part(point.x, origin_.x);
-    parts_[count_ + 1] = part(point.y, origin_.y);
+    differences_[count_] = subtract(point.x, origin_.x);
+    differences_[count_ + 1] = subtract(point.y, origin_.y);
     count_ += 2;
   }
   /// Adds a length, as the offset (length, 0). Requires: `length` is not negative.
   void add_length(double length) {
-    parts_[count_] = {length, 0.0};
-    parts_[count_ + 1] = {};
+    differences_[count_] = {length, 0.0};
+    differences_[count_ + 1] = {};
     largest_ = std::max(largest_, length);
     count_ += 2;
   }
@@ -58,8 +58,8 @@ class Offsets {
     const double scale = power_of_two(shift);
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      const double rounded = parts_[i].rounded * scale;
-      const double error = parts_[i].error * scale;
+      const double rounded = differences_[i].rounded * scale;
+      const double error = differences_[i].error * scale;
       const auto whole = static_cast<std::int64_t>(rounded);
       const auto rest = static_cast<std::int64_t>(error);
       if (static_cast<double>(whole) != rounded || static_cast<double>(rest) != error) return false;
@@ -81,7 +81,7 @@ class Offsets {
   [[nodiscard]] int unit_exponent() const { return unit_exponent_; }
 
  private:
-  [[nodiscard]] Twofold part(double a, double b) {
+  [[nodiscard]] Twofold subtract(double a, double b) {
     const Twofold difference = subtract_exactly(a, b);
     largest_ = std::max(largest_, std::abs(difference.rounded));
     return difference;
@@ -92,7 +92,7 @@ class Offsets {
   std::size_t count_ = 0;
   int bits_ = 0;
   int unit_exponent_ = 0;
-  std::array<Twofold, 2 * kMost> parts_;
+  std::array<Twofold, 2 * kMost> differences_;
   std::array<std::int64_t, 2 * kMost> values_;
 };
 

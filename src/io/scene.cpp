@@ -5,13 +5,16 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "waywright/save.hpp"
 #include "waywright/script.hpp"
 
+#include "io/saved_world.hpp"
 #include "io/triangle.hpp"
 
 namespace waywright {
@@ -65,19 +68,37 @@ Result<SceneFormat> scene_format(std::string_view file_name) {
       std::pair<std::string_view, SceneFormat>{".map", SceneFormat::movingai},
       std::pair<std::string_view, SceneFormat>{".poly", SceneFormat::triangle_poly},
       std::pair<std::string_view, SceneFormat>{".node", SceneFormat::triangle_node},
+      std::pair<std::string_view, SceneFormat>{".wwb", SceneFormat::saved_world},
   };
   for (const auto& [ending, format] : kEndings) {
     if (file_name.ends_with(ending)) return format;
   }
   std::string message(file_name);
-  message += ": expected a file name that ends in .wws, .map, .poly or .node";
+  message += ": expected a file name that ends in .wws, .wwb, .map, .poly or .node";
   return Error{.code = ErrorCode::not_supported, .words = std::move(message), .item = {}};
+}
+
+bool is_saved_world(std::string_view bytes) { return bytes.starts_with(io::kSavedWorldMagic); }
+
+Result<Scene> parse_saved_world(std::string_view bytes, std::string_view name) {
+  std::istringstream stream{std::string(bytes)};
+  const auto refuse = [&](Error error) {
+    error.words = std::string(name) + ": " + error.message();
+    return error;
+  };
+  const Result<World> world = load_world(stream);
+  if (!world.ok()) return refuse(world.error());
+  if (stream.peek() != std::istringstream::traits_type::eof()) {
+    return refuse({ErrorCode::malformed, "there are more bytes after the saved world", {}, 0});
+  }
+  return Scene{.domain = world->domain(), .items = world->items(), .y_down = false};
 }
 
 Result<Scene> read_scene(const std::string& file_name) {
   const Result<SceneFormat> format = scene_format(file_name);
-  if (!format.ok()) return format.error();
   const Result<std::string> text = read_file(file_name);
+  if (text.ok() && is_saved_world(*text)) return parse_saved_world(*text, file_name);
+  if (!format.ok()) return format.error();
   if (!text.ok()) return text.error();
   switch (*format) {
     case SceneFormat::script:
@@ -86,6 +107,8 @@ Result<Scene> read_scene(const std::string& file_name) {
       return parse_movingai_map(*text, file_name);
     case SceneFormat::triangle_poly:
       return read_poly(*text, file_name);
+    case SceneFormat::saved_world:
+      return parse_saved_world(*text, file_name);
     case SceneFormat::triangle_node:
       break;
   }

@@ -37,6 +37,7 @@ constexpr std::array kGrammars{
     Grammar{"clear", "clear N X1 Y1 ... XN YN", ScriptLineKind::clear},
     Grammar{"check", "check", ScriptLineKind::check},
     Grammar{"hash", "hash", ScriptLineKind::hash},
+    Grammar{"tick", "tick N [HASH]", ScriptLineKind::tick},
 };
 
 constexpr std::string_view kHeaderUsage = "waywright 1";
@@ -70,6 +71,7 @@ class ScriptParser {
   bool read_ray_radius(ScriptLine& line);
   bool read_path_options(ScriptLine& line);
   bool read_goal(ScriptLine& line);
+  bool read_tick(ScriptLine& line);
 
   /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line(std::string_view& word);
@@ -228,6 +230,8 @@ bool ScriptParser::read_rest(ScriptLine& line, const Grammar& grammar) {
       return point(line.from) && point(line.to) && number(line.radius) && read_path_options(line);
     case ScriptLineKind::clear:
       return read_ring(line.item.shape.rings);
+    case ScriptLineKind::tick:
+      return read_tick(line);
     case ScriptLineKind::check:
     case ScriptLineKind::hash:
       break;
@@ -316,6 +320,34 @@ bool ScriptParser::read_goal(ScriptLine& line) {
   if (!words_.next(word)) return true;
   line.has_goal = true;
   return word == "goal" ? point(line.to) : fail("'goal' or no more", word);
+}
+
+/// Reads 16 hexadecimal digits, as to_string(ItemsHash) writes them.
+std::optional<std::uint64_t> read_lane(std::string_view digits) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::uint64_t lane = 0;
+  for (const char c : digits) {
+    const std::size_t digit = kDigits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    lane = lane << 4 | digit;
+  }
+  return lane;
+}
+
+bool ScriptParser::read_tick(ScriptLine& line) {
+  std::string_view word;
+  if (!words_.next(word)) return fail("the number of a tick", {});
+  const std::optional<std::uint64_t> number = text::read_unsigned(word);
+  if (!number) return fail("the number of a tick", word);
+  line.tick = *number;
+  if (!words_.next(word)) return true;
+  constexpr std::size_t kDigitsOfLane = 16;
+  if (word.size() != 2 * kDigitsOfLane) return fail("32 hexadecimal digits or no more", word);
+  const std::optional<std::uint64_t> first = read_lane(word.substr(0, kDigitsOfLane));
+  const std::optional<std::uint64_t> second = read_lane(word.substr(kDigitsOfLane));
+  if (!first || !second) return fail("32 hexadecimal digits or no more", word);
+  line.items_hash = ItemsHash{{*first, *second}};
+  return true;
 }
 
 /// Returns whether a world over `domain` accepts the shape.

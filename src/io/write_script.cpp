@@ -1,3 +1,5 @@
+#include "io/write_script.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,18 +28,20 @@ void append_ring(std::string& out, PointSpan ring, bool with_count) {
   for (const Point point : ring) append_point(out, point);
 }
 
-void append_item(std::string& out, const Item& item) {
-  const ItemKind kind = item.shape.kind;
+}  // namespace
+
+void io::append_item(std::string& out, ItemId id, const Shape& shape) {
+  const ItemKind kind = shape.kind;
   const bool with_count = kind == ItemKind::polyline || kind == ItemKind::polygon;
   out += to_string(kind);
   out += ' ';
-  text::append_unsigned(out, item.id.value);
-  if (kind == ItemKind::polygon && item.shape.fill == FillRule::nonzero) {
+  text::append_unsigned(out, id.value);
+  if (kind == ItemKind::polygon && shape.fill == FillRule::nonzero) {
     out += ' ';
     out += to_string(FillRule::nonzero);
   }
   std::string_view separator;
-  for (const PointSpan& ring : item.shape.rings) {
+  for (const PointSpan& ring : shape.rings) {
     out += separator;
     append_ring(out, ring, with_count);
     separator = " /";
@@ -45,15 +49,18 @@ void append_item(std::string& out, const Item& item) {
   out += '\n';
 }
 
-}  // namespace
+void io::append_header(std::string& out, const Box& domain) {
+  out += "waywright 1\ndomain";
+  append_point(out, domain.min);
+  append_point(out, domain.max);
+  out += '\n';
+}
 
 std::string to_script(const Scene& scene) {
   const base::FloatEnvironment environment;
-  std::string out = "waywright 1\ndomain";
-  append_point(out, scene.domain.min);
-  append_point(out, scene.domain.max);
-  out += '\n';
-  for (const Item& item : scene.items) append_item(out, item);
+  std::string out;
+  io::append_header(out, scene.domain);
+  for (const Item& item : scene.items) io::append_item(out, item.id, item.shape);
   return out;
 }
 

@@ -18,6 +18,18 @@ namespace waywright::memory {
 template <class Value>
 class Pages {
  public:
+  Pages() = default;
+  /// Copies the values. Cost: linear in the length of the table of pages and in the values of the pages.
+  Pages(const Pages& other) : pages_(other.pages_.size()), page_count_(other.page_count_) {
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+      if (other.pages_[i] != nullptr) pages_[i] = std::make_unique<Page>(*other.pages_[i]);
+    }
+  }
+  Pages(Pages&&) noexcept = default;
+  Pages& operator=(const Pages&) = delete;
+  Pages& operator=(Pages&&) noexcept = default;
+  ~Pages() = default;
+
   /// Makes the table of pages large enough for the indices below `count`. Allocates no page.
   void grow_to(std::size_t count) {
     if (pages_.size() * kPageSize < count) pages_.resize((count + kPageSize - 1) / kPageSize);

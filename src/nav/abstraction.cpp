@@ -44,6 +44,7 @@ class Abstraction::Guard {
 Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
 
 void Abstraction::begin() {
+  is_updated_ = false;
   has_new_walls_ = false;
   inserted_.clear();
   removed_.clear();
@@ -56,6 +57,7 @@ void Abstraction::update(const Triangulation& triangulation) {
   was_rebuilt_ = false;
   if (changed_.size() > kFewFaces && 2 * changed_.size() > mesh.face_slots()) {
     rebuild(triangulation);
+    is_updated_ = true;
     return guard.done();
   }
   collect_made(triangulation);
@@ -67,15 +69,33 @@ void Abstraction::update(const Triangulation& triangulation) {
     components_.update(triangulation, {changed_, made_, removed_, inserted_, has_new_walls_});
     core_.update(mesh, changed_, made_);
   }
+  is_updated_ = true;
   guard.done();
+}
+
+void Abstraction::commit() {
+  is_updated_ = false;
+  before_.reset();
+}
+
+void Abstraction::roll_back() {
+  if (!is_updated_) return;
+  if (was_rebuilt_) {
+    components_ = std::move(before_->components);
+    core_ = std::move(before_->core);
+  } else {
+    components_.roll_back();
+    core_.roll_back();
+  }
+  commit();
 }
 
 /// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
   changed_ = made_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
-  Components components(triangulation);
-  core_ = TwoCore(triangulation);
-  components_ = std::move(components);
+  before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), TwoCore(triangulation)});
+  std::swap(components_, before_->components);
+  std::swap(core_, before_->core);
   was_rebuilt_ = true;
 }
 
@@ -96,7 +116,7 @@ void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
 void Abstraction::collect_made(const Triangulation& triangulation) {
   made_.clear();
   std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(made_),
-               [&](Face f) { return triangulation.triangulation().is_in_box(f); });
+               [&](Face f) { return triangulation.triangulation().is_in_domain(f); });
 }
 
 /// Removes the polygons that this operation both inserted and removed from both lists.
@@ -133,7 +153,7 @@ std::optional<std::string> Abstraction::find_fault(const Triangulation& triangul
   const Abstraction rebuilt(triangulation);
   std::vector<Face> faces;
   for (std::uint32_t i = 0; i < triangulation.topology().face_slots(); ++i) {
-    if (triangulation.triangulation().is_in_box(Face{i})) faces.push_back(Face{i});
+    if (triangulation.triangulation().is_in_domain(Face{i})) faces.push_back(Face{i});
   }
   if (auto fault = components_.find_difference(rebuilt.components_, faces)) return fault;
   return core_.find_difference(triangulation.topology(), rebuilt.core_, faces);

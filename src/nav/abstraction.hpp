@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ class Abstraction {
 
   /// The abstraction of a triangulation. Pass the same triangulation to every update(); it may have been moved.
   explicit Abstraction(const Triangulation& triangulation);
+  /// Copies the components and the core. Requires: no operation is under way.
+  Abstraction(const Abstraction& other)
+      : components_(other.components_), core_(other.core_), was_rebuilt_(other.was_rebuilt_) {}
+  Abstraction(Abstraction&&) = default;
+  Abstraction& operator=(const Abstraction&) = delete;
+  Abstraction& operator=(Abstraction&&) = default;
+  ~Abstraction() = default;
 
   [[nodiscard]] const Components& components() const { return components_; }
   [[nodiscard]] const TwoCore& core() const { return core_; }
@@ -37,9 +45,14 @@ class Abstraction {
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
   void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }
   /// Updates the abstraction to the triangulation. The undo log of the mesh says which faces have changed. Requires:
-  /// the operation of the triangulation has not ended. If memory runs out, nothing changes. Cost: depends on what
-  /// changed, not on the size of the world.
+  /// the operation of the triangulation has not ended. If memory runs out, nothing changes. Call it at most once in an
+  /// operation. Cost: depends on what changed, not on the size of the world.
   void update(const Triangulation& triangulation);
+  /// Ends the operation. Allocates nothing.
+  void commit();
+  /// Undoes update() and ends the operation. If update() was not called, nothing changes. Allocates nothing. Requires:
+  /// commit() was not called.
+  void roll_back();
 
   /// Calls visit(face) for each face whose entry the last update() has changed. Returns false, and does not call
   /// visit(), if that update was a rebuild.
@@ -70,7 +83,15 @@ class Abstraction {
   Components components_;
   TwoCore core_;
 
-  bool was_rebuilt_ = false;  ///< whether the last update was a rebuild
+  /// What a rebuild has replaced.
+  struct Replaced {
+    Components components;
+    TwoCore core;
+  };
+
+  bool is_updated_ = false;           ///< whether update() has changed something since begin()
+  bool was_rebuilt_ = false;          ///< whether the last update was a rebuild
+  std::unique_ptr<Replaced> before_;  ///< set if the operation under way has rebuilt the abstraction
 
   bool has_new_walls_ = false;           ///< whether the operation inserts items with sides
   std::vector<std::uint32_t> inserted_;  ///< polygons, by slot

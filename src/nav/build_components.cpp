@@ -75,7 +75,7 @@ std::vector<Components::Id> Components::join_faces(const Triangulation& triangul
   const mesh::TriangleMesh& mesh = triangulation.topology();
   std::vector<Id> trees(mesh.face_slots(), kNone);
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!triangulation.triangulation().is_in_box(Face{f})) continue;
+    if (!triangulation.triangulation().is_in_domain(Face{f})) continue;
     trees[f] = f;
     for (std::uint32_t side = 0; side < 3; ++side) {
       const HalfEdge h{3 * f + side};

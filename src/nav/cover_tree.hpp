@@ -24,17 +24,17 @@ class CoverTree {
   /// Returns a new node: the set and one more polygon. It has no reference yet. Requires: the set does not contain the
   /// polygon. Cost: O(1).
   [[nodiscard]] Set add(Set set, std::uint32_t polygon);
-  /// Returns the set without the polygons in `removed` and with those in `added`. Requires: the set contains all of
-  /// `removed` and none of `added`. Cost: the number of nodes up to the last of `removed`.
+  /// Returns the set without the polygons in `removed` and with the polygons in `added`. Requires: the set contains all
+  /// of `removed` and none of `added`. Cost: the number of nodes up to the last of `removed`.
   [[nodiscard]] Set change(Set set, std::span<const std::uint32_t> removed, std::span<const std::uint32_t> added);
   /// Whether the set contains the polygon. Cost: the size of the set, or O(1) if the polygon covers nothing.
   [[nodiscard]] bool contains(Set set, std::uint32_t polygon) const;
-  /// Whether the polygon is in a set.
+  /// Returns whether a set contains the polygon.
   [[nodiscard]] bool is_used(std::uint32_t polygon) const {
     return polygon < firsts_.size() && firsts_[polygon] != kEmpty;
   }
-  /// Whether is(polygon) is true for a polygon of the set. If the node `end` is among the set's ancestors, the function
-  /// leaves out the polygons of `end`.
+  /// Returns whether is(polygon) is true for at least one polygon of the set. If the node `end` is among the set's
+  /// ancestors, the function leaves out the polygons of `end`.
   template <class Is>
   [[nodiscard]] bool has_any(Set set, Set end, Is&& is) const {
     for (; set != kEmpty && set != end; set = nodes_[set].parent) {
@@ -56,7 +56,7 @@ class CoverTree {
     for (Set node = firsts_[polygon]; node != kEmpty; node = nodes_[node].next_of_polygon) visit(node);
   }
   [[nodiscard]] Set parent(Set node) const { return nodes_[node].parent; }
-  /// The component that the set covers and that was attached last, or kEmpty: the owner of the components links them.
+  /// The first of the components whose cover is this set, or kEmpty. The caller stores the links to the others.
   [[nodiscard]] std::uint32_t first_component(Set set) const { return nodes_[set].first_component; }
   void set_first_component(Set set, std::uint32_t component);
   /// Makes a node a child of another node, or of the empty set.

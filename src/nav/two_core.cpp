@@ -11,7 +11,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   states_.grow_to(mesh.face_slots(), kAbsent);
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
-    if (!triangulation.triangulation().is_in_box(Face{f})) continue;
+    if (!triangulation.triangulation().is_in_domain(Face{f})) continue;
     State& state = states_.unrecorded(f);
     state = kCore;
     for (std::uint32_t i = 0; i < 3; ++i) {

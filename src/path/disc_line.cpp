@@ -85,7 +85,7 @@ void DiscLine::walk(HalfEdge face) {
   }
 }
 
-/// The line crosses a wall, or a gap that is too narrow. If it passes an end of it on the wrong side and near enough,
+/// The line crosses a wall, or a gap that is too narrow. If the line passes near enough to an end of this wall or gap,
 /// the path has to turn around this end.
 void DiscLine::look_at_closed(HalfEdge exit) {
   is_blocked_ = true;
@@ -97,32 +97,48 @@ void DiscLine::look_at_closed(HalfEdge exit) {
   }
 }
 
+/// Returns whether the edge lies so far left or right of the line through the two ends that no position on it is nearer
+/// than the radius.
+bool DiscLine::is_aside(const Point& a, const Point& b) const {
+  const double one = cross(direction_, a - start_);
+  const double other = cross(direction_, b - start_);
+  return std::min(one, other) > map_->radius || std::max(one, other) < -map_->radius;
+}
+
 /// Visits the faces beyond `h` that are near the line.
 void DiscLine::look_beside(HalfEdge h) {
-  const mesh::TriangleMesh& mesh = map_->mesh();
-  to_enter_.assign({h});
-  while (!to_enter_.empty()) {
-    const HalfEdge at = to_enter_.back();
-    to_enter_.pop_back();
-    if (mesh.is_fixed(at)) {
-      look_at_wall(at);
-      continue;
+  to_enter_.clear();
+  for (HalfEdge at = h;; at = to_enter_.back(), to_enter_.pop_back()) {
+    if (const HalfEdge beyond = enter_beside(at); beyond != mesh::kNoHalfEdge) {
+      to_enter_.push_back(mesh::next(beyond));
+      to_enter_.push_back(mesh::previous(beyond));
     }
-    if (map_->bridges.is_bridge(at)) continue;
-    const HalfEdge beyond = mesh.twin(at);
-    if (visited_[number(mesh::face(beyond))] == stamp_.value()) continue;
-    const Point a = map_->position(mesh.origin(at));
-    const Point b = map_->position(mesh.target(at));
-    // The edge does not cross the line. So the nearest positions include an end of the edge or an end of the line.
-    const double nearest =
-        std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
-                  squared_distance_to_segment(end_, a, b)});
-    if (nearest >= least_) continue;
-    visited_[number(mesh::face(beyond))] = stamp_.value();
-    look_at_vertex(mesh::previous(beyond));
-    to_enter_.push_back(mesh::next(beyond));
-    to_enter_.push_back(mesh::previous(beyond));
+    if (to_enter_.empty()) return;
   }
+}
+
+/// Looks at the edge, and at the vertex beyond it if that face is near the line. Returns the half-edge through which
+/// the visit enters this face, or kNoHalfEdge if it does not.
+HalfEdge DiscLine::enter_beside(HalfEdge at) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Point a = map_->position(mesh.origin(at));
+  const Point b = map_->position(mesh.target(at));
+  if (is_aside(a, b)) return mesh::kNoHalfEdge;
+  if (mesh.is_fixed(at)) {
+    look_at_wall(at);
+    return mesh::kNoHalfEdge;
+  }
+  if (map_->bridges.is_bridge(at)) return mesh::kNoHalfEdge;
+  const HalfEdge beyond = mesh.twin(at);
+  std::uint32_t& visited = visited_[number(mesh::face(beyond))];
+  if (visited == stamp_.value()) return mesh::kNoHalfEdge;
+  // The edge does not cross the line. So the nearest positions include an end of the edge or an end of the line.
+  const double nearest = std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
+                                   squared_distance_to_segment(end_, a, b)});
+  if (nearest >= least_) return mesh::kNoHalfEdge;
+  visited = stamp_.value();
+  look_at_vertex(mesh::previous(beyond));
+  return beyond;
 }
 
 // Only an end of the line can be nearer to the inside of a wall than to its ends.
@@ -187,14 +203,14 @@ bool DiscLine::crosses_foot(HalfEdge corner) const {
   return at > -slack && at < length_ + slack;
 }
 
-HalfEdge DiscLine::face_at(const DiscMap& map, const Point& vertex, const Point& touching, HalfEdge corner) {
+DiscLine::FaceAt DiscLine::face_at(const DiscMap& map, const Point& vertex, const Point& touching, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map.mesh();
   const Point direction = touching - vertex;
   HalfEdge exit = mesh::next(corner);
   for (;;) {
     const Point a = map.position(mesh.origin(exit));
-    if (cross(map.position(mesh.target(exit)) - a, touching - a) >= 0.0) return exit;
-    if (mesh.is_fixed(exit)) return mesh::kNoHalfEdge;
+    if (cross(map.position(mesh.target(exit)) - a, touching - a) >= 0.0) return {exit, false};
+    if (mesh.is_fixed(exit)) return {exit, true};
     const HalfEdge entry = mesh.twin(exit);
     exit = cross(direction, map.position(mesh.apex(entry)) - vertex) > 0.0 ? mesh::next(entry) : mesh::previous(entry);
   }

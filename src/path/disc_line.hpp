@@ -23,7 +23,7 @@ class DiscLine {
     mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex at a point
   };
 
-  /// A vertex that the disc would cut. The line can only pass it if it turns around it.
+  /// A vertex that is nearer to the line than the radius. A path can pass the vertex only if it turns around it.
   struct Obstacle {
     mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex if there is none
     mesh::HalfEdge corner;                  ///< starts at the vertex
@@ -39,15 +39,22 @@ class DiscLine {
   [[nodiscard]] const Obstacle& left() const { return obstacles_[1]; }
   [[nodiscard]] const Obstacle& right() const { return obstacles_[0]; }
 
-  /// Returns a half-edge of the face that contains the position at which a line in this direction touches the contact
-  /// at the origin of `corner`. `corner` is the half-edge of its face that starts at the vertex, in the face that
-  /// contains the beginning of the way from the vertex to the position.
-  [[nodiscard]] static mesh::HalfEdge face_at(const DiscMap& map, const Point& vertex, const Point& touching,
-                                              mesh::HalfEdge corner);
+  /// A half-edge of the face that contains a position, or a wall before the position.
+  struct FaceAt {
+    mesh::HalfEdge h;
+    bool is_behind_wall;
+  };
+  /// Finds the face that contains the position at which a line touches the contact at `vertex`, which is the origin of
+  /// `corner`. The straight line from the vertex to the position begins in the face of `corner`. If it meets a wall,
+  /// the position is not free.
+  [[nodiscard]] static FaceAt face_at(const DiscMap& map, const Point& vertex, const Point& touching,
+                                      mesh::HalfEdge corner);
 
  private:
   void walk(mesh::HalfEdge face);
+  [[nodiscard]] bool is_aside(const Point& a, const Point& b) const;
   void look_beside(mesh::HalfEdge h);
+  [[nodiscard]] mesh::HalfEdge enter_beside(mesh::HalfEdge at);
   void look_at_wall(mesh::HalfEdge h);
   void look_at_closed(mesh::HalfEdge exit);
   void look_at_vertex(mesh::HalfEdge corner);

@@ -22,6 +22,8 @@ class DiscMap {
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
     if (largest > 1024.0 * extent) origin = start;
     radius = std::max(exact_radius, kLeastRadius * extent);
+    surely_short = 4.0 * least_distance() * least_distance();
+    surely_long = 4.0 * radius * radius * (1.0 + 0x1p-30);
   }
 
   const constraint::ExactTriangulation& walls;
@@ -33,6 +35,9 @@ class DiscMap {
   /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
   /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.
   Point origin;
+  double surely_short;  ///< if the squared length of an edge is smaller, no position on it is free
+  /// If the squared length of an edge is larger, a disc passes between its ends, and the exact decision is not needed.
+  double surely_long;
 
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
   /// The position of a vertex, relative to `origin`.
@@ -53,20 +58,30 @@ class DiscMap {
     const Point& to = geometry.rounded(number(mesh().target(h)));
     return exact::compare_to_diameter({from, to, to}, exact_radius_) < 0;
   }
+
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
   /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.
   [[nodiscard]] std::optional<Point> closed_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
     if (foot == clearance::Bridges::kNone) return std::nullopt;
-    const exact::Geometry& geometry = walls.triangulation().geometry();
-    const constraint::Side& side = walls.any_side(bridges.foot(foot).wall);
-    const exact::Gap gap{geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
-                         geometry.rounded(number(side.to))};
+    const exact::Gap gap = foot_gap(corner, foot);
     if (exact::compare_to_diameter(gap, exact_radius_) >= 0) return std::nullopt;
-    return exact::end(gap) - origin;
+    return exact::end_of(gap) - origin;
+  }
+  /// Returns whether there is such a bridge.
+  [[nodiscard]] bool has_closed_foot(mesh::HalfEdge corner) const {
+    const std::uint32_t foot = bridges.foot_at(corner);
+    return foot != clearance::Bridges::kNone && exact::compare_to_diameter(foot_gap(corner, foot), exact_radius_) < 0;
   }
 
  private:
+  [[nodiscard]] exact::Gap foot_gap(mesh::HalfEdge corner, std::uint32_t foot) const {
+    const exact::Geometry& geometry = walls.triangulation().geometry();
+    const constraint::Side& side = walls.any_side(bridges.foot(foot).wall);
+    return {geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
+            geometry.rounded(number(side.to))};
+  }
+
   static constexpr double kLeastRadius = 0x1p-44;
 
   double exact_radius_;

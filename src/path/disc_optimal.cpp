@@ -13,9 +13,6 @@ using mesh::Vertex;
 
 namespace {
 
-/// If a line leaves a root in a direction that differs by more than this from those in which the path can turn, it
-/// turns back.
-constexpr double kTurnsBack = 0x1p-23;
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenLooks = 8;
 
@@ -29,12 +26,10 @@ Point unit(const Point& v) {
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goal) {
+void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends) {
   map_ = &map;
-  start_ = start - map.origin;
-  goal_ = goal - map.origin;
+  ends_ = &ends;
   is_found_ = false;
-  least_ = map.least_distance();
   roots_.clear();
   windows_.clear();
   turns_.clear();
@@ -42,58 +37,37 @@ void DiscOptimal::begin(const DiscMap& map, const Point& start, const Point& goa
   noted_.clear();
   at_once_.clear();
   open_.clear();
-  stamp_.next(1, reached_, goals_below_);
+  stamp_.next(1, reached_);
   reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
-  const locate::Located at_goal = map.walls.triangulation().locate(goal);
-  goal_face_ = at_goal.h;
-  goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
-  if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));
-  count_goal_faces();
-  roots_.push_back(
-      {{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, 2.0, mesh::kNoHalfEdge, kNone});
-  leave_start(map.walls.triangulation().locate(start));
-}
-
-/// Counts the goal faces at each face of the chains that lead from them up to the core.
-void DiscOptimal::count_goal_faces() {
-  if (map_->core == nullptr) return;
-  const nav::TwoCore& core = *map_->core;
-  goals_below_.grow_to(map_->mesh().face_slots());
-  const std::size_t count = goal_faces_[0] == goal_faces_[1] ? 1 : 2;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (mesh::Face f = goal_faces_[i]; !core.is_core(f);) {
-      GoalsBelow& below = goals_below_[number(f)];
-      if (below.query != stamp_.value()) below = {stamp_.value(), 0};
-      ++below.count;
-      const HalfEdge up = core.towards_core(f);
-      if (up == mesh::kNoHalfEdge) break;
-      f = mesh::face(map_->mesh().twin(up));
-    }
-  }
-}
-
-/// Returns whether a dead end without the goal lies beyond the edge. Requires: the edge is no wall.
-bool DiscOptimal::is_dead_end(HalfEdge exit) const {
-  const nav::TwoCore& core = *map_->core;
-  const auto goals_below = [&](mesh::Face f) {
-    const GoalsBelow& below = goals_below_[number(f)];
-    return below.query == stamp_.value() ? below.count : 0;
-  };
-  if (core.leads_up(exit)) return goals_below(mesh::face(exit)) == (goal_faces_[0] == goal_faces_[1] ? 1U : 2U);
-  return goals_below(mesh::face(map_->mesh().twin(exit))) == 0;
+  roots_.push_back({{{ends_->start(), 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, {}, kNone});
+  leave_start(ends.at_start());
 }
 
 /// Returns whether the search does not follow lines from a root across the edge: no disc has its centre there, or a
 /// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
 /// beyond the edge.
 bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
-  if (map_->is_closed(exit)) return true;
-  if (map_->core != nullptr && !map_->core->is_passage(exit) && is_dead_end(exit)) return true;
+  if (map_->mesh().is_fixed(exit) || ends_->dead_ends().is_before(exit)) return true;
   const Point a = map_->position(map_->mesh().origin(exit));
   const Point b = map_->position(map_->mesh().target(exit));
-  if (squared_length(b - a) >= 4 * least_ * least_) return false;
+  const double squared = squared_length(b - a);
+  if (squared > map_->surely_long) return false;
+  if (map_->is_closed(exit)) return true;
+  if (squared >= map_->surely_short) return false;
   return root.end.contact.side == 0 ||
          squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
+}
+
+/// Returns whether the search does not follow windows of a root across the edge. Beyond what is_excluded() says, it
+/// leaves out edges that lie too far on the other side of the line on which the path arrives: a line from the root to a
+/// vertex there turns back, because the circle around this vertex lies beyond the line by more than its diameter.
+bool DiscOptimal::is_outside(const Root& root, HalfEdge exit) const {
+  if (is_excluded(root, exit)) return true;
+  const auto offset = [&](Vertex v) {
+    return root.end.contact.side * cross(root.direction, map_->position(v) - root.end.contact.centre);
+  };
+  const double least = -2.0 * map_->radius * (1.0 + 0x1p-20);
+  return offset(map_->mesh().origin(exit)) < least && offset(map_->mesh().target(exit)) < least;
 }
 
 bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
@@ -133,12 +107,15 @@ void DiscOptimal::leave_start(const locate::Located& location) {
   const bool is_on_edge = location.kind == locate::LocatedKind::edge;
   for (const HalfEdge first : {location.h, mesh.twin(location.h)}) {
     if (first != location.h && !is_on_edge) break;
-    if (is_goal_face(mesh::face(first))) push_goal(0, {unit(goal_ - start_), waywright::length(goal_ - start_)});
+    if (ends_->is_goal_face(mesh::face(first)))
+      push_goal(0, {unit(ends_->goal() - ends_->start()), waywright::length(ends_->goal() - ends_->start())});
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       if ((h == first && is_on_edge) || is_excluded(roots_[0], h)) continue;
       const Vertex left = mesh.target(h);
       const Vertex right = mesh.origin(h);
-      offer({mesh.twin(h), 0, {{map_->position(right) - start_, right}, {map_->position(left) - start_, left}}});
+      offer({mesh.twin(h),
+             0,
+             {{map_->position(right) - ends_->start(), right}, {map_->position(left) - ends_->start(), left}}});
     }
   }
 }
@@ -150,7 +127,7 @@ void DiscOptimal::follow(Window window) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   for (int faces = 1;; ++faces) {
     ++expansions_;
-    if (is_goal_face(mesh::face(window.entry))) reach_goal(window);
+    if (ends_->is_goal_face(mesh::face(window.entry))) reach_goal(window);
     const Root& root = roots_[window.root];
     const Point apex = map_->position(mesh.apex(window.entry));
     const HalfEdge right_exit = mesh::next(window.entry);
@@ -167,7 +144,7 @@ void DiscOptimal::follow(Window window) {
     } else {
       return divide(window, apex);
     }
-    if (is_excluded(root, exit)) return;
+    if (is_outside(root, exit)) return;
     window.entry = mesh.twin(exit);
     if (faces % kFacesBetweenLooks == 0) return offer(window);
   }
@@ -178,7 +155,7 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   for (const int side : {1, 0}) {
     const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
-    if (is_excluded(roots_[window.root], exit)) continue;
+    if (is_outside(roots_[window.root], exit)) continue;
     Window beyond = window;
     beyond.entry = mesh.twin(exit);
     beyond.bounds[1 - side] = {apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
@@ -198,7 +175,7 @@ void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
   const Root& root = roots_[window.root];
   const bool can_continue = !is_excluded(root, near_edge) || (sees_apex && !is_excluded(root, far_edge));
-  if (!can_continue && !is_goal_face(mesh::face(window.entry))) return;
+  if (!can_continue && !ends_->is_goal_face(mesh::face(window.entry))) return;
   const auto line = tangent(root.end.contact, end_at(v, side).contact, map_->radius);
   if (line) push_turn(window.root, corner, side, *line, kNone);
 }
@@ -218,7 +195,7 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
   turns_.push_back({corner, root, v, turn, line, length, then});
-  open_.push(length + distance(touching, goal_), static_cast<std::uint32_t>(2 * turns_.size() - 1));
+  open_.push(length + distance(touching, ends_->goal()), static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
 DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
@@ -228,15 +205,15 @@ DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
 }
 
 void DiscOptimal::reach_goal(const Window& window) {
-  if (side_of(window, 1, goal_) > 0 || side_of(window, -1, goal_) < 0) return;
-  const auto line = tangent(roots_[window.root].end.contact, {goal_, 0}, map_->radius);
+  if (side_of(window, 1, ends_->goal()) > 0 || side_of(window, -1, ends_->goal()) < 0) return;
+  const auto line = tangent(roots_[window.root].end.contact, {ends_->goal(), 0}, map_->radius);
   if (line) push_goal(window.root, *line);
 }
 
 void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
   if (turns_back(roots_[root], line.direction)) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
-  turns_.push_back({goal_face_, root, mesh::kNoVertex, 0, line, length, kNone});
+  turns_.push_back({ends_->goal_face(), root, mesh::kNoVertex, 0, line, length, kNone});
   open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
@@ -258,8 +235,8 @@ double DiscOptimal::bound(const Window& window) const {
   const Point from = touching_point(root.end.contact, root.direction, map_->radius);
   const Point left = map_->position(mesh.origin(window.entry));
   const Point right = map_->position(mesh.target(window.entry));
-  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, goal_);
-  return root.length + distance_via_segment(from, left, right, goal_);
+  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, ends_->goal());
+  return root.length + distance_via_segment(from, left, right, ends_->goal());
 }
 
 // Takes the turn by value: new turns may move the memory of `turns_`.
@@ -267,8 +244,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   ++expansions_;
   const Turn turn = turns_[index];
   const Root& from = roots_[turn.root];
-  const double order = turning_order(from.direction, turn.line.direction, from.end.contact.side);
-  if (from.end.contact.side != 0 && order > from.reach + kTurnsBack && order < 4.0 - kTurnsBack) {
+  if (is_beyond(from.limit, from.end.contact, from.direction, turn.line.direction)) {
     if (turn.then != kNone || turn.vertex == mesh::kNoVertex) push_limit(index);
     return;
   }
@@ -279,27 +255,28 @@ void DiscOptimal::expand(std::uint32_t index) {
   }
   const DiscLine::End end = end_at(turn.vertex, turn.turn);
   const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
-  const HalfEdge corner = corner_towards(turn.corner, touching - end.contact.centre, turn.turn);
+  const HalfEdge corner = corner_towards(*map_, turn.corner, touching - end.contact.centre, turn.turn);
   if (corner == mesh::kNoHalfEdge) return;
   if (const std::uint32_t better = dominating_root(turn, corner, reached.root); better != kNone) {
     return go_on(better, turn.then);
   }
-  const HalfEdge face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
-  if (face == mesh::kNoHalfEdge) return;
-  if (!line_.is_clear(*map_, from.end, end, turn.line, face)) {
+  const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
+  if (face.is_behind_wall) return;
+  if (!line_.is_clear(*map_, from.end, end, turn.line, face.h)) {
     failed_.push_back({turn.root, reached.failed, line_.left(), line_.right()});
     reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
     return push_obstacles(index, line_.left(), line_.right());
   }
-  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, 2.0, mesh::kNoHalfEdge, reached.root});
+  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, {}, reached.root});
   reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
-  turn_around(reached.root, corner);
+  leave_root(reached.root, corner);
   go_on(static_cast<std::uint32_t>(roots_.size() - 1), turn.then);
 }
 
 void DiscOptimal::try_goal(std::uint32_t index) {
   const Turn turn = turns_[index];
-  if (!line_.is_clear(*map_, roots_[turn.root].end, {{goal_, 0}, mesh::kNoVertex}, turn.line, goal_face_)) {
+  if (!line_.is_clear(*map_, roots_[turn.root].end, {{ends_->goal(), 0}, mesh::kNoVertex}, turn.line,
+                      ends_->goal_face())) {
     return push_obstacles(index, line_.left(), line_.right());
   }
   is_found_ = true;
@@ -309,8 +286,8 @@ void DiscOptimal::try_goal(std::uint32_t index) {
   at_once_.clear();
 }
 
-/// Adds the turns around the vertices that are in the way of a line. Behind them, the path goes on to the end of the
-/// line.
+/// Adds the turns around the vertices that are too near to a line. After such a turn, the path continues to the end of
+/// the line.
 void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right) {
   for (const int side : {1, -1}) {
     const DiscLine::Obstacle obstacle = side > 0 ? left : right;
@@ -326,12 +303,13 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
 /// Adds the turn around the vertex that limits the turn around the root of a line.
 void DiscOptimal::push_limit(std::uint32_t index) {
   const Root& root = roots_[turns_[index].root];
-  if (root.limit == mesh::kNoHalfEdge) return;
+  const HalfEdge corner = root.limit.limit;
+  if (corner == mesh::kNoHalfEdge) return;
   const int turn = root.end.contact.side;
-  const Vertex v = map_->mesh().origin(root.limit);
+  const Vertex v = map_->mesh().origin(corner);
   const auto line = tangent(root.end.contact, end_at(v, turn).contact, map_->radius);
   DiscLine::Obstacle limit;
-  if (line) limit = {v, root.limit, *line};
+  if (line) limit = {v, corner, *line};
   push_obstacles(index, turn > 0 ? limit : DiscLine::Obstacle{}, turn > 0 ? DiscLine::Obstacle{} : limit);
 }
 
@@ -340,7 +318,7 @@ void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
   if (then == kNone) return;
   const Turn next = turns_[then];
   if (next.vertex == mesh::kNoVertex) {
-    if (const auto line = tangent(roots_[root].end.contact, {goal_, 0}, map_->radius)) push_goal(root, *line);
+    if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), 0}, map_->radius)) push_goal(root, *line);
     return;
   }
   const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
@@ -385,114 +363,40 @@ bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
   }
 }
 
-/// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
-/// direction of the turn. Returns kNoHalfEdge if the direction leads out of the domain.
-HalfEdge DiscOptimal::corner_towards(HalfEdge corner, const Point& direction, int turn) const {
-  const mesh::TriangleMesh& mesh = map_->mesh();
-  const Point from = map_->position(mesh.origin(corner));
-  const auto contains = [&](HalfEdge h) {
-    return !map_->walls.triangulation().is_ghost_face(h) &&
-           cross(map_->position(mesh.target(h)) - from, direction) >= 0.0 &&
-           cross(map_->position(mesh.apex(h)) - from, direction) < 0.0;
-  };
-  HalfEdge at = corner;
-  do {
-    if (contains(at)) return at;
-    at = turn > 0 ? mesh.previous_around(at) : mesh.next_around(at);
-  } while (at != corner);
-  return mesh::kNoHalfEdge;
-}
-
-/// Makes the windows of a root. `corner` contains the position at which the path reaches the root. Goes from corner to
-/// corner in the direction of the turn, up to a wall or a gap that is too narrow, or until the path has turned by 180
-/// degrees.
-///
-/// Directions are numbers, their *orders*: 0 is the direction in which the path arrives, 1 and 2 are 90 and 180 degrees
-/// farther in the direction of the turn. -1 is the direction from the vertex to the position of arrival.
-void DiscOptimal::turn_around(std::uint32_t root_index, HalfEdge corner) {
+/// Makes the windows of a root, and notes how far the path can turn there. `corner` contains the position at which the
+/// path reaches the root.
+void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root root = roots_[root_index];
-  const Point& centre = root.end.contact.centre;
-  const int turn = root.end.contact.side;
-  Bound first{{turn * root.direction.y, -turn * root.direction.x}, mesh::kNoVertex};
-  double order = -1.0;
-  HalfEdge at = corner;
-  do {
-    // `spoke` is the edge at the vertex to which the turn comes next.
-    const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+  const Contact& contact = root.end.contact;
+  Bound first{{contact.side * root.direction.y, -contact.side * root.direction.x}, mesh::kNoVertex};
+  const auto visit = [&](HalfEdge at, HalfEdge spoke, double order) {
     const Vertex end = mesh.target(spoke);
-    Bound last{map_->position(end) - centre, end};
-    const double end_order = turning_order(root.direction, last.direction, turn);
-    order = end_order - 4.0 >= order ? end_order - 4.0 : end_order;
+    Bound last{map_->position(end) - contact.centre, end};
     if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
-    if (is_goal_face(mesh::face(at))) {
-      if (const auto line = tangent(root.end.contact, {goal_, 0}, map_->radius)) push_goal(root_index, *line);
+    if (ends_->is_goal_face(mesh::face(at))) {
+      if (const auto line = tangent(contact, {ends_->goal(), 0}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
-    if (!is_excluded(root, far_edge)) {
+    if (!is_outside(root, far_edge)) {
       Window window{mesh.twin(far_edge), root_index, {first, last}};
-      if (turn < 0) std::swap(window.bounds[0], window.bounds[1]);
+      if (contact.side < 0) std::swap(window.bounds[0], window.bounds[1]);
       offer(window);
     }
-    if (const auto foot = map_->closed_foot(at)) {
-      // A bridge to a foot before the arrival does not matter.
-      const double foot_order = turning_order(root.direction, *foot - centre, turn);
-      const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
-      if (reach >= 0.0) {
-        roots_[root_index].reach = reach;
-        return;
-      }
-    }
-    if (order > 2.0) return;
-    if (map_->is_closed(spoke)) {
-      // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
-      roots_[root_index].reach = mesh.is_fixed(spoke) ? order : order + 1.0;
-      roots_[root_index].limit = mesh.twin(spoke);
-      return;
-    }
     first = last;
-    at = turn > 0 ? spoke : mesh.previous_around(at);
-  } while (at != corner);
+  };
+  roots_[root_index].limit = turn_around(*map_, contact, root.direction, corner, visit);
 }
 
-double DiscOptimal::arc(const Root& root, const Point& direction) const {
-  if (root.end.contact.side == 0 || direction == root.direction) return 0.0;
-  const double angle = turning_angle(root.direction, direction, root.end.contact.side);
-  return angle < 2 * kPi - 1.0 ? map_->radius * angle : 0.0;
-}
-
-void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) const {
-  const std::size_t count = pieces.size();
-  Point to = goal_;
-  Point direction = last_direction_;
-  std::uint32_t after_root = kNone;
+void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) {
+  stops_.clear();
+  Point departure = last_direction_;
   for (std::uint32_t i = last_root_; i != kNone; i = roots_[i].before) {
-    const Root& root = roots_[i];
-    const Contact& contact = root.end.contact;
-    DiscPiece piece;
-    piece.from = touching_point(contact, direction, map_->radius) + map_->origin;
-    piece.to = to + map_->origin;
-    piece.direction = direction;
-    if (pieces.size() > count) {
-      const DiscPiece& after = pieces.back();
-      const Root& next = roots_[after_root];
-      piece.centre = next.end.contact.centre + map_->origin;
-      piece.turn = arc(next, after.direction) == 0.0 ? 0 : next.end.contact.side;
-      piece.end_direction = after.direction;
-    }
-    if (pieces.size() > count && direction == pieces.back().direction) {
-      pieces.back().from = piece.from;  // the line goes straight on past the contact
-    } else {
-      pieces.push_back(piece);
-    }
-    if (arc(root, direction) == 0.0 && root.before != kNone) {
-      pieces.back().from = touching_point(contact, root.direction, map_->radius) + map_->origin;
-    }
-    to = touching_point(contact, root.direction, map_->radius);
-    direction = root.direction;
-    after_root = i;
+    stops_.push_back({roots_[i].end.contact, departure});
+    departure = roots_[i].direction;
   }
-  std::reverse(pieces.begin() + static_cast<std::ptrdiff_t>(count), pieces.end());
+  std::reverse(stops_.begin(), stops_.end());
+  write_disc_pieces(*map_, stops_, ends_->goal(), pieces);
 }
 
 }  // namespace waywright::path

@@ -6,23 +6,15 @@
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
+#include "path/disc_ends.hpp"
 #include "path/disc_line.hpp"
 #include "path/disc_map.hpp"
+#include "path/disc_pieces.hpp"
+#include "path/disc_turn.hpp"
 #include "path/open_list.hpp"
 #include "path/tangent.hpp"
 
 namespace waywright::path {
-
-/// A piece of the path of a disc's centre: a straight line, then an arc around the vertex at its end. The last piece
-/// has no arc.
-struct DiscPiece {
-  Point from;
-  Point to;
-  Point centre;         ///< of the arc
-  int turn = 0;         ///< 1 if the arc turns left, -1 if it turns right, 0 if there is none
-  Point direction;      ///< of the line, where the arc starts
-  Point end_direction;  ///< of the path where the arc ends
-};
 
 /// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
 /// each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which the path turns
@@ -41,14 +33,14 @@ struct DiscPiece {
 /// point on a convex mesh.
 class DiscOptimal {
  public:
-  /// Starts a search. Requires: the disc is free at both ends. `map` does not change during the search.
-  void begin(const DiscMap& map, const Point& start, const Point& goal);
+  /// Starts a search. Requires: `ends` belongs to `map`. Neither changes during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   [[nodiscard]] bool is_found() const { return is_found_; }
   [[nodiscard]] double length() const { return length_; }
-  /// Appends the pieces of the path. Requires: is_found().
-  void write_path(std::vector<DiscPiece>& pieces) const;
+  /// Writes the pieces of the path. Requires: is_found().
+  void write_path(std::vector<DiscPiece>& pieces);
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
@@ -60,9 +52,8 @@ class DiscOptimal {
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
     std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
-    double reach = 2.0;            ///< how far the path can turn here, as turning_order() from `direction`
-    mesh::HalfEdge limit = mesh::kNoHalfEdge;  ///< starts at the vertex that limits the turn, if there is one
-    std::uint32_t next = kNone;                ///< another root at the same contact
+    TurnLimit limit;               ///< how far the path can turn here
+    std::uint32_t next = kNone;    ///< another root at the same contact
   };
 
   /// A bound of a window: a ray from the centre of its root.
@@ -115,9 +106,8 @@ class DiscOptimal {
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
-  void count_goal_faces();
-  [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
   [[nodiscard]] bool is_excluded(const Root& root, mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_outside(const Root& root, mesh::HalfEdge exit) const;
   void leave_start(const locate::Located& location);
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
@@ -135,28 +125,19 @@ class DiscOptimal {
   [[nodiscard]] std::uint32_t dominating_root(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
   [[nodiscard]] std::uint32_t failed_line(const Turn& turn, std::uint32_t first) const;
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
-  [[nodiscard]] mesh::HalfEdge corner_towards(mesh::HalfEdge corner, const Point& direction, int turn) const;
-  void turn_around(std::uint32_t root, mesh::HalfEdge corner);
+  void leave_root(std::uint32_t root, mesh::HalfEdge corner);
 
-  [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
-  /// The length of the arc at a root after which the path leaves it in a direction. A turn in the wrong direction is a
-  /// rounding error and counts as no turn.
-  [[nodiscard]] double arc(const Root& root, const Point& direction) const;
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
-    return root.length + arc(root, direction);
+    return root.length + arc_length(root.end.contact, root.direction, direction, map_->radius);
   }
   [[nodiscard]] double bound(const Window& window) const;
 
   const DiscMap* map_ = nullptr;
-  Point start_;
-  Point goal_;
-  mesh::Face goal_faces_[2];
-  mesh::HalfEdge goal_face_;
+  const DiscEnds* ends_ = nullptr;
   bool is_found_ = false;
   double length_ = 0.0;
   std::uint32_t last_root_ = kNone;
   Point last_direction_;
-  double least_ = 0.0;          ///< a line must not be nearer to a vertex than this
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   std::size_t expansions_ = 0;
 
@@ -168,13 +149,8 @@ class DiscOptimal {
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
   OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turns_` + 1
   DiscLine line_;
+  std::vector<DiscStop> stops_;           ///< of the path that was found
   memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn
-  /// For a face in a dead end: how many goal faces lie in its subtree, including the face itself.
-  struct GoalsBelow {
-    std::uint32_t query;
-    std::uint32_t count;
-  };
-  memory::ZeroedArray<GoalsBelow> goals_below_;  ///< by face outside the core
   memory::Stamp stamp_;
 };
 

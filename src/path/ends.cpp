@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constraint/segment_walk.hpp"
+#include "exact/filter.hpp"
 #include "nav/point_agent.hpp"
 
 namespace waywright::path {
@@ -61,11 +62,7 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
 };
 
 // Rounding to float moves a coordinate by up to 2^-24 of its value, and a program computes a point in a few steps.
-double default_end_tolerance(const Box& domain) {
-  const double x = std::max(std::abs(domain.min.x), std::abs(domain.max.x));
-  const double y = std::max(std::abs(domain.min.y), std::abs(domain.max.y));
-  return std::max(x, y) * 0x1p-20;
-}
+double default_end_tolerance(const Box& domain) { return 0x1p-20 * exact::filter::largest_magnitude(domain); }
 
 void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
                      const std::optional<double>& tolerance) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "exact/filter.hpp"
 #include "exact/nearest_on_segment.hpp"
 #include "exact/next_coordinate.hpp"
 #include "nav/point_agent.hpp"
@@ -44,10 +45,7 @@ std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, 
   triangulation_ = &triangulation;
   cover_ = &cover;
   point_ = point;
-  const Box& domain = triangulation.domain();
-  const double largest =
-      std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-  slack_ = largest * 0x1p-46;
+  slack_ = 0x1p-46 * exact::filter::largest_magnitude(triangulation.domain());
   refused_.clear();
   for (std::size_t round = 0; round < kRounds; ++round) {
     const std::size_t refused_before = refused_.size();

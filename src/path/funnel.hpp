@@ -1,70 +1,78 @@
 #pragma once
 
-#include <cstdint>
-#include <utility>
-#include <vector>
-
-#include "waywright/point.hpp"
-
 #include "constraint/exact_triangulation.hpp"
-#include "path/distance.hpp"
 
 namespace waywright::path {
 
-/// The funnel of a channel at a portal. Two taut strings run from the start to the left and the right end of the
-/// portal. They are identical up to `apex`. From there on, the left string turns only to the left, and the right string
-/// only to the right. The three numbers are nodes of a TautTree.
-struct Funnel {
-  std::uint32_t apex = 0;
-  std::uint32_t left = 0;
-  std::uint32_t right = 0;
+// The funnel algorithm: what the taut strings to the two ends of a portal become when one end moves. The functions
+// decide with exact predicates. They are templates over the class that stores the strings: `TautTree` stores the
+// strings of all channels of a search, `TautString` those of one channel.
+//
+// Two taut strings run from the start of a channel to the left and the right end of a portal. They are identical up to
+// the apex. From there on, the left string turns only to the left, and the right string only to the right. A template
+// argument `kSide` names a string: `positive` the left one, `negative` the right one. A position lies *outwards* of a
+// piece of the left string if it lies left of the piece, and outwards of a piece of the right string if it lies right
+// of the piece.
+//
+// A class `Strings` has a type `Corner` and these members:
+// - `apex()` and `end<kSide>()` return a corner;
+// - `before<kSide>(corner)` returns the next corner towards the apex;
+// - `from_apex<kSide>()` returns an object with the corners from the apex (without it) to the end: `is_empty()`,
+//   `first()`, and `take_first()`, which removes the first one and returns it;
+// - `side(p, q, v)` returns the orientation of the corners p and q and the position v.
+//
+// Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984.
+
+/// The result of find_turn().
+template <class Strings>
+struct Turn {
+  typename Strings::Corner corner;  ///< the corner at which the new string leaves the old strings
+  typename Strings::Corner apex;    ///< the apex of the new funnel
 };
 
-/// The taut strings of all channels of one search, as a tree: the string to each node runs through its parent. If two
-/// channels begin with the same faces, their strings share the nodes there.
+/// Follows a string from the apex, as long as `v` lies outwards of the next piece. Returns the corner where it stops.
+template <exact::Sign kSide, class Strings>
+[[nodiscard]] inline typename Strings::Corner follow_from_apex(Strings strings, const exact::Geometry::View& v) {
+  typename Strings::Corner corner = strings.apex();
+  auto rest = strings.template from_apex<kSide>();
+  while (!rest.is_empty() && strings.side(corner, rest.first(), v) == kSide) corner = rest.take_first();
+  return corner;
+}
+
+/// Returns where the string to `v` turns last, if the end of the string `kSide` moves to `v`.
 ///
-/// Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984 (the funnel).
-class TautTree {
- public:
-  using Geometry = exact::Geometry;
+///          own end . . . . . v        The string to v leaves its own string at a corner: the first one, from its own
+///          end
+///         /              .'           towards the apex, for which v lies outwards of the piece that ends there. If
+///       own         . '               there is no such corner, the string follows the other string from the apex on,
+///       as
+///      /       . '                    long as v lies beyond the next piece.
+///   apex --- other --- other end
+template <exact::Sign kSide, class Strings>
+[[nodiscard]] inline Turn<Strings> find_turn(Strings strings, const exact::Geometry::View& v) {
+  for (typename Strings::Corner corner = strings.template end<kSide>(); corner != strings.apex();) {
+    const typename Strings::Corner before = strings.template before<kSide>(corner);
+    if (strings.side(before, corner, v) == kSide) return {corner, strings.apex()};
+    corner = before;
+  }
+  const typename Strings::Corner corner = follow_from_apex<-kSide>(strings, v);
+  return {corner, corner};
+}
 
-  /// Starts a new tree whose root is the point `start`. The funnel at the root consists of the root alone.
-  void reset(const Geometry& geometry, const Point& start);
+/// Returns the last corner of the taut string through the funnel to `goal`. Requires: `goal` lies in the face beyond
+/// the portal.
+template <class Strings>
+[[nodiscard]] inline typename Strings::Corner find_last_corner(Strings strings, const exact::Geometry::View& goal) {
+  const typename Strings::Corner corner = follow_from_apex<exact::Sign::positive>(strings, goal);
+  return corner != strings.apex() ? corner : follow_from_apex<exact::Sign::negative>(strings, goal);
+}
 
-  /// Returns the node of a vertex that is visible from the start. If the vertex lies at the start, this is the root.
-  [[nodiscard]] std::uint32_t add_seen(mesh::Vertex v);
-  /// Returns the funnel after the left (or right) end of the portal has moved to `v`.
-  [[nodiscard]] Funnel move_left(const Funnel& funnel, mesh::Vertex v);
-  [[nodiscard]] Funnel move_right(const Funnel& funnel, mesh::Vertex v);
-  /// Returns the last node at which the taut string through the funnel to `goal` turns. Requires: `goal` lies in the
-  /// face beyond the portal.
-  [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
-
-  [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].position.x, nodes_[node].position.y}; }
-  [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
-  /// The length of the string from the start to the node.
-  [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
-  [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }
-  static constexpr std::uint32_t kRoot = 0;
-
- private:
-  struct Node {
-    Geometry::View position;
-    std::uint32_t parent;
-    double length;
-  };
-
-  /// Returns whether `v` lies left of (positive), right of (negative) or on (zero) the line from `p` to `q`.
-  [[nodiscard]] exact::Sign side(std::uint32_t p, std::uint32_t q, const Geometry::View& v) const;
-  void collect(std::uint32_t end, std::uint32_t apex, std::vector<std::uint32_t>& chain) const;
-  [[nodiscard]] std::uint32_t add(mesh::Vertex v, std::uint32_t parent);
-  [[nodiscard]] std::uint32_t bend(const Funnel& funnel, std::uint32_t own_end, std::uint32_t other_end,
-                                   exact::Sign outwards, const Geometry::View& v);
-  [[nodiscard]] std::uint32_t apex_after(const Funnel& funnel, std::uint32_t corner, std::uint32_t own_end) const;
-
-  const Geometry* geometry_ = nullptr;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> chain_;
-};
+/// Returns whether the first piece of a string from `start` to `v` has length zero. A piece of length zero has no
+/// direction, so the algorithm could not decide whether the next piece turns left or right. So a funnel whose portal
+/// has an end at the start uses the start itself as this end.
+[[nodiscard]] inline bool is_at_start(const exact::Geometry& geometry, const exact::Geometry::View& start,
+                                      mesh::Vertex v) {
+  return geometry.order(start, geometry.view(number(v))) == 0;
+}
 
 }  // namespace waywright::path

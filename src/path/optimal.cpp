@@ -185,7 +185,7 @@ void Optimal::leave_start() {
       if (exit == mesh::previous(h) && kind == locate::LocatedKind::vertex) continue;
       if (is_excluded(exit)) continue;
       const mesh::HalfEdge entry = mesh_->twin(exit);
-      offer({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
+      push({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
     }
   }
 }
@@ -258,7 +258,7 @@ void Optimal::follow_window(Node window) {
     if (faces % kFacesBetweenLooks != 0) continue;
     const Point left = cone.left_direction();
     const Point right = cone.right_direction();
-    if (bound(window, left, right) > at_once_bound_) return offer(window, left, right);
+    if (bound(window, left, right) > at_once_bound_) return push(window, left, right);
   }
 }
 
@@ -272,8 +272,8 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
   left.entry = mesh_->twin(mesh::previous(window.entry));
   left.trace = traced(left.entry, window.trace);
   left.right = apex;
-  offer(left, cone.left_direction(), to_apex);
-  offer(right, to_apex, cone.right_direction());
+  push(left, cone.left_direction(), to_apex);
+  push(right, to_apex, cone.right_direction());
 }
 
 void Optimal::reach_goals(const Node& window, const Cone& cone) {
@@ -367,7 +367,7 @@ void Optimal::make_left_turn(const Node& turn) {
   if (sees_apex && !is_excluded(far_edge)) {
     window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
-    offer(window, cone.left_direction(), cone.right_direction());
+    push(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
   for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::previous(h));) {
@@ -379,7 +379,7 @@ void Optimal::make_left_turn(const Node& turn) {
     const mesh::HalfEdge exit = mesh::next(h);
     if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
+    push({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
   }
 }
 
@@ -400,7 +400,7 @@ void Optimal::make_right_turn(const Node& turn) {
   if (sees_apex && !is_excluded(far_edge)) {
     window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
-    offer(window, cone.left_direction(), cone.right_direction());
+    push(window, cone.left_direction(), cone.right_direction());
   }
   std::uint32_t trace = turn.trace;
   for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::next(h));) {
@@ -412,16 +412,16 @@ void Optimal::make_right_turn(const Node& turn) {
     const mesh::HalfEdge exit = mesh::previous(h);
     if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    offer({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
+    push({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
   }
 }
 
-void Optimal::offer(const Node& window) {
+void Optimal::push(const Node& window) {
   const Cone cone(*this, window);
-  offer(window, cone.left_direction(), cone.right_direction());
+  push(window, cone.left_direction(), cone.right_direction());
 }
 
-void Optimal::offer(const Node& window, const Point& left, const Point& right) {
+void Optimal::push(const Node& window, const Point& left, const Point& right) {
   const double least = bound(window, left, right);
   if (least >= longest_ || is_dominated(window, window.entry) || is_dominated(window, mesh_->twin(window.entry)))
     return;

@@ -150,8 +150,8 @@ class Optimal {
   void make_left_turn(const Node& turn);
   void make_right_turn(const Node& turn);
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
-  void offer(const Node& window, const Point& left, const Point& right);
-  void offer(const Node& window);
+  void push(const Node& window, const Point& left, const Point& right);
+  void push(const Node& window);
   [[nodiscard]] bool is_dominated(const Node& window, mesh::HalfEdge from_end) const {
     const Reached& known = reached_[number(mesh_->origin(from_end))];
     return known.query == stamp_.value() && known.spoke != mesh::kNoHalfEdge &&

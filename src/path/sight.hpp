@@ -8,9 +8,12 @@
 
 namespace waywright::path {
 
-/// An approximate funnel of a channel, by which a search chooses between channels. It contains the last turn of the
-/// taut string that is certain (the root), the length of the string up to the root, and the cone in which the rest of
-/// the channel is visible from the root. All numbers are doubles. When the string turns, the class forgets the vertices
+/// An estimate of the length of a channel, by which a search chooses between channels. It consists of a point (the
+/// root), the length of the string up to the root, and the cone in which the rest of the channel is visible from the
+/// root.
+///
+/// A Sight is not a funnel: it decides in doubles and keeps only the cone. A vertex outside the cone does not change
+/// the cone, but it would become a corner of the funnel. When the string turns, the Sight does not know the vertices
 /// between the new root and the next portal. So a length is right or a little too short.
 class Sight {
  public:

@@ -15,7 +15,7 @@ void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedA
   nodes_.clear();
   open_.clear();
   is_found_ = false;
-  given_up_bound_ = std::numeric_limits<double>::infinity();
+  dropped_bound_ = std::numeric_limits<double>::infinity();
   clear_entries();
   for (const mesh::HalfEdge h : ends.start_faces()) leave_start_face(h);
 }
@@ -32,7 +32,7 @@ bool TaStar::step(std::size_t limit, Path& path) {
     const Node& node = nodes_[position];
     std::uint32_t& entered = entered_[number(node.entry)];
     if (entered == stamp_.value()) {
-      given_up_bound_ = std::min(given_up_bound_, node.bound);
+      dropped_bound_ = std::min(dropped_bound_, node.bound);
       continue;
     }
     entered = stamp_.value();
@@ -51,7 +51,7 @@ bool TaStar::step(std::size_t limit, Path& path) {
 
 double TaStar::lower_bound() const {
   const double open_bound = open_.empty() ? best_length_ : open_.least_bound();
-  return std::min({open_bound, given_up_bound_, best_length_});
+  return std::min({open_bound, dropped_bound_, best_length_});
 }
 
 // Seen from inside the face, the left end of an edge is its target.

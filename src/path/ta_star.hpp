@@ -9,9 +9,9 @@
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "path/ends.hpp"
-#include "path/funnel.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
+#include "path/taut_tree.hpp"
 
 namespace waywright::path {
 
@@ -76,7 +76,7 @@ class TaStar {
   double best_length_ = 0.0;
   std::uint32_t best_corner_ = 0;
   std::uint32_t best_node_ = 0;
-  double given_up_bound_ = 0.0;  ///< the least bound of the channels that reached a half-edge already entered
+  double dropped_bound_ = 0.0;  ///< the least bound of the channels that reached a half-edge already entered
 };
 
 }  // namespace waywright::path

@@ -12,11 +12,9 @@ namespace waywright::path {
 
 /// The taut string through one channel. Use one object for many channels, because it keeps its memory.
 ///
-/// The class keeps a funnel. Its apex is the last turn that is certain. From the apex, one string runs to the left end
-/// of the current portal and another to its right end. The left string turns only to the left, the right string only to
-/// the right. The array `row_` contains both strings: first the left one from its end to the apex, then the right one
-/// from the apex to its end. Cost: O(1) per portal, amortised. TautTree does the same for all channels of a search.
-/// Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984.
+/// The class keeps the funnel of the channel at the current portal (see `funnel.hpp`). The apex is the last turn that
+/// is certain. The array `row_` contains both strings of the funnel from the apex on: first the left one from its end
+/// to the apex, then the right one from the apex to its end. Cost: O(1) per portal, amortised.
 class TautString {
  public:
   using Geometry = exact::Geometry;
@@ -39,7 +37,15 @@ class TautString {
  private:
   using View = Geometry::View;
 
-  [[nodiscard]] bool is_at_start(mesh::Vertex v) const;
+  struct Strings;
+
+  /// Moves the apex along the string to the right (or left) end, to the corner at index `apex`.
+  void move_apex_right(std::size_t apex) {
+    while (apex_ < apex) turn_at(row_[apex_++]);
+  }
+  void move_apex_left(std::size_t apex) {
+    while (apex_ > apex) turn_at(row_[apex_--]);
+  }
   void turn_at(const View& corner) { corners_.push_back({corner.x, corner.y}); }
 
   const Geometry* geometry_ = nullptr;

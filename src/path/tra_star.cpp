@@ -31,7 +31,7 @@ void TraStar::find(Path& path) {
   }
   while (!open_.empty()) {
     const std::uint32_t position = open_.pop();
-    const Node node = nodes_[position];
+    const ChannelNode node = nodes_[position];
     const Face f = mesh::face(node.entry);
     const std::uint32_t marks = marks_of(f);
     if ((marks & kGoal) != 0) {
@@ -130,11 +130,12 @@ void TraStar::leave_start_face(HalfEdge h) {
   const unsigned passages = passages_on(f, marks_of(f));
   for (const HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
     if ((passages >> (number(exit) - 3 * number(f)) & 1U) == 0) continue;
-    follow(exit, kNone, {ends_->start(), position_of(mesh_->target(exit)), position_of(mesh_->origin(exit))});
+    follow(exit, ChannelNode::kNone,
+           {ends_->start(), position_of(mesh_->target(exit)), position_of(mesh_->origin(exit))});
   }
 }
 
-void TraStar::leave(const Node& node, std::uint32_t position) {
+void TraStar::leave(const ChannelNode& node, std::uint32_t position) {
   const HalfEdge left = mesh::previous(node.entry);
   const HalfEdge right = mesh::next(node.entry);
   const Point& apex = position_of(mesh_->origin(left));
@@ -188,10 +189,10 @@ void TraStar::open(HalfEdge exit, HalfEdge entry, std::uint32_t before, const Si
 void TraStar::collect_channel(std::uint32_t goal_node) {
   chosen_.clear();
   exits_.clear();
-  for (std::uint32_t node = goal_node; node != kNone; node = nodes_[node].before) chosen_.push_back(node);
+  for (std::uint32_t node = goal_node; node != ChannelNode::kNone; node = nodes_[node].before) chosen_.push_back(node);
   std::reverse(chosen_.begin(), chosen_.end());
   for (const std::uint32_t position : chosen_) {
-    const Node& node = nodes_[position];
+    const ChannelNode& node = nodes_[position];
     exits_.push_back(node.exit);
     for (HalfEdge entry = mesh_->twin(node.exit); entry != node.entry; entry = mesh_->twin(exits_.back())) {
       const Face f = mesh::face(entry);

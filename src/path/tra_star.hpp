@@ -8,6 +8,7 @@
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
+#include "path/channel_node.hpp"
 #include "path/ends.hpp"
 #include "path/open_list.hpp"
 #include "path/sight.hpp"
@@ -40,16 +41,6 @@ class TraStar {
   void write_channel(Path& path) const;
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffff;
-
-  /// A channel that the search has followed to the goal, or to a face where it has a choice.
-  struct Node {
-    mesh::HalfEdge exit;   ///< the half-edge through which the channel left the face of the node before
-    mesh::HalfEdge entry;  ///< the half-edge through which it entered this node's face
-    std::uint32_t before;  ///< the node before, or kNone: the channel comes from a start face
-    Sight sight;
-  };
-
   // Marks of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
   static constexpr std::uint32_t kAboveGoal = 2;    ///< a goal face, or a face between a goal face and the core
@@ -80,7 +71,7 @@ class TraStar {
   [[nodiscard]] unsigned passages_above_goal(mesh::Face f, std::uint32_t marks) const;
   [[nodiscard]] unsigned passages_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
-  void leave(const Node& node, std::uint32_t position);
+  void leave(const ChannelNode& node, std::uint32_t position);
   void follow(mesh::HalfEdge exit, std::uint32_t before, Sight sight);
   void open(mesh::HalfEdge exit, mesh::HalfEdge entry, std::uint32_t before, const Sight& sight);
   void collect_channel(std::uint32_t goal_node);
@@ -93,7 +84,7 @@ class TraStar {
   const nav::TwoCore* core_ = nullptr;
   const nav::Components* components_ = nullptr;
 
-  std::vector<Node> nodes_;
+  std::vector<ChannelNode> nodes_;
   OpenList open_;                             ///< indices in `nodes_`
   memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp plus the marks, if this search wrote them
   memory::Stamp stamp_;                       ///< its value is a multiple of kMarks

@@ -10,8 +10,8 @@ namespace waywright {
 
 namespace {
 
-/// A mesh has 31 bits for a half-edge, so it has at most 2^31 / 6 vertices. This limit leaves more than half of them
-/// for crossings. The number of crossings is not known before the change is made.
+/// A mesh has at most constraint::kMostVertices vertices. This limit leaves more than half of them for crossings. The
+/// number of crossings is not known before the change is made. So the operation counts them while it makes them.
 constexpr std::size_t kLargestVertexCount = std::size_t{1} << 27;
 
 std::optional<Error> find_arity_error(const Shape& shape) {
@@ -97,7 +97,9 @@ std::optional<Error> ChangeCheck::check_shape(ItemId id, const Shape& shape) {
 
 std::optional<Error> ChangeCheck::add_vertices(std::size_t count) {
   if (vertex_count_ + count > kLargestVertexCount) {
-    return Error{ErrorCode::too_large, "the world has too many vertices", {}, 0};
+    Error error{ErrorCode::too_large, {}, {}, 0};
+    error.words.limit = kLargestVertexCount;
+    return error;
   }
   vertex_count_ += count;
   return std::nullopt;

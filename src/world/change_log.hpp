@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "waywright/changed_box.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
@@ -23,13 +26,12 @@ class ChangeLog {
 
   /// Starts an operation.
   void begin() { boxes_.clear(); }
-  /// Records an item that the operation inserts or removes. Call add_item() first, then add_point() for each point of
-  /// the item.
-  void add_item() {
-    if (boxes_.size() < kBoxesOfOperation) boxes_.push_back({{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
-  }
+  /// Records an item that the operation inserts or removes. Call add_insertion() or add_removal() first, then
+  /// add_point() for each point of the item.
+  void add_insertion() { add_item().is_insertion = true; }
+  void add_removal() { add_item().is_removal = true; }
   void add_point(const Point& p) {
-    Box& box = boxes_.back();
+    Box& box = boxes_.back().box;
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
   }
@@ -42,17 +44,27 @@ class ChangeLog {
   /// Ends an operation that has succeeded. `version` is the new version of the world. Allocates nothing. Requires:
   /// reserve() was called.
   void commit(std::uint64_t version) {
-    for (const Box& box : boxes_) entries_.push_back({version, box});
+    for (ChangedBox& box : boxes_) {
+      box.version = version;
+      entries_.push_back(box);
+    }
+  }
+
+  /// Returns the boxes of the operations after version `since`, or nothing if the log no longer has all of them.
+  [[nodiscard]] std::optional<std::span<const ChangedBox>> since(std::uint64_t since) const {
+    if (since < complete_since_) return std::nullopt;
+    const auto after = [](std::uint64_t version, const ChangedBox& entry) { return version < entry.version; };
+    const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
+    return std::span<const ChangedBox>(entries_).subspan(static_cast<std::size_t>(first - entries_.begin()));
   }
 
   /// Returns whether `concerns(box)` is true for the box of an item that was inserted or removed after version `since`
   /// of the world. Also returns true if the log no longer has all boxes since that version.
   template <class Concerns>
   [[nodiscard]] bool has_box(std::uint64_t since, const Concerns& concerns) const {
-    if (since < complete_since_) return true;
-    const auto after = [](std::uint64_t version, const Entry& entry) { return version < entry.version; };
-    const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
-    return std::any_of(first, entries_.end(), [&](const Entry& entry) { return concerns(entry.box); });
+    const auto boxes = this->since(since);
+    return !boxes ||
+           std::any_of(boxes->begin(), boxes->end(), [&](const ChangedBox& entry) { return concerns(entry.box); });
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
@@ -68,10 +80,10 @@ class ChangeLog {
   static constexpr std::size_t kBoxesOfOperation = 256;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  struct Entry {
-    std::uint64_t version;
-    Box box;
-  };
+  ChangedBox& add_item() {
+    if (boxes_.size() < kBoxesOfOperation) boxes_.push_back({0, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}}});
+    return boxes_.back();
+  }
 
   void remove_oldest() {
     const auto kept = entries_.end() - static_cast<std::ptrdiff_t>(std::min(kKept, entries_.size()));
@@ -79,9 +91,9 @@ class ChangeLog {
     entries_.erase(entries_.begin(), kept);
   }
 
-  std::vector<Entry> entries_;        ///< ascending by version
+  std::vector<ChangedBox> entries_;   ///< ascending by version
   std::uint64_t complete_since_ = 0;  ///< the log has the boxes of all operations after this version
-  std::vector<Box> boxes_;            ///< boxes of the operation in progress
+  std::vector<ChangedBox> boxes_;     ///< boxes of the operation in progress
 };
 
 }  // namespace waywright

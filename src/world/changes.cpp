@@ -49,6 +49,13 @@ std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId
   return std::nullopt;
 }
 
+/// Returns the number of insertions with which the list begins.
+std::size_t count_insertions(std::span<const Change> changes) {
+  const auto end = std::find_if(changes.begin(), changes.end(),
+                                [](const Change& change) { return change.kind != Change::Kind::insert; });
+  return static_cast<std::size_t>(end - changes.begin());
+}
+
 /// Returns the error with the index `i` of the refused element in a list, and with the noun for the element in the
 /// message.
 Error in_list(const char* element, std::size_t i, Error error) {
@@ -57,21 +64,48 @@ Error in_list(const char* element, std::size_t i, Error error) {
   return error;
 }
 
+/// Returns the id of the item of each change, or the error of the first change that cannot be made.
+Result<std::vector<ItemId>> check_all(const constraint::ExactTriangulation& triangulation,
+                                      std::span<const Change> changes) {
+  ChangeCheck check(triangulation, ChangeCheck::Record::yes);
+  std::vector<ItemId> ids;
+  ids.reserve(changes.size());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    ids.push_back(changes[i].id);
+    if (auto error = add_change(check, changes[i], ids.back())) return in_list("change", i, *std::move(error));
+  }
+  return ids;
+}
+
 }  // namespace
+
+void World::Impl::record_removal(std::uint32_t slot) {
+  if (!history.is_recording()) return;
+  const constraint::ItemTable& items = triangulation.items();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  history.add_removal(items.id(slot), items.kind(slot), items.fill(slot));
+  bool starts_ring = true;
+  items.for_each_corner(slot, [&](mesh::Vertex corner, bool ends_ring) {
+    if (starts_ring) history.add_ring();
+    history.add_point(geometry.rounded(number(corner)));
+    starts_ring = ends_ring;
+  });
+}
 
 void World::Impl::note_removal(std::uint32_t slot) {
   if (triangulation.items().kind(slot) == ItemKind::point) return;
   triangulation.items().outline(slot, outline);
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  change_log.add_item();
+  change_log.add_removal();
   for (const mesh::Vertex v : outline.corners) change_log.add_point(geometry.rounded(number(v)));
 }
 
 Result<ItemId> World::insert(const Shape& shape, ItemId id) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   if (auto error = check_one(impl_->triangulation).add_insertion(shape, id)) return *std::move(error);
   Operation operation(*impl_);
-  operation.insert(shape, id);
+  if (auto error = operation.insert(shape, id)) return *std::move(error);
   operation.commit();
   return id;
 }
@@ -85,6 +119,7 @@ Result<ItemId> World::insert_polyline(PointSpan points, ItemId id) { return inse
 Result<ItemId> World::insert_polygon(Rings rings, ItemId id) { return insert(Shape::polygon(std::move(rings)), id); }
 
 Result<void> World::remove(ItemId id) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   if (auto error = check_one(impl_->triangulation).add_removal(id)) return *std::move(error);
   Operation operation(*impl_);
@@ -94,48 +129,67 @@ Result<void> World::remove(ItemId id) {
 }
 
 Result<void> World::replace(ItemId id, const Shape& shape) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   if (auto error = check_one(impl_->triangulation).add_replacement(id, shape)) return *std::move(error);
   Operation operation(*impl_);
   operation.remove(id);
-  operation.insert(shape, id);
+  if (auto error = operation.insert(shape, id)) return *std::move(error);
   operation.commit();
   return {};
 }
 
-Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
-  const base::FloatEnvironment environment;
-  ChangeCheck check(impl_->triangulation, ChangeCheck::Record::yes);
-  std::vector<ItemId> ids;
-  ids.reserve(changes.size());
-  bool is_all_insertions = true;
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    ids.push_back(changes[i].id);
-    if (auto error = add_change(check, changes[i], ids.back())) return in_list("change", i, *std::move(error));
-    is_all_insertions = is_all_insertions && changes[i].kind == Change::Kind::insert;
+std::optional<Error> World::Impl::make(Operation& operation, std::span<const Change> changes,
+                                       std::span<const ItemId> ids) {
+  for (std::size_t i = 0; i < changes.size();) {
+    const std::size_t count = count_insertions(changes.subspan(i));
+    std::optional<Error> error;
+    if (count > 1) {
+      error = operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, count), ids.subspan(i, count)});
+    } else {
+      if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
+      if (changes[i].kind != Change::Kind::remove) error = operation.insert(changes[i].shape, ids[i]);
+    }
+    if (error) return in_list("change", i + error->index, *std::move(error));
+    i += std::max(count, std::size_t{1});
   }
-  if (is_all_insertions) {
-    impl_->insert_all(constraint::ShapeBatch<Change>{changes, ids});
+  return std::nullopt;
+}
+
+Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  const base::FloatEnvironment environment;
+  Result<std::vector<ItemId>> ids = check_all(impl_->triangulation, changes);
+  if (!ids) return ids;
+  if (count_insertions(changes) == changes.size()) {
+    auto error = impl_->insert_all(constraint::ShapeBatch<Change>{changes, *ids});
+    if (error) return in_list("change", error->index, *std::move(error));
     return ids;
   }
   Operation operation(*impl_);
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    std::size_t end = i;
-    while (end < changes.size() && changes[end].kind == Change::Kind::insert) ++end;
-    if (end > i + 1) {
-      const std::span<const ItemId> batch_ids(ids.data() + i, end - i);
-      operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, end - i), batch_ids});
-      i = end - 1;
-      continue;
-    }
-    if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
-    if (changes[i].kind != Change::Kind::remove) operation.insert(changes[i].shape, ids[i]);
-  }
+  if (auto error = Impl::make(operation, changes, *ids)) return *std::move(error);
   operation.commit();
   return ids;
 }
 
+// The attempt always makes an Operation, because its changes must be taken back.
+Result<void> World::begin_attempt(std::span<const Change> changes) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  const base::FloatEnvironment environment;
+  const Result<std::vector<ItemId>> ids = check_all(impl_->triangulation, changes);
+  if (!ids) return ids.error();
+  AttemptGuard guard(*this);
+  Operation& operation = impl_->attempt.emplace(*impl_, Operation::Kind::attempt);
+  if (auto error = Impl::make(operation, changes, *ids)) return *std::move(error);
+  operation.update();
+  guard.release();
+  return {};
+}
+
+void World::end_attempt() noexcept { impl_->attempt.reset(); }
+
 Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const BulkOptions& options) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   ChangeCheck check(impl_->triangulation, ChangeCheck::Record::yes);
   std::vector<ItemId> ids;
@@ -147,18 +201,23 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
     total += items[i].shape.rings.points().size();
   }
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, team_of(options, total));
+  if (auto error = impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, team_of(options, total))) {
+    return in_list("item", error->index, *std::move(error));
+  }
   if (options.progress) options.progress(total, total);
   return ids;
 }
 
 Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOptions& options) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   if (first.is_null()) first = {impl_->triangulation.items().largest_id_seen().value + 1};
   ChangeCheck check(impl_->triangulation, ChangeCheck::Record::no);
   if (auto error = check.add_points(points, first)) return *std::move(error);
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  impl_->insert_all(constraint::PointBatch{points, first}, team_of(options, points.size()));
+  if (auto error = impl_->insert_all(constraint::PointBatch{points, first}, team_of(options, points.size()))) {
+    return *std::move(error);
+  }
   if (options.progress) options.progress(points.size(), points.size());
   return first;
 }

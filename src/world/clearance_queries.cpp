@@ -32,7 +32,7 @@ void keep_one_of_each(std::vector<ItemId>& ids) {
 Result<void> World::fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), centre, 0, "the centre")) return *std::move(error);
-  if (auto error = find_size_error(radius)) return *std::move(error);
+  if (auto error = find_disc_radius_error(radius)) return *std::move(error);
   impl_->fit_disc(centre, radius, *context.scratch_, fit);
   return {};
 }
@@ -63,7 +63,7 @@ Result<void> World::sweep_disc(Point from, Point to, double radius, QueryContext
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), from, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), to, 1, "the end")) return *std::move(error);
-  if (auto error = find_size_error(radius)) return *std::move(error);
+  if (auto error = find_disc_radius_error(radius)) return *std::move(error);
   if (radius == 0.0) {
     constraint::first_wall(impl_->triangulation, from, to, hit);
   } else {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -36,10 +37,10 @@ void append(const path::DiscPiece& piece, double radius, const Point& next, std:
   }
 }
 
-void append_pieces(detail::DiscSearch& disc, Path& path) {
-  std::vector<path::DiscPiece>& pieces = disc.pieces;
-  pieces.clear();
-  disc.search.write_path(pieces);
+/// Writes the answer from `disc.pieces`.
+void write_path(detail::DiscSearch& disc, Path& path) {
+  const std::vector<path::DiscPiece>& pieces = disc.pieces;
+  path.status = PathStatus::found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
     append(pieces[i], path.radius, is_last ? disc.goal : pieces[i + 1].from, path.pieces);
@@ -48,7 +49,51 @@ void append_pieces(detail::DiscSearch& disc, Path& path) {
   path.pieces.front().from = disc.start;
   path.pieces.back().to = disc.goal;
   // The length of the rounded pieces, as Path::at computes it.
-  path.length = path.lower_bound = path::length_of(path.pieces);
+  path.length = path::length_of(path.pieces);
+  path.lower_bound = disc.stage == detail::DiscSearch::Stage::shortest
+                         ? path.length
+                         : std::min(path.length, distance(disc.start, disc.goal));
+}
+
+using Stage = detail::DiscSearch::Stage;
+using Outcome = detail::DiscSearch::Outcome;
+
+/// Starts a stage of the search.
+void begin_stage(detail::DiscSearch& disc, Stage stage) {
+  disc.stage = stage;
+  disc.outcome = Outcome::running;
+  if (stage == Stage::channel) {
+    disc.channel.begin(*disc.map, disc.ends);
+  } else {
+    disc.shortest.begin(*disc.map, disc.ends);
+  }
+}
+
+/// Continues the stage with the channel. If the stage finds a path, writes its pieces.
+Outcome step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  if (!disc.channel.step(limit, expansions)) return Outcome::running;
+  if (!disc.channel.is_found()) return Outcome::none;
+  if (!disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) return Outcome::failed;
+  disc.string.write_path(disc.pieces);
+  return Outcome::found;
+}
+
+/// Continues the stage that finds the shortest path. If the stage finds it, writes its pieces.
+Outcome step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  if (!disc.shortest.step(limit, expansions)) return Outcome::running;
+  if (!disc.shortest.is_found()) return Outcome::failed;
+  disc.shortest.write_path(disc.pieces);
+  return Outcome::found;
+}
+
+/// Continues the search. Returns whether it has ended.
+bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  const bool is_channel = disc.stage == Stage::channel;
+  disc.outcome = is_channel ? step_channel(disc, limit, expansions) : step_shortest(disc, limit, expansions);
+  if (disc.outcome != Outcome::failed || disc.is_last_stage) return disc.outcome != Outcome::running;
+  disc.is_last_stage = true;
+  begin_stage(disc, is_channel ? Stage::shortest : Stage::channel);
+  return step(disc, limit, expansions);
 }
 
 /// Writes the time since the start of the search, if the query wants it.
@@ -63,7 +108,8 @@ void write_time(const detail::DiscSearch& disc, Path& path) {
 bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   fit_disc(query.goal, query.radius, scratch, scratch.fit);
   const std::optional<Point> goal = scratch.fit.fits ? std::optional(query.goal) : std::nullopt;
-  return free_disc_end(query, true, goal, scratch, path) && free_disc_end(query, false, query.start, scratch, path);
+  if (!free_disc_end(query, true, goal, scratch, path)) return false;
+  return goal || free_disc_end(query, false, query.start, scratch, path);
 }
 
 /// Does this for one end. `other` is the other end, if the disc fits there.
@@ -98,28 +144,25 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
   return nearest_fit_of_disc(nearest, scratch);
 }
 
-/// Prepares searches from a start, for one goal after the other. Requires: the disc is free there.
-void World::Impl::set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const {
+/// Starts the search for a path. Requires: the disc is free at both ends.
+void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   const bool has_abstraction = abstraction && &walls == &triangulation;
-  disc.start = start;
-  disc.map.emplace(walls, clearance->bridges(), radius, start, has_abstraction ? &abstraction->core() : nullptr);
-}
-
-/// Starts the search for a goal. Requires: the disc is free there.
-void World::Impl::begin_disc_search(const Point& goal, detail::QueryScratch& scratch) const {
-  detail::DiscSearch& disc = scratch.disc_search;
-  disc.goal = goal;
-  disc.is_done = false;
-  disc.search.begin(*disc.map, disc.start, goal);
+  disc.start = query.start;
+  disc.goal = query.goal;
+  disc.map.emplace(walls, clearance->bridges(), query.radius, query.start,
+                   has_abstraction ? &abstraction->core() : nullptr);
+  disc.ends.begin(*disc.map, query.start, query.goal);
+  disc.is_last_stage = false;
+  begin_stage(disc, query.algorithm == PathAlgorithm::tra ? Stage::channel : Stage::shortest);
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   path::clear(path);
   path.radius = query.radius;
   detail::DiscSearch& disc = scratch.disc_search;
-  disc.is_done = true;
+  disc.outcome = Outcome::none;
   disc.begun.reset();
   if (query.wants_time) disc.begun = std::chrono::steady_clock::now();
   PathQuery freed = query;
@@ -127,19 +170,16 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
     write_time(disc, path);
     return true;
   }
-  set_disc_start(freed.start, query.radius, scratch);
-  begin_disc_search(freed.goal, scratch);
+  begin_disc_search(freed, scratch);
   return false;
 }
 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
-  if (disc.is_done) return true;
-  disc.is_done = disc.search.step(limit, path.expansions);
-  if (!disc.is_done) return false;
-  if (disc.search.is_found()) {
-    path.status = PathStatus::found;
-    append_pieces(disc, path);
+  if (disc.outcome != Outcome::running) return true;
+  if (!step(disc, limit, path.expansions)) return false;
+  if (disc.outcome == Outcome::found) {
+    write_path(disc, path);
   } else {
     WidestPath widest;
     widest_path(disc.start, disc.goal, scratch, widest);
@@ -152,29 +192,16 @@ bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratc
 void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::QueryScratch& scratch,
                                        std::vector<Path>& paths) const {
   paths.resize(query.goals.size());
-  for (Path& path : paths) {
-    path::clear(path);
-    path.radius = query.radius;
-  }
-  if (paths.empty()) return;
-  PathQuery freed{.start = query.start, .goal = {}, .radius = query.radius, .end_tolerance = query.end_tolerance};
-  if (!free_disc_end(freed, true, std::nullopt, scratch, paths.front())) {
-    for (Path& path : paths) {
-      path.status = PathStatus::start_blocked;
-      path.blockers = scratch.fit.items;
-    }
-    return;
-  }
-  scratch.disc_search.begun.reset();
-  set_disc_start(freed.start, query.radius, scratch);
-  const std::optional<MovedEnd> moved_start = paths.front().moved_start;
+  PathQuery single{.start = query.start,
+                   .goal = {},
+                   .radius = query.radius,
+                   .algorithm = PathAlgorithm::optimal,
+                   .end_tolerance = query.end_tolerance};
   std::size_t expansions = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Path& path = paths[i];
-    path.moved_start = moved_start;
-    freed.goal = query.goals[i];
-    if (!free_disc_end(freed, false, freed.start, scratch, path)) continue;
-    begin_disc_search(freed.goal, scratch);
+    single.goal = query.goals[i];
+    if (begin_disc_path(single, scratch, path)) continue;
     step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();

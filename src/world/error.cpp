@@ -32,16 +32,26 @@ std::string_view to_string(ErrorCode code) {
       return "empty-shape";
     case ErrorCode::too_large:
       return "too-large";
+    case ErrorCode::too_many_vertices:
+      return "too-many-vertices";
     case ErrorCode::world_gone:
       return "world-gone";
     case ErrorCode::not_supported:
       return "not-supported";
     case ErrorCode::no_bridges:
       return "no-bridges";
+    case ErrorCode::no_history:
+      return "no-history";
+    case ErrorCode::old_tick:
+      return "old-tick";
+    case ErrorCode::unknown_tick:
+      return "unknown-tick";
     case ErrorCode::unreadable:
       return "unreadable";
     case ErrorCode::malformed:
       return "malformed";
+    case ErrorCode::unwritable:
+      return "unwritable";
   }
   return "unknown";
 }
@@ -76,9 +86,19 @@ void append_point_error(std::string& text, const Error& error) {
   }
 }
 
-/// Appends the message of an error that only names an id.
+/// Appends the message of an error that names an id and perhaps a limit.
 void append_id_error(std::string& text, const Error& error) {
+  const auto append_limit = [&](const char* before, const char* after) {
+    text += text::with_number("item ", error.item.value, before) + text::with_number("", error.words.limit, after);
+  };
   switch (error.code) {
+    case ErrorCode::too_large:
+      append_limit(" would bring the world to more than ", " vertices; remove items or divide the world");
+      break;
+    case ErrorCode::too_many_vertices:
+      append_limit(" would bring the operation to more than ",
+                   " new vertices, its limit; divide the operation or raise the limit");
+      break;
     case ErrorCode::id_in_use:
       text += text::with_number("an item has id ", error.item.value, " already");
       break;

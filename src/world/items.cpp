@@ -1,6 +1,7 @@
 #include "waywright/world.hpp"
 
 #include "world/change_check.hpp"
+#include "world/item_shape.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
@@ -8,9 +9,6 @@
 
 namespace waywright {
 
-namespace {
-
-/// Fills `shape` with the shape of a live item. Reuses the memory of `shape`.
 void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -31,7 +29,14 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
   if (is_one_point) shape.rings.add_point(shape.rings[0][0]);
 }
 
-}  // namespace
+ItemId World::largest_id_seen() const { return impl_->triangulation.items().largest_id_seen(); }
+
+Result<void> World::reserve_ids(ItemId last) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  if (last.is_null() || last.value > ItemId::kLargest) return Error{ErrorCode::bad_id, {}, last, 0};
+  impl_->triangulation.mark_used(last);
+  return {};
+}
 
 bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
 

@@ -16,7 +16,7 @@ namespace {
 
 std::optional<Error> find_nearest_fit_error(const Box& domain, const Kept& kept, const NearestFitQuery& query) {
   if (auto error = find_point_error(domain, query.point, 0, "the point")) return error;
-  if (auto error = find_size_error(query.radius)) return error;
+  if (auto error = find_disc_radius_error(query.radius)) return error;
   if (!(query.limit >= 0.0)) {
     return Error{ErrorCode::bad_distance, "the limit is negative or not a number", {}, 0};
   }

@@ -6,13 +6,13 @@
 
 namespace waywright {
 
-std::optional<Error> find_size_error(double radius) {
+std::optional<Error> find_disc_radius_error(double radius) {
   if (radius >= 0.0 && std::isfinite(radius)) return std::nullopt;
   return Error{ErrorCode::bad_radius, "the radius is negative or not finite", {}, 0};
 }
 
 std::optional<Error> find_radius_error(const Kept& kept, double radius) {
-  if (auto error = find_size_error(radius)) return error;
+  if (auto error = find_disc_radius_error(radius)) return error;
   if (radius == 0.0 || kept.has_bridges) return std::nullopt;
   return Error{ErrorCode::no_bridges, "a path for a radius above 0 needs a world that keeps its bridges", {}, 0};
 }

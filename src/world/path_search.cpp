@@ -88,6 +88,7 @@ PathSearch::PathSearch(PathSearch&&) noexcept = default;
 PathSearch& PathSearch::operator=(PathSearch&&) noexcept = default;
 
 Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
+  WAYWRIGHT_ASSERT(!world.impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   cancel();
   if (auto error = find_query_error(world.domain(), world.impl_->kept(), query)) return *std::move(error);
@@ -107,6 +108,7 @@ Result<bool> PathSearch::step(std::size_t expansions) {
     cancel();
     return Error{ErrorCode::world_gone, "the world has gone since the search began", {}, 0};
   }
+  WAYWRIGHT_ASSERT(!impl_->world->attempt, kInAttempt);
   const Impl::Step step(*impl_);
   impl_->adapt_to_changes();
   impl_->is_done = impl_->step(expansions);

@@ -151,6 +151,10 @@ bool World::is_affected(const Path& path, std::uint64_t since) const {
                                    [&](const Box& box) { return path::may_touch(path.pieces, path.radius, box); });
 }
 
+std::optional<std::span<const ChangedBox>> World::changes_since(std::uint64_t since) const {
+  return impl_->change_log.since(since);
+}
+
 void World::find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const {
   affected.clear();
   for (std::size_t i = 0; i < paths.size(); ++i) {

@@ -24,6 +24,10 @@ class TouchLog {
  public:
   static constexpr std::uint64_t kWorldGone = std::numeric_limits<std::uint64_t>::max();
 
+  TouchLog() = default;
+  /// Makes the log of a world that starts with this version. It has no records of earlier versions.
+  explicit TouchLog(std::uint64_t version) : version_(version), complete_since_(version) {}
+
   [[nodiscard]] std::uint64_t version() const { return version_; }
   void note_world_gone() { version_ = kWorldGone; }
 

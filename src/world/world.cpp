@@ -30,9 +30,27 @@ Result<World> World::create(const Box& domain, const WorldOptions& options) {
   return World(std::make_unique<Impl>(normalised, options));
 }
 
+World World::clone() const {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  return World(std::make_unique<Impl>(*impl_));
+}
+
 const Box& World::domain() const { return impl_->triangulation.domain(); }
 
-std::uint64_t World::version() const { return impl_->touch_log->version(); }
+WorldOptions World::options() const {
+  return {.keep_abstraction = impl_->abstraction.has_value(),
+          .keep_bridges = impl_->clearance != nullptr,
+          .new_vertex_limit = impl_->limits.of_operation};
+}
+
+std::size_t World::new_vertex_limit() const { return impl_->limits.of_operation; }
+
+void World::set_new_vertex_limit(std::size_t limit) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  impl_->limits.of_operation = limit;
+}
+
+std::uint64_t World::version() const { return impl_->version(); }
 
 std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }
 
@@ -50,6 +68,7 @@ MemoryUse World::memory() const {
   use.spare = sizeof(Impl) + sizeof(TouchLog);
   impl_->triangulation.count_memory(use);
   impl_->change_log.count_memory(use);
+  impl_->history.count_memory(use);
   impl_->touch_log->count_memory(use);
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
@@ -58,10 +77,12 @@ MemoryUse World::memory() const {
 }
 
 void World::shrink_to_fit() {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   impl_->triangulation.shrink_to_fit();
   if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
   if (impl_->clearance) impl_->clearance->shrink_to_fit(impl_->triangulation);
   impl_->change_log.shrink_to_fit();
+  impl_->history.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
   impl_->spare_context.release();
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);

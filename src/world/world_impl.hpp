@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,22 +14,91 @@
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
 #include "world/change_log.hpp"
+#include "world/history.hpp"
+#include "world/limit_error.hpp"
 #include "world/path_query_error.hpp"
 #include "world/spare_context.hpp"
 #include "world/touch_log.hpp"
 
 namespace waywright {
 
+inline constexpr char kInAttempt[] =
+    "World: the question of World::attempt() must not change the world, nor continue a PathSearch";
+
+/// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
+/// destructor takes all changes back.
+class WAYWRIGHT_INTERNAL World::Operation {
+ public:
+  enum class Kind : std::uint8_t {
+    change,   ///< the history records the changes
+    rewind,   ///< the history does not record the changes, and no limit holds: the world had these items before
+    attempt,  ///< update() instead of commit(): the changes are always taken back
+  };
+
+  explicit Operation(Impl& impl, Kind kind = Kind::change);
+  ~Operation();
+  Operation(const Operation&) = delete;
+  Operation& operator=(const Operation&) = delete;
+
+  // If an insertion passes a limit, the functions return the error. The operation must then be undone. The second
+  // function sets the index of the error to that of an item of the batch.
+  [[nodiscard]] std::optional<Error> insert(const Shape& shape, ItemId id);
+  template <class Batch>
+  [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
+  void remove(ItemId id);
+  void set_largest_id_seen(ItemId id);
+  /// Updates the bridges and the abstraction, so that all queries see the changes. Call it once, after all changes.
+  void update();
+  /// Calls update() and makes the changes final.
+  void commit();
+
+ private:
+  void note_inserted(ItemKind kind, ItemId id);
+  void note_changed(ItemId id);
+
+  Impl& impl_;
+  Kind kind_;
+  bool is_committed_ = false;
+  constraint::ExactTriangulation::UndoGuard operation_;
+  std::optional<clearance::Clearance::UndoGuard> clearance_operation_;
+};
+
 struct WAYWRIGHT_INTERNAL World::Impl {
   Impl(const Box& domain, const WorldOptions& options) : triangulation(domain) {
+    limits.of_operation = options.new_vertex_limit;
     if (options.keep_abstraction) abstraction.emplace(triangulation);
     if (options.keep_bridges) clearance = std::make_unique<clearance::Clearance>(triangulation);
   }
+  /// Makes a copy with a log and with contexts of its own. Requires: no operation is under way.
+  Impl(const Impl& other)
+      : triangulation(other.triangulation),
+        limits(other.limits),
+        abstraction(other.abstraction),
+        clearance(other.clearance ? std::make_unique<clearance::Clearance>(*other.clearance) : nullptr),
+        touch_log(std::make_shared<TouchLog>(other.version())),
+        change_log(other.change_log),
+        history(other.history) {}
+  Impl& operator=(const Impl&) = delete;
   ~Impl() { touch_log->note_world_gone(); }
 
-  /// Inserts a batch as one operation.
+  /// Inserts a batch as one operation. If the world has no items, builds a new mesh. If the batch passes a limit,
+  /// changes nothing and returns the error, with the index of an item of the batch.
   template <class Batch>
-  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
+  [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
+  /// Replaces all items by the items of a batch: builds a new triangulation and then replaces the old one. So the
+  /// function is all or nothing without an undo log. `largest_id` is the largest id that the world has seen afterwards.
+  /// If the batch passes a limit, changes nothing and returns the error. Requires: `change_log` and `history` contain
+  /// the changes.
+  template <class Batch>
+  [[nodiscard]] std::optional<Error> replace_all(const Batch& batch, ItemId largest_id,
+                                                 const constraint::VertexLimits& made_limits,
+                                                 const threads::ThreadTeam& team = {});
+  /// Makes changes that a ChangeCheck has accepted. `ids` are the ids of their items. If an insertion passes a limit,
+  /// returns the error; the operation must then be undone.
+  [[nodiscard]] static std::optional<Error> make(Operation& operation, std::span<const Change> changes,
+                                                 std::span<const ItemId> ids);
+  /// Brings back the items of a tick as one operation. Requires: the history has the tick.
+  void rewind(History::Tick tick);
   // The next three functions record items in `change_log`: all items of a batch, one item that an operation inserts, or
   // one item that it removes.
   template <class Batch>
@@ -36,6 +106,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   template <class Rings>
   void note_item(ItemKind kind, const Rings& rings);
   void note_removal(std::uint32_t slot);
+  /// Records in `history` the shape of an item that an operation removes.
+  void record_removal(std::uint32_t slot);
   /// What the world keeps for path queries.
   [[nodiscard]] Kept kept() const { return {abstraction.has_value(), clearance != nullptr}; }
   // The queries behind the functions of World with these names. Requires: the query has no error.
@@ -56,102 +128,139 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] std::optional<Point> find_disc_end(const PathQuery& query, const Point& end,
                                                    const std::optional<Point>& other,
                                                    detail::QueryScratch& scratch) const;
-  void set_disc_start(const Point& start, double radius, detail::QueryScratch& scratch) const;
-  void begin_disc_search(const Point& goal, detail::QueryScratch& scratch) const;
+  void begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const;
   /// nearest_fit() for a radius of 0, and for a radius above 0. The second function requires that the disc fits at the
   /// goal, if there is one.
   [[nodiscard]] std::optional<Point> nearest_free(const NearestFitQuery& query, detail::QueryScratch& scratch) const;
   [[nodiscard]] std::optional<Point> nearest_fit_of_disc(const NearestFitQuery& query,
                                                          detail::QueryScratch& scratch) const;
+  [[nodiscard]] std::uint64_t version() const { return touch_log->version(); }
+  // The areas of points, for World::would_disconnect().
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, detail::QueryScratch& scratch) const;
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, double radius,
+                                                                 detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
 
   constraint::ExactTriangulation triangulation;
+  constraint::VertexLimits limits;  ///< of each operation
   std::optional<nav::Abstraction> abstraction;
   std::unique_ptr<clearance::Clearance> clearance;  ///< null if the world keeps no bridges
   std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
   ChangeLog change_log;
+  History history;
   constraint::Outline outline;  ///< scratch
   SpareContext spare_context;
+  std::optional<Operation> attempt;  ///< the operation of World::attempt(), while its question runs
 };
 
-/// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
-/// destructor takes all changes back.
-class WAYWRIGHT_INTERNAL World::Operation {
- public:
-  explicit Operation(Impl& impl) : impl_(impl), operation_(impl.triangulation) {
-    if (impl_.abstraction) impl_.abstraction->begin();
-    if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);
-    impl_.change_log.begin();
-  }
+inline World::Operation::Operation(Impl& impl, Kind kind)
+    : impl_(impl),
+      kind_(kind),
+      operation_(impl.triangulation, kind == Kind::rewind ? constraint::VertexLimits{} : impl.limits) {
+  if (impl_.abstraction) impl_.abstraction->begin();
+  if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);
+  impl_.change_log.begin();
+  impl_.history.begin();
+}
 
-  void insert(const Shape& shape, ItemId id) {
-    impl_.triangulation.insert(shape, id);
-    note_inserted(shape.kind, id);
-    note_changed(id);
-    impl_.note_item(shape.kind, shape.rings);
-  }
-  template <class Batch>
-  void insert_all(const Batch& batch, const threads::ThreadTeam& team = {}) {
-    impl_.triangulation.insert_all(batch, team);
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      note_inserted(batch.kind(i), batch.id(i));
-      note_changed(batch.id(i));
-    }
-    impl_.note_changes(batch);
-  }
-  void remove(ItemId id) {
-    const std::uint32_t slot = impl_.triangulation.items().slot(id);
-    impl_.note_removal(slot);
-    note_changed(id);
-    if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
-    impl_.triangulation.remove(id);
-  }
-  void commit() {
-    impl_.touch_log->note_mesh(impl_.triangulation);
-    impl_.change_log.reserve();
-    // If the abstraction cannot be updated, the destructor of `clearance_operation_` undoes the update of the bridges.
-    if (impl_.clearance) impl_.clearance->update(impl_.triangulation);
-    if (impl_.abstraction) {
-      impl_.abstraction->update(impl_.triangulation);
-      impl_.touch_log->note_abstraction(*impl_.abstraction);
-    }
-    // Nothing can fail from here on.
-    operation_.commit();
-    if (clearance_operation_) clearance_operation_->commit();
-    impl_.touch_log->commit();
-    impl_.change_log.commit(impl_.touch_log->version());
-  }
+// The destructors of the members take back the changes of the mesh and of the bridges.
+inline World::Operation::~Operation() {
+  if (!is_committed_ && impl_.abstraction) impl_.abstraction->roll_back();
+}
 
- private:
-  void note_inserted(ItemKind kind, ItemId id) {
-    if (!impl_.abstraction || kind == ItemKind::point) return;
-    impl_.abstraction->note_walls();
-    if (kind == ItemKind::polygon) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
-  }
+inline std::optional<Error> World::Operation::insert(const Shape& shape, ItemId id) {
+  if (kind_ == Kind::change) impl_.history.add_insertion(id);
+  impl_.triangulation.insert(shape, id);
+  if (impl_.triangulation.has_too_many_vertices()) return limit_error(impl_.triangulation.budget(), id);
+  note_inserted(shape.kind, id);
+  note_changed(id);
+  impl_.note_item(shape.kind, shape.rings);
+  return std::nullopt;
+}
 
-  void note_changed(ItemId id) {
-    if (impl_.clearance) impl_.clearance->note_changed(id);
-  }
-
-  Impl& impl_;
-  constraint::ExactTriangulation::UndoGuard operation_;
-  std::optional<clearance::Clearance::UndoGuard> clearance_operation_;
-};
-
-/// If the world has no items, the function builds a new triangulation and then replaces the old one. So the insertion
-/// is all or nothing without an undo log.
 template <class Batch>
-void World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
+std::optional<Error> World::Operation::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
+  if (kind_ == Kind::change) {
+    for (std::size_t i = 0; i < batch.size(); ++i) impl_.history.add_insertion(batch.id(i));
+  }
+  impl_.triangulation.insert_all(batch, team);
+  if (impl_.triangulation.has_too_many_vertices()) return limit_error(impl_.triangulation, batch);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    note_inserted(batch.kind(i), batch.id(i));
+    note_changed(batch.id(i));
+  }
+  impl_.note_changes(batch);
+  return std::nullopt;
+}
+
+inline void World::Operation::remove(ItemId id) {
+  const std::uint32_t slot = impl_.triangulation.items().slot(id);
+  if (kind_ == Kind::change) impl_.record_removal(slot);
+  impl_.note_removal(slot);
+  note_changed(id);
+  if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
+  impl_.triangulation.remove(id);
+}
+
+inline void World::Operation::set_largest_id_seen(ItemId id) { impl_.triangulation.set_largest_id_seen(id); }
+
+inline void World::Operation::update() {
+  if (impl_.clearance) impl_.clearance->update(impl_.triangulation);
+  if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation);
+}
+
+inline void World::Operation::commit() {
+  impl_.touch_log->note_mesh(impl_.triangulation);
+  impl_.change_log.reserve();
+  update();
+  // Nothing can fail from here on.
+  if (impl_.abstraction) {
+    impl_.touch_log->note_abstraction(*impl_.abstraction);
+    impl_.abstraction->commit();
+  }
+  operation_.commit();
+  if (clearance_operation_) clearance_operation_->commit();
+  impl_.touch_log->commit();
+  impl_.change_log.commit(impl_.touch_log->version());
+  impl_.history.commit();
+  is_committed_ = true;
+}
+
+inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
+  if (!impl_.abstraction || kind == ItemKind::point) return;
+  impl_.abstraction->note_walls();
+  if (kind == ItemKind::polygon) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+}
+
+inline void World::Operation::note_changed(ItemId id) {
+  if (impl_.clearance) impl_.clearance->note_changed(id);
+}
+
+template <class Batch>
+std::optional<Error> World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   if (triangulation.items().size() != 0) {
     Operation operation(*this);
-    operation.insert_all(batch, team);
-    return operation.commit();
+    if (auto error = operation.insert_all(batch, team)) return error;
+    operation.commit();
+    return std::nullopt;
   }
-  constraint::ExactTriangulation made(triangulation.domain(), batch, team);
-  made.mark_used(triangulation.items().largest_id_seen());
   change_log.begin();
   note_changes(batch);
+  history.begin();
+  for (std::size_t i = 0; i < batch.size(); ++i) history.add_insertion(batch.id(i));
+  if (auto error = replace_all(batch, triangulation.items().largest_id_seen(), limits, team)) return error;
+  history.commit();
+  return std::nullopt;
+}
+
+template <class Batch>
+std::optional<Error> World::Impl::replace_all(const Batch& batch, ItemId largest_id,
+                                              const constraint::VertexLimits& made_limits,
+                                              const threads::ThreadTeam& team) {
+  constraint::ExactTriangulation made(triangulation.domain(), batch, team, made_limits);
+  if (made.has_too_many_vertices()) return limit_error(made, batch);
+  made.mark_used(largest_id);
   change_log.reserve();
   std::unique_ptr<clearance::Clearance> made_clearance;
   if (clearance) made_clearance = std::make_unique<clearance::Clearance>(made);
@@ -162,6 +271,7 @@ void World::Impl::insert_all(const Batch& batch, const threads::ThreadTeam& team
   touch_log->note_everything();
   touch_log->commit();
   change_log.commit(touch_log->version());
+  return std::nullopt;
 }
 
 template <class Batch>
@@ -175,7 +285,7 @@ void World::Impl::note_changes(const Batch& batch) {
 template <class Rings>
 void World::Impl::note_item(ItemKind kind, const Rings& rings) {
   if (kind == ItemKind::point) return;
-  change_log.add_item();
+  change_log.add_insertion();
   for (const auto& ring : rings) {
     for (const Point& p : ring) change_log.add_point(p);
   }

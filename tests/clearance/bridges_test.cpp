@@ -12,8 +12,10 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
+#include "support/bridges_check.hpp"
 #include "support/case_count.hpp"
 #include "support/random.hpp"
+#include "support/random_changes.hpp"
 #include "support/random_scenes.hpp"
 
 namespace waywright::test {
@@ -181,6 +183,16 @@ TEST_P(RandomScenes, KeepTheBridgesOfARebuildAfterEveryChange) {
       is_live[i] = !is_live[i];
       ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed << ", step " << step;
     }
+  }
+}
+
+TEST_P(RandomScenes, KeepTheBridgesWithLooseCornersAndUndoneSteps) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 9) / 10; ++seed) {
+    const ChangeScript script = random_changes(GetParam(), seed, 200, 10 + 10 * (seed % 6));
+    const BridgesReport report = check_bridges(script, seed);
+    ASSERT_EQ(report.fault, std::nullopt) << "seed " << seed;
+    EXPECT_GT(report.changes, 100U);
+    EXPECT_GT(report.undone, 0U);
   }
 }
 

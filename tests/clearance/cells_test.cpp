@@ -64,30 +64,6 @@ Rational squared_length(const exact::Gap& gap) {
   return area * area / (dx * dx + dy * dy);
 }
 
-Rational squared_distance(const Point& p, const std::pair<Point, Point>& wall) {
-  using Pair = std::pair<Rational, Rational>;
-  const Pair along{Rational(wall.second.x) - Rational(wall.first.x), Rational(wall.second.y) - Rational(wall.first.y)};
-  const Pair to{Rational(p.x) - Rational(wall.first.x), Rational(p.y) - Rational(wall.first.y)};
-  const Rational length = along.first * along.first + along.second * along.second;
-  Rational share = length == 0 ? Rational(0) : Rational((to.first * along.first + to.second * along.second) / length);
-  share = std::clamp(share, Rational(0), Rational(1));
-  const Rational x = to.first - share * along.first;
-  const Rational y = to.second - share * along.second;
-  return x * x + y * y;
-}
-
-/// The squared diameter of the largest disc that fits at both positions.
-Rational largest_at(const disc::Walls& walls, const Point& start, const Point& goal) {
-  std::optional<Rational> least;
-  for (const auto& wall : walls.segments) {
-    for (const Point& p : {start, goal}) {
-      const Rational distance = squared_distance(p, wall);
-      if (!least || distance < *least) least = distance;
-    }
-  }
-  return 4 * *least;
-}
-
 // If another wall touches the circle whose diameter is a gap, the library does not call this gap a bridge. A disc that
 // is longer than the gap then fits at no position on one side of it. So the two agree about all discs that fit at both
 // ends.
@@ -111,7 +87,7 @@ void check_scene(const NamedScene& scene) {
     const clearance::Narrowest found = map.narrowest(*start_cell, *goal_cell);
     ASSERT_EQ(found.is_connected, widest.has_value());
     if (!widest) continue;
-    const Rational largest = largest_at(walls_of(scene), start, goal);
+    const Rational largest = disc::largest_at(walls_of(scene), start, goal);
     const Rational expected = widest->is_limited ? std::min(largest, widest->squared_diameter) : largest;
     ASSERT_EQ(found.gate ? std::min(largest, squared_length(map.cells().gap(*found.gate))) : largest, expected);
     for (const double radius : scene.radii) {

@@ -38,7 +38,7 @@ std::set<Corners> faces_of(const Triangulation& triangulation) {
   const auto point = [&](mesh::Vertex v) { return triangulation.geometry().rounded(number(v)); };
   std::set<Corners> faces;
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!triangulation.is_in_box(mesh::Face{f})) continue;
+    if (!triangulation.is_in_domain(mesh::Face{f})) continue;
     const HalfEdge h = mesh::first(mesh::Face{f});
     faces.insert(sorted(point(mesh.origin(h)), point(mesh.target(h)), point(mesh.apex(h))));
   }

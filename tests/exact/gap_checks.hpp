@@ -187,8 +187,35 @@ void expect_stages(const StageAnswers<Answer>& answers, Answer expected, Answere
   check(answers.small, answered.small, "small");
   check(answers.narrow, answered.narrow, "narrow");
   check(answers.wide, answered.wide, "wide");
-  ASSERT_TRUE(answers.any.has_value());
-  EXPECT_EQ(*answers.any, expected) << "any";
+  ASSERT_TRUE(answers.integers.has_value());
+  EXPECT_EQ(*answers.integers, expected) << "integers";
+}
+
+/// Random coordinates and lengths that include the largest ones below 2^bits.
+class LargestOffsets {
+ public:
+  explicit LargestOffsets(int bits) {
+    const double largest = std::ldexp(1.0 - 0x1p-53, bits);
+    choices_ = {0.0, 1.0, bits < 53 ? std::floor(largest) : largest, std::ldexp(1.0, bits - 1), 2.0};
+  }
+  double length() { return choices_[random_.below(5)]; }
+  Point point() { return {length(), length()}; }
+
+ private:
+  std::array<double, 5> choices_{};
+  Random random_{9};
+};
+
+/// Calls check(source, answered) with a source of the largest offsets of each size of the integers of fixed width. The
+/// stage of this size must always answer.
+template <class Check>
+void check_largest_offsets(int calls, Check&& check) {
+  for (const int bits : {13, 29, 60}) {
+    Answered answered;
+    LargestOffsets source(bits);
+    for (int i = 0; i < calls && !testing::Test::HasFailure(); ++i) check(source, answered);
+    EXPECT_EQ(bits == 13 ? answered.small : bits == 29 ? answered.narrow : answered.wide, answered.calls) << bits;
+  }
 }
 
 using Symmetry = std::function<Point(const Point&)>;

@@ -68,7 +68,7 @@ TEST_P(Discs, TouchesAgreesWithRationalsAtTheEndsOfTheGap) {
   for (int i = 0; i < kCalls / 8 && !HasFailure(); ++i) {
     const Gap gap = source_.gap();
     const Point direction = gap.a == gap.b ? gap.a - gap.from : turned(gap.b - gap.a);
-    for (const Point& c : {gap.from, gap.a, gap.b, exact::end(gap)}) {
+    for (const Point& c : {gap.from, gap.a, gap.b, exact::end_of(gap)}) {
       for (const Point& d : {c, point(), gap.from, gap.a, gap.b, c + turned(direction), c - turned(direction),
                              c + direction, c - direction * 0.5}) {
         if (!is_in_range(c) || !is_in_range(d)) continue;
@@ -82,21 +82,11 @@ TEST_P(Discs, TouchesAgreesWithRationalsAtTheEndsOfTheGap) {
   EXPECT_LT(answered_.doubles, answered_.calls);
 }
 
-/// Points with the largest offsets of each size of the integers of fixed width.
 TEST(DiscSizes, LargestOffsetsFit) {
-  Random random(9);
-  for (const int bits : {13, 29, 60}) {
-    Answered answered;
-    const double largest = std::ldexp(1.0 - 0x1p-53, bits);
-    const std::array<double, 5> choices = {0.0, 1.0, bits < 53 ? std::floor(largest) : largest,
-                                           std::ldexp(1.0, bits - 1), 2.0};
-    const auto point = [&] { return Point{choices[random.below(5)], choices[random.below(5)]}; };
-    for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
-      const Gap gap = {point(), point(), point()};
-      check_touches(gap, point(), point(), answered);
-    }
-    EXPECT_EQ(bits == 13 ? answered.small : bits == 29 ? answered.narrow : answered.wide, answered.calls) << bits;
-  }
+  check_largest_offsets(2000, [](LargestOffsets& source, Answered& answered) {
+    const Gap gap = {source.point(), source.point(), source.point()};
+    check_touches(gap, source.point(), source.point(), answered);
+  });
 }
 
 /// A segment on a tangent of the disc, or with an end on its circle.

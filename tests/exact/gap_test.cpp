@@ -125,7 +125,7 @@ TEST_P(Gaps, LengthAndEndAreNearTheRationals) {
         << testing::PrintToString(gap);
     ASSERT_EQ(length == 0.0, squared_length(gap) == 0);
     const RationalPoint expected = rational_end(gap);
-    const Point end = exact::end(gap);
+    const Point end = exact::end_of(gap);
     ASSERT_TRUE(is_near(end.x, expected.x, 8)) << testing::PrintToString(gap);
     ASSERT_TRUE(is_near(end.y, expected.y, 8)) << testing::PrintToString(gap);
   }
@@ -141,25 +141,16 @@ TEST_P(Gaps, LargestRadiusAgreesWithComparisons) {
   }
 }
 
-/// Points with the largest offsets of each size of the integers of fixed width.
 TEST(GapSizes, LargestOffsetsFit) {
-  Random random(9);
-  for (const int bits : {13, 29, 60}) {
-    Answered answered;
-    const double largest = std::ldexp(1.0 - 0x1p-53, bits);
-    const std::array<double, 5> choices = {0.0, 1.0, bits < 53 ? std::floor(largest) : largest,
-                                           std::ldexp(1.0, bits - 1), 2.0};
-    const auto point = [&] { return Point{choices[random.below(5)], choices[random.below(5)]}; };
-    for (int i = 0; i < 600 && !testing::Test::HasFailure(); ++i) {
-      const Gap p = {point(), point(), point()}, q = {point(), point(), point()};
-      check_lengths(p, q, answered);
-      check_distances(p.from, p.a, p.b, q.a, q.b, answered);
-      check_dot(p.from, p.a, q.from, q.a, answered);
-      check_diameter(p, choices[random.below(5)], answered);
-      check_distance(p.from, p.a, p.b, choices[random.below(5)], answered);
-    }
-    EXPECT_EQ(bits == 13 ? answered.small : bits == 29 ? answered.narrow : answered.wide, answered.calls) << bits;
-  }
+  check_largest_offsets(600, [](LargestOffsets& source, Answered& answered) {
+    const Gap p = {source.point(), source.point(), source.point()};
+    const Gap q = {source.point(), source.point(), source.point()};
+    check_lengths(p, q, answered);
+    check_distances(p.from, p.a, p.b, q.a, q.b, answered);
+    check_dot(p.from, p.a, q.from, q.a, answered);
+    check_diameter(p, source.length(), answered);
+    check_distance(p.from, p.a, p.b, source.length(), answered);
+  });
 }
 
 // Constructed ties.
@@ -225,7 +216,7 @@ TEST(GapTies, OfMixedScales) {
     EXPECT_EQ(check_lengths({u, c, d}, {v, v, v}, answered), Sign::zero);
     EXPECT_EQ(check_distances(u, c, d, u, v, answered), Sign::zero);
     EXPECT_EQ(exact::length({u, c, d}), 0.0);
-    EXPECT_EQ(exact::end({u, c, d}), u);
+    EXPECT_EQ(exact::end_of({u, c, d}), u);
   }
   EXPECT_EQ(answered.wide, 0);
 }
@@ -373,15 +364,15 @@ TEST(GapTies, EmptyGaps) {
     EXPECT_EQ(check_diameter(gap, std::numeric_limits<double>::denorm_min(), answered), Sign::negative);
     EXPECT_EQ(check_diameter(gap, std::numeric_limits<double>::max(), answered), Sign::negative);
     EXPECT_EQ(exact::length(gap), 0.0);
-    EXPECT_EQ(exact::end(gap), u);
+    EXPECT_EQ(exact::end_of(gap), u);
   }
 }
 
 TEST(GapTies, EndsOfGapsParallelToAnAxisAreExact) {
-  EXPECT_EQ(exact::end({{0.1, 0.7}, {0.3, -1}, {0.3, 5}}), (Point{0.3, 0.7}));
-  EXPECT_EQ(exact::end({{0.1, 0.7}, {-5, 0.2}, {9, 0.2}}), (Point{0.1, 0.2}));
-  EXPECT_EQ(exact::end({{2, 0}, {-1, -1}, {5, 5}}), (Point{1, 1}));
-  EXPECT_EQ(exact::end({{1, -1}, {-2, -2}, {5, 5}}), (Point{0, 0}));
+  EXPECT_EQ(exact::end_of({{0.1, 0.7}, {0.3, -1}, {0.3, 5}}), (Point{0.3, 0.7}));
+  EXPECT_EQ(exact::end_of({{0.1, 0.7}, {-5, 0.2}, {9, 0.2}}), (Point{0.1, 0.2}));
+  EXPECT_EQ(exact::end_of({{2, 0}, {-1, -1}, {5, 5}}), (Point{1, 1}));
+  EXPECT_EQ(exact::end_of({{1, -1}, {-2, -2}, {5, 5}}), (Point{0, 0}));
   EXPECT_EQ(exact::length({{3, 4}, {0, 0}, {0, 0}}), 5.0);
 }
 

@@ -13,6 +13,7 @@
 #include "waywright/world.hpp"
 
 #include "support/live_items.hpp"
+#include "support/new_vertices.hpp"
 #include "support/random_changes.hpp"
 
 /// The checks that every sequence of operations on a world must pass. The fuzz target uses them, and so does the test
@@ -118,9 +119,53 @@ class BytesReader {
   ChangeScript script_;
 };
 
+/// Tries the step with a limit of one vertex fewer than it makes, and then sets the limit to what it makes. The step
+/// makes the same vertices in `counted`. Returns what is wrong, or an empty string.
+inline std::string fault_of_limit(World& world, World& counted, const Step& step) {
+  const std::size_t made = count_new_vertices(counted, step);
+  world.set_new_vertex_limit(made);
+  if (made == 0) return "";
+  world.set_new_vertex_limit(made - 1);
+  const WorldState before(world);
+  const Result<std::vector<ItemId>> done = perform(world, step);
+  if (done || done.error().code != ErrorCode::too_many_vertices) return "not refused by its limit";
+  if (!(WorldState(world) == before)) return "a step beyond its limit changed the world";
+  world.set_new_vertex_limit(made);
+  return "";
+}
+
+/// What a world was at a tick.
+struct FuzzedTick {
+  std::uint64_t tick;
+  ItemsHash hash;
+  std::string dump;
+};
+
+/// Returns what is wrong with an attempt to make the changes of a step. Empty if nothing is.
+inline std::string fault_of_attempt(World& world, const Step& step) {
+  const ItemsHash hash = world.items_hash();
+  const Result<std::string> answer =
+      world.attempt(step.changes, [](const World& changed) { return changed.validate().fault; });
+  if (answer && !answer->empty()) return "validate in an attempt: " + *answer;
+  return world.items_hash() == hash ? "" : "an attempt changed the items hash";
+}
+
+/// Returns what is wrong with a rewind. Empty if nothing is.
+inline std::string fault_of_rewind(World& world, const FuzzedTick& to) {
+  if (const Result<void> done = world.rewind(to.tick); !done) return "rewind: " + done.error().message();
+  if (world.items_hash() != to.hash) return "a rewind brought another items hash";
+  if (world.dump() != to.dump) return "a rewind brought another dump";
+  const Validation validation = world.validate();
+  return validation.ok ? "" : "validate after a rewind: " + validation.fault;
+}
+
 /// Returns what is wrong with a world after a step, or what is wrong with the step's result. Empty if nothing is.
-inline std::string fault_of_step(World& world, LiveItems& live, const Step& step) {
+/// `counted` is a world with the same items.
+inline std::string fault_of_step(World& world, World& counted, LiveItems& live, const Step& step) {
   const Result<std::vector<ItemId>> expected = live.apply(step);
+  if (expected) {
+    if (std::string fault = fault_of_limit(world, counted, step); !fault.empty()) return fault;
+  }
   const std::string before = expected ? std::string() : world.dump();
   const ItemsHash hash = world.items_hash();
   const Result<std::vector<ItemId>> done = perform(world, step);
@@ -132,15 +177,22 @@ inline std::string fault_of_step(World& world, LiveItems& live, const Step& step
   return validation.ok ? "" : "validate: " + validation.fault;
 }
 
-/// Checks that every step gives the expected result and leaves a valid mesh, and that the last mesh equals the mesh of
-/// a new world. Returns the first fault.
+/// Checks that every step gives the expected result and leaves a valid mesh, that an attempt to make it leaves the
+/// world as it was, that the last mesh equals the mesh of a new world, and that rewinds bring back earlier ticks.
+/// Returns the first fault.
 inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
   Result<World> world = World::create(script.domain, {.keep_bridges = true});
   if (!world) return world.error().message();
+  World counted = World::create(script.domain, {.keep_abstraction = false}).value();
   LiveItems live(script.domain);
+  std::vector<FuzzedTick> ticks;
+  world->keep_history(1 + script.steps.size());
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
-    const std::string fault = fault_of_step(*world, live, script.steps[i]);
+    if (i % 4 == 0) ticks.push_back({world->mark(), world->items_hash(), world->dump()});
+    world->set_new_vertex_limit(kNoVertexLimit);
+    std::string fault = fault_of_attempt(*world, script.steps[i]);
+    if (fault.empty()) fault = fault_of_step(*world, counted, live, script.steps[i]);
     if (!fault.empty()) return "step " + std::to_string(i + 1) + ": " + fault;
   }
   Result<World> fresh = World::create(script.domain);
@@ -148,7 +200,11 @@ inline std::string fault_of_operations(std::string_view bytes) {
     if (!fresh->insert(item->second, item->first)) return "a fresh world refuses an item";
   }
   if (fresh->dump() != world->dump()) return "a fresh world has another dump";
-  return fresh->items_hash() == world->items_hash() ? "" : "a fresh world has another items hash";
+  if (fresh->items_hash() != world->items_hash()) return "a fresh world has another items hash";
+  for (; !ticks.empty(); ticks.resize(ticks.size() / 2)) {
+    if (const std::string fault = fault_of_rewind(*world, ticks.back()); !fault.empty()) return fault;
+  }
+  return "";
 }
 
 }  // namespace waywright::test

@@ -5,13 +5,17 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "waywright/save.hpp"
 #include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
+
+#include "support/saved_world_oracle.hpp"
 
 /// The checks that hold for every text. The fuzz targets use them, and so do the tests that replay their corpora. Each
 /// function returns what is wrong, or an empty text if nothing is.
@@ -105,6 +109,28 @@ inline std::string fault_of_scenario(std::string_view text) {
     if (text.find(query.map) == std::string_view::npos) return "a map that the text does not name";
   }
   return queries->empty() ? "no query" : "";
+}
+
+/// Reads the bytes as a saved world, as they are and with the right checksum in their last four bytes.
+inline std::string fault_of_saved_world(std::string_view bytes) {
+  std::string with_checksum(bytes);
+  if (bytes.size() >= 4) with_checksum = saved_world::sealed(with_checksum.substr(0, bytes.size() - 4));
+  for (const std::string& tried : {std::string(bytes), with_checksum}) {
+    std::istringstream in(tried);
+    const Result<World> world = load_world(in);
+    if (!world.ok()) {
+      if (world.error().index > tried.size()) return "an error at a byte that is not there";
+      if (world.error().code == ErrorCode::unreadable) return "an error of another code";
+      continue;
+    }
+    std::stringstream again;
+    if (!save_world(*world, again).ok()) return "a loaded world cannot be saved";
+    const Result<World> second = load_world(again);
+    if (!second.ok()) return "a saved world is refused: " + second.error().message();
+    if (second->items_hash() != world->items_hash()) return "a saved world is another world";
+    if (const Validation validation = world->validate(); !validation.ok) return validation.fault;
+  }
+  return {};
 }
 
 /// Ends the process with a message if there is a fault, so that the fuzzer reports it.

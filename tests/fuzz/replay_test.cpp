@@ -105,6 +105,7 @@ void replay(const std::string& target, Body body) {
 TEST(FuzzReplay, Scripts) { replay("parse_script", fault_of_script); }
 TEST(FuzzReplay, Maps) { replay("parse_map", fault_of_map); }
 TEST(FuzzReplay, Polys) { replay("parse_poly", fault_of_poly); }
+TEST(FuzzReplay, SavedWorlds) { replay("load_world", fault_of_saved_world); }
 TEST(FuzzReplay, Scenarios) { replay("parse_scenario", fault_of_scenario); }
 
 TEST(FuzzBodies, SeeAWrongScene) {

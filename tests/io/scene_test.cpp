@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "waywright/save.hpp"
 
 namespace waywright {
 namespace {
@@ -46,6 +49,7 @@ TEST(SceneFormatOf, DependsOnTheFileNameExtension) {
   EXPECT_EQ(*scene_format("/b/c.d/a.map"), SceneFormat::movingai);
   EXPECT_EQ(*scene_format("a.b.poly"), SceneFormat::triangle_poly);
   EXPECT_EQ(*scene_format(".node"), SceneFormat::triangle_node);
+  EXPECT_EQ(*scene_format("a.wwb"), SceneFormat::saved_world);
   for (const std::string_view name : {"a.txt", "a", "", "wws", "a.map.scen", "a.poly/b"}) {
     const Result<SceneFormat> format = scene_format(name);
     ASSERT_FALSE(format.ok()) << name;
@@ -67,6 +71,22 @@ TEST_F(ReadScene, ReadsAMap) {
   EXPECT_EQ(*scene, (Scene{.domain = {{0, 0}, {2, 1}},
                            .items = {{{1}, {ItemKind::polygon, {{{1, 0}, {2, 0}, {2, 1}, {1, 1}}}}}},
                            .y_down = true}));
+}
+
+TEST_F(ReadScene, ReadsASavedWorldUnderAnyName) {
+  World world = World::create({{0, 0}, {4, 4}}).value();
+  world.insert_segment({1, 1}, {2, 2}, 7).value();
+  std::ostringstream bytes;
+  ASSERT_TRUE(save_world(world, bytes).ok());
+  const Scene expected{.domain = {{0, 0}, {4, 4}}, .items = {{{7}, {ItemKind::segment, {{{1, 1}, {2, 2}}}}}}};
+  for (const std::string_view name : {"a.wwb", "a.wws", "a.map", "a"}) {
+    const Result<Scene> scene = read_scene(write(name, bytes.str()));
+    ASSERT_TRUE(scene.ok()) << scene.error().message();
+    EXPECT_EQ(*scene, expected);
+  }
+  expect_error(write("b.wwb", bytes.str() + "x"), ErrorCode::malformed, path_of("b.wwb") + ": ");
+  expect_error(write("c.wwb", "waywright 1"), ErrorCode::malformed, path_of("c.wwb") + ": byte ");
+  expect_error(path_of("missing.wwb"), ErrorCode::unreadable, path_of("missing.wwb") + ": ");
 }
 
 TEST_F(ReadScene, ReadsNodesAndPolysWithAndWithoutVertices) {

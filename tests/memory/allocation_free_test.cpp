@@ -80,6 +80,31 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
   EXPECT_EQ(allocations_of(ask_all), 0U);
 }
 
+TEST(AllocationFree, WarmPathsOfDiscs) {
+  World world = World::create({{0, 0}, {1000, 1000}}, {.keep_bridges = true}).value();
+  for (int i = 0; i < 60; ++i) {
+    const Point at{40.0 + 97 * (i % 9), 30.0 + 131 * (i / 9) + 11 * (i % 7)};
+    world.insert(Shape::rectangle({at, at + Point{40.0 + i, 25.0}})).value();
+  }
+  QueryContext context;
+  Path path;
+  std::size_t found = 0;
+  const auto ask_all = [&] {
+    for (const PathAlgorithm algorithm : {PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal}) {
+      for (int i = 0; i < 12; ++i) {
+        const Point start{20, 20 + 80.0 * i};
+        const PathQuery query{
+            .start = start, .goal = {980, 980 - start.y}, .radius = 0.5 + 2.0 * i, .algorithm = algorithm};
+        world.find_path(query, context, path).value();
+        found += path.status == PathStatus::found ? 1 : 0;
+      }
+    }
+  };
+  ask_all();
+  EXPECT_GT(found, 9U);
+  EXPECT_EQ(allocations_of(ask_all), 0U);
+}
+
 TEST(AllocationFree, WalksOfDiscs) {
   World world = World::create({{0, 0}, {1000, 1000}}, {.keep_bridges = true}).value();
   for (int i = 1; i < 10; ++i) world.insert_segment({100.0 * i, 100}, {100.0 * i + 30, 900}).value();

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -89,20 +88,6 @@ Reference undisturbed(const Script& script, Before before_each, const WorldOptio
     reference.dumps.push_back(world.dump());
   }
   return reference;
-}
-
-/// Runs `run` while the n-th allocation from now on fails; with 0, none fails. Returns whether `run` finished.
-template <class Run>
-bool gets_through(std::size_t n, Run&& run) {
-  bool is_done = true;
-  fail_allocation(n == 0 ? 0 : allocation_count() + n);
-  try {
-    run();
-  } catch (const std::bad_alloc&) {
-    is_done = false;
-  }
-  fail_allocation(0);
-  return is_done;
 }
 
 /// Applies the operation while the n-th allocation from now on fails. Returns whether the operation succeeded. Reduces
@@ -340,22 +325,28 @@ TEST_P(MemoryFailureBy, AQueryLeavesNothingToTheNext) {
   EXPECT_GT(failures, 20U);
 }
 
+/// Runs a search in slices again and again. In each run another allocation fails, and the search gives up. Passes the
+/// path of the next search and the number of the allocation to `expect`. Returns the number of failures.
+template <class Expect>
+std::size_t count_given_up_searches(const World& world, const PathQuery& query, Expect&& expect) {
+  constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+  for (std::size_t n = 1;; ++n) {
+    PathSearch search;
+    search.begin(world, query).value();
+    if (gets_through(n, [&] { search.step(kToTheEnd).value(); })) return n - 1;
+    EXPECT_FALSE(search.is_running());
+    search.begin(world, query).value();
+    EXPECT_TRUE(search.step(kToTheEnd).value());
+    expect(search.path(), n);
+  }
+}
+
 TEST_P(MemoryFailureBy, ASearchInSlicesIsGivenUp) {
   const World world = world_of_triangles();
   const PathQuery across = query_by(GetParam(), {1, 1}, {999, 999});
   const Path expected = world.find_path(across).value();
-  constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
-  std::size_t failures = 0;
-  for (std::size_t n = 1;; ++n, ++failures) {
-    PathSearch search;
-    search.begin(world, across).value();
-    if (gets_through(n, [&] { search.step(kToTheEnd).value(); })) break;
-    EXPECT_FALSE(search.is_running());
-    search.begin(world, across).value();
-    EXPECT_TRUE(search.step(kToTheEnd).value());
-    expect_equal(search.path(), expected, n);
-  }
-  EXPECT_GT(failures, 10U);
+  const auto expect = [&](const Path& path, std::size_t n) { expect_equal(path, expected, n); };
+  EXPECT_GT(count_given_up_searches(world, across, expect), 10U);
 }
 
 TEST(MemoryFailureOf, ASearchForManyGoalsLeavesNothingToTheNext) {
@@ -420,20 +411,13 @@ TEST(MemoryFailureOf, QueriesForDiscsLeaveNothingToTheNext) {
 
 TEST(MemoryFailureOf, ASearchForADiscInSlicesIsGivenUp) {
   const World world = world_for_discs();
-  const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .radius = 3};
-  const Path expected = world.find_path(across).value();
-  constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
-  std::size_t failures = 0;
-  for (std::size_t n = 1;; ++n, ++failures) {
-    PathSearch search;
-    search.begin(world, across).value();
-    if (gets_through(n, [&] { search.step(kToTheEnd).value(); })) break;
-    EXPECT_FALSE(search.is_running());
-    search.begin(world, across).value();
-    EXPECT_TRUE(search.step(kToTheEnd).value());
-    expect_equal_pieces(search.path(), expected, n);
+  for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
+    SCOPED_TRACE(to_string(algorithm));
+    const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .radius = 3, .algorithm = algorithm};
+    const Path expected = world.find_path(across).value();
+    const auto expect = [&](const Path& path, std::size_t n) { expect_equal_pieces(path, expected, n); };
+    EXPECT_GT(count_given_up_searches(world, across, expect), 5U);
   }
-  EXPECT_GT(failures, 5U);
 }
 
 // If an allocation fails in a job, the call that the job belongs to fails and changes nothing.

@@ -34,7 +34,8 @@ class Map {
 
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
     const path::DiscMap map(walls_, *bridges_, radius, start);
-    search_.begin(map, start, goal);
+    ends_.begin(map, start, goal);
+    search_.begin(map, ends_);
     std::size_t expansions = 0;
     EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;
@@ -58,6 +59,7 @@ class Map {
  private:
   constraint::ExactTriangulation walls_;
   std::optional<clearance::Bridges> bridges_;
+  path::DiscEnds ends_;
   path::DiscOptimal search_;
 };
 
@@ -132,6 +134,26 @@ TEST(DiscPaths, StayOnTheirSideOfCrossingWalls) {
                         {{17.736673798992555, 15.939688321754407}, {16.088818196489733, 13.379256350800464}}},
                        {22.033783312363084, 22.502242545211629}, {20.244340459044906, 11.377832586091245},
                        0.16982599369468487));
+}
+
+// On the way from the second point to the first, the path arrives at the vertex (0.6, 1.2) where an edge of the mesh
+// leads from the vertex straight to the position of the disc. Because of rounding, the search once turned no farther.
+TEST(DiscPaths, TurnPastAnEdgeTowardsThePositionOfArrival) {
+  constexpr double kUnit = 0.1;  // the coordinates are products with rounding errors
+  const auto at = [](int x, int y) { return Point{x * kUnit, y * kUnit}; };
+  NamedScene scene = scene_of("parallel walls", {{0, 0}, at(17, 17)},
+                              {{at(6, 4), at(7, 4)},
+                               {at(13, 4), at(13, 7)},
+                               {at(16, 0), at(16, 1)},
+                               {at(8, 11), at(10, 11)},
+                               {at(6, 12), at(8, 12)},
+                               {at(14, 15), at(14, 17)},
+                               {at(15, 12), at(15, 15)},
+                               {at(8, 14), at(10, 14)}},
+                              {0.27909669721060121, 1.3962378787079184}, {1.6021823932245791, 0.76251549044486633},
+                              0.025000000000000001);
+  scene.queries.emplace_back(scene.queries[0].second, scene.queries[0].first);
+  check_scene(scene);
 }
 
 TEST(DiscPaths, AreFoundForTinyRadii) {

@@ -280,8 +280,7 @@ void expect_agreement(const NamedScene& scene) {
   SCOPED_TRACE(scene.name);
   const Walls walls = walls_of(scene);
   const Connectivity connectivity(walls);
-  const double largest = std::max({std::abs(scene.domain.min.x), std::abs(scene.domain.min.y),
-                                   std::abs(scene.domain.max.x), std::abs(scene.domain.max.y)});
+  const double largest = largest_coordinate(scene.domain);
   for (const auto& [start, goal] : scene.queries) {
     const std::optional<Widest> widest = connectivity.widest(start, goal);
     for (const double r : scene.radii) {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "delaunay/triangulation.hpp"
-#include "path/funnel.hpp"
+#include "path/taut_tree.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {
@@ -100,7 +100,7 @@ class TautStrings : public testing::Test {
     mesh::Face f{};
     do {
       f = mesh::Face{static_cast<std::uint32_t>(random.below(mesh.face_slots()))};
-    } while (!triangulation.is_in_box(f));
+    } while (!triangulation.is_in_domain(f));
     Channel channel;
     channel.start = end_in(random, triangulation, f);
     std::set<mesh::Face> seen = {f};

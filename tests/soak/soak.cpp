@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "exact/stage_agreement.hpp"
+#include "support/bridges_check.hpp"
 #include "support/changes_check.hpp"
 #include "support/path_positions_check.hpp"
 #include "support/path_scene_check.hpp"
@@ -33,6 +34,7 @@ struct Settings {
   std::uint64_t positions = 0;   ///< positions on paths to search from again, in total; when above 0, instead of scenes
   std::uint64_t predicates = 0;  ///< calls of each predicate, in total; when above 0, instead of scenes
   std::uint64_t changes = 0;     ///< steps of worlds that change, in total; when above 0, instead of scenes
+  std::uint64_t bridges = 0;     ///< changes of worlds with bridges, in total; when above 0, instead of scenes
 };
 
 struct Totals {
@@ -47,8 +49,8 @@ class Progress {
  public:
   explicit Progress(std::uint64_t all) : all_(all), shown_(isatty(STDERR_FILENO) == 1) {}
 
-  void show(std::string_view flavour, std::uint64_t seed) {
-    ++done_;
+  void show(std::string_view flavour, std::uint64_t seed, std::uint64_t done = 1) {
+    done_ += done;
     if (!shown_) return;
     std::cerr << '\r' << done_ << " of " << all_ << ", " << flavour << ' ' << seed << "    " << std::flush;
   }
@@ -137,6 +139,39 @@ int run_changes(const Settings& settings) {
   print(all, all_faults);
   std::cout << std::endl;
   return all_faults == 0 ? 0 : 1;
+}
+
+/// Changes one world after another, and compares the bridges with a rebuild after every step.
+int run_bridges(const Settings& settings) {
+  constexpr std::size_t kStepsOfWorld = 500;
+  const std::vector<Flavour> flavours = flavours_of(settings);
+  Progress progress(settings.bridges);
+  std::size_t faults = 0;
+  BridgesReport all;
+  for (const Flavour flavour : flavours) {
+    const auto start = std::chrono::steady_clock::now();
+    BridgesReport some;
+    for (std::uint64_t seed = settings.seed; some.changes < settings.bridges / flavours.size(); ++seed) {
+      const std::size_t live_count = 20 + seed % 5 * 10;
+      const ChangeScript script = random_changes(flavour, seed, kStepsOfWorld, live_count);
+      const BridgesReport report = check_bridges(script, seed);
+      progress.show(to_string(flavour), seed, report.changes);
+      some.changes += report.changes;
+      some.undone += report.undone;
+      if (!report.fault) continue;
+      ++faults;
+      std::cout << to_string(flavour) << ", seed " << seed << ": " << report_bridges_failure(script, seed) << std::endl;
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::cout << to_string(flavour) << ": " << some.changes << " changes, " << some.undone << " steps undone, "
+              << seconds.count() << " s" << std::endl;
+    all.changes += some.changes;
+    all.undone += some.undone;
+  }
+  progress.end();
+  std::cout << "all: " << all.changes << " changes, " << all.undone << " steps undone, " << faults << " faults"
+            << std::endl;
+  return faults == 0 ? 0 : 1;
 }
 
 /// The kind of scenes to find paths in: their obstacles or their flavour.
@@ -302,6 +337,8 @@ int main(int argc, char** argv) {
   app.add_option("--operations", settings.operations, "Items of each scene")->capture_default_str();
   app.add_option("--changes", settings.changes,
                  "Count of insertions, removals, replacements and batches in worlds that change, instead of scenes");
+  app.add_option("--bridges", settings.bridges,
+                 "Count of changes in worlds whose bridges are compared with a rebuild, instead of scenes");
   app.add_option("--seed", settings.seed, "Seed of the first scene; the others follow it")->capture_default_str();
   app.add_option("--predicates", settings.predicates,
                  "Count of calls of each predicate, stage against stage, instead of scenes");
@@ -326,5 +363,6 @@ int main(int argc, char** argv) {
     std::cerr << "waywright_soak: '" << settings.flavour << "' is a flavour of --paths only\n";
     return 2;
   }
+  if (settings.bridges > 0) return waywright::test::run_bridges(settings);
   return settings.changes > 0 ? waywright::test::run_changes(settings) : waywright::test::run(settings);
 }

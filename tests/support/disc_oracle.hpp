@@ -35,6 +35,11 @@ struct RationalPoint {
   friend bool operator==(const RationalPoint&, const RationalPoint&) = default;
 };
 
+/// Returns the squared distance from a point to a segment, which may have length zero.
+[[nodiscard]] Rational squared_distance(const Point& position, const Point& from, const Point& to);
+/// Returns the squared diameter of the largest disc that fits at both positions. Requires: there is a wall.
+[[nodiscard]] Rational largest_at(const Walls& walls, const Point& start, const Point& goal);
+
 /// The segment from an end point of a wall to an end point of a wall, or to the foot of the perpendicular on a wall,
 /// strictly inside this wall. The open disc that has the segment as a diameter meets no wall, and the length is
 /// positive. Crossings of walls are not ends of bridges.

@@ -371,6 +371,10 @@ class SceneMaker {
 
 }  // namespace
 
+double largest_coordinate(const Box& box) {
+  return std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
+}
+
 Walls walls_of(const NamedScene& scene) {
   Walls walls = scene.walls;
   const auto [min, max] = scene.domain;

@@ -26,6 +26,9 @@ struct NamedScene {
 /// Returns the walls of the scene and, after them, the four sides of the domain.
 [[nodiscard]] Walls walls_of(const NamedScene& scene);
 
+/// Returns the largest magnitude of a coordinate in the box.
+[[nodiscard]] double largest_coordinate(const Box& box);
+
 /// Returns scenes that are made to break implementations: bottlenecks between a vertex and a wall of a long corridor,
 /// gaps of exactly the diameter and of one unit in the last place more or less, combs, spirals, touching arcs, starts
 /// in wedges, rooms that a disc fills exactly. The coordinates are whole, decimal, huge (1e12) or tiny (1e-9). The seed

@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         of_run({"WORLD", "--fast"}, "there is no option '--fast'"),
         of_run({"-world.wws"}, "there is no option '-world.wws'; a file of that name is given as ./-world.wws")));
 
-const std::string kCommands = "; the commands are run, path, scenario, convert and help";
+const std::string kCommands = "; the commands are run, path, scenario, convert, replay and help";
 
 INSTANTIATE_TEST_SUITE_P(
     Others, Messages,
@@ -152,10 +152,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "waywright scenario: --query: '-1' is not the number of a query, which counts from 1 (see waywright "
                 "scenario --help)"},
         Message{{"convert", "WORLD", "a.png"},
-                "waywright: convert writes world scripts (.wws) and pictures (.svg), and 'a.png' ends in neither; "
+                "waywright: convert writes world scripts (.wws), saved worlds (.wwb) and pictures (.svg), and 'a.png' "
+                "has none of these endings; "
                 "--format says which"},
         Message{{"convert", "WORLD", "-", "--format", "png"},
-                "waywright convert: --format: 'png' is neither wws nor svg (see waywright convert --help)"},
+                "waywright convert: --format: 'png' is none of wws, wwb and svg (see waywright convert --help)"},
         Message{{"path", "WORLD", "--from", "1,5", "2", "--to", "1", "1"},
                 "waywright: --from: '1,5' is not a decimal number such as -1.5 or 2e3"},
         Message{{"path", "WORLD", "--from", "0x1p3", "2", "--to", "1", "1"},

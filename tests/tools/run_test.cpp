@@ -216,6 +216,27 @@ TEST_P(RunCommandRefuses, WithACodeAndAMessageAndContinues) {
   EXPECT_EQ(strict.out, result.out.substr(0, result.out.find('\n') + 1));
 }
 
+TEST(RunCommand, RefusesAnOperationThatMakesMoreVerticesThanTheLimit) {
+  const std::string script =
+      kHead + "segment 1 5 1 5 9\nsegment 2 1 5 9 5\nreplace segment 2 1 6 4 6\nsegment 3 1 5 9 5\n";
+  EXPECT_EQ(run_script(script, {"--limit", "3"}).out, "");
+  const auto result = run_script(script, {"--limit=2"});
+  EXPECT_EQ(result.status, 0);
+  const auto lines = json_lines(result.out);
+  ASSERT_EQ(lines.size(), 3U) << result.out;
+  EXPECT_EQ(lines[0],
+            json::parse(R"({"line":4,"op":"segment","error":"too-many-vertices","message":"item 2 would bring )"
+                        R"(the operation to more than 2 new vertices, its limit; divide the operation or raise )"
+                        R"(the limit"})"));
+  EXPECT_EQ(lines[1].at("error"), "unknown-id");
+  EXPECT_EQ(lines[2].at("error"), "too-many-vertices");
+  EXPECT_EQ(run_script(script, {"--limit", "2", "--strict"}).status, 1);
+  EXPECT_EQ(json_lines(run_script(script, {"--limit", "0"}).out).size(), 4U);
+  const auto wrong = run_script(script, {"--limit", "-1"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("--limit: '-1' is not a number of vertices, 0 or more"), std::string::npos) << wrong.err;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, RunCommandRefuses,
     testing::Values(

@@ -92,31 +92,7 @@ TEST_P(RandomChanges, HaveTheBridgesOfABulkLoad) {
 INSTANTIATE_TEST_SUITE_P(Clearance, RandomChanges, testing::ValuesIn(kFlavours),
                          [](const auto& flavour) { return std::string(to_string(flavour.param)); });
 
-Rational squared_distance(const Point& p, const Point& a, const Point& b) {
-  using Pair = std::pair<Rational, Rational>;
-  const Pair along{Rational(b.x) - Rational(a.x), Rational(b.y) - Rational(a.y)};
-  const Pair to{Rational(p.x) - Rational(a.x), Rational(p.y) - Rational(a.y)};
-  const Rational length = along.first * along.first + along.second * along.second;
-  Rational share = length == 0 ? Rational(0) : Rational((to.first * along.first + to.second * along.second) / length);
-  share = std::clamp(share, Rational(0), Rational(1));
-  const Rational x = to.first - share * along.first;
-  const Rational y = to.second - share * along.second;
-  return x * x + y * y;
-}
-
 Rational square(double value) { return Rational(value) * Rational(value); }
-
-/// The squared diameter of the largest disc that fits at both positions.
-Rational largest_at(const disc::Walls& walls, const Point& start, const Point& goal) {
-  std::optional<Rational> least;
-  for (const auto& [a, b] : walls.segments) {
-    for (const Point& p : {start, goal}) {
-      const Rational distance = squared_distance(p, a, b);
-      if (!least || distance < *least) least = distance;
-    }
-  }
-  return 4 * *least;
-}
 
 enum class Loose : std::uint8_t { none, some };
 
@@ -163,12 +139,12 @@ void check_fit(const World& world, const NamedScene& scene, const disc::Connecti
     Ids expected;
     std::uint64_t id = 0;
     for (const auto& [a, b] : scene.walls.segments) {
-      if (!(a == b) && squared_distance(p, a, b) < square(radius)) expected.push_back({id + 1});
+      if (!(a == b) && disc::squared_distance(p, a, b) < square(radius)) expected.push_back({id + 1});
       id += a == b ? 0 : 1;
     }
     const auto& all = walls_of(scene).segments;
     const bool is_near_border = std::any_of(all.end() - 4, all.end(), [&](const auto& wall) {
-      return squared_distance(p, wall.first, wall.second) < square(radius);
+      return disc::squared_distance(p, wall.first, wall.second) < square(radius);
     });
     if (is_near_border) expected.insert(expected.begin(), ItemId{0});
     ASSERT_EQ(wall_ids(fit.items), expected) << to_string(p) << ", radius " << radius;
@@ -180,13 +156,12 @@ void check_gap(const WidestPath& widest, const NamedScene& scene) {
   ASSERT_FALSE(widest.from_items.empty());
   ASSERT_FALSE(widest.to_items.empty());
   const auto is_near = [&](const Point& p, const Ids& items) {
-    const double slack = 1e-9 * std::max({std::abs(scene.domain.min.x), std::abs(scene.domain.min.y),
-                                          std::abs(scene.domain.max.x), std::abs(scene.domain.max.y)});
+    const double slack = 1e-9 * disc::largest_coordinate(scene.domain);
     std::uint64_t id = 0;
     for (const auto& [a, b] : scene.walls.segments) {
       if (a == b) continue;
       if (std::find(items.begin(), items.end(), ItemId{++id}) == items.end()) continue;
-      if (squared_distance(p, a, b) > square(slack)) return false;
+      if (disc::squared_distance(p, a, b) > square(slack)) return false;
     }
     return true;
   };
@@ -215,7 +190,7 @@ void check_widest(const World& world, const NamedScene& scene, const disc::Conne
   } else {
     ASSERT_EQ(widest.radius, kInfinity);
   }
-  const Rational largest = largest_at(walls_of(scene), start, goal);
+  const Rational largest = disc::largest_at(walls_of(scene), start, goal);
   if (expected->is_limited && expected->squared_diameter < largest) {
     ASSERT_TRUE(widest.is_limited);
     ASSERT_LE(4 * square(widest.radius), expected->squared_diameter);

@@ -170,6 +170,23 @@ TEST(DiscEnds, MoveInSlicesAndFromOneStartAsInSingleQueries) {
   }
 }
 
+// A wall divides the world into two rooms, and the start is too near to it. For each goal, the start moves into the
+// room of this goal.
+TEST(DiscEnds, MoveIntoTheRoomOfEachGoal) {
+  World world = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
+  world.insert_segment({10, 0}, {10, 10}).value();
+  const std::vector<Point> goals{{5, 5}, {15, 5}};
+  const std::vector<Path> paths =
+      world.find_paths_from({.start = {9.75, 5}, .goals = goals, .radius = 1, .end_tolerance = 3}).value();
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    SCOPED_TRACE("goal " + std::to_string(i));
+    ASSERT_EQ(paths[i].status, PathStatus::found);
+    ASSERT_TRUE(paths[i].moved_start);
+    EXPECT_EQ(paths[i].moved_start->to, (i == 0 ? Point{9, 5} : Point{11, 5}));
+    EXPECT_EQ(paths[i].length, 4.0);
+  }
+}
+
 TEST(DiscSlices, NeedBridges) {
   const World world = World::create({{0, 0}, {100, 100}}).value();
   PathSearch search;

@@ -37,11 +37,7 @@ World world_of(const NamedScene& scene, bool has_loose_corners) {
 }
 
 /// The distances of neighbouring doubles near the corners of the domain.
-double rounding_in(const NamedScene& scene) {
-  const Box& domain = scene.domain;
-  return 0x1p-52 *
-         std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-}
+double rounding_in(const NamedScene& scene) { return 0x1p-52 * disc::largest_coordinate(scene.domain); }
 
 class Checker {
  public:

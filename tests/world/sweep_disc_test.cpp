@@ -30,11 +30,6 @@ World world_of(const disc::NamedScene& scene) {
   return world;
 }
 
-/// The largest magnitude of a coordinate.
-double extent(const Box& domain) {
-  return std::max({std::abs(domain.min.x), std::abs(domain.min.y), std::abs(domain.max.x), std::abs(domain.max.y)});
-}
-
 double distance_to(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 /// Compares the library with the oracle.
@@ -42,7 +37,7 @@ class Checker {
  public:
   explicit Checker(const disc::NamedScene& scene)
       : world_(world_of(scene)), walls_(walls_of(scene)), item_count_(scene.walls.segments.size()) {
-    rounding_ = 0x1p-46 * extent(scene.domain);
+    rounding_ = 0x1p-46 * disc::largest_coordinate(scene.domain);
   }
 
   [[nodiscard]] const World& world() const { return world_; }

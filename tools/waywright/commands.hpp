@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/path.hpp"
+#include "waywright/world.hpp"
 
 #include "exit_status.hpp"
 #include "picture.hpp"
@@ -22,6 +23,7 @@ struct RunOptions {
   bool check = false;
   bool strict = false;
   bool stats = false;
+  std::size_t limit = kNoVertexLimit;  ///< of new vertices, for each operation
 };
 
 /// `waywright path`
@@ -52,8 +54,14 @@ struct ScenarioOptions {
 struct ConvertOptions {
   std::string in;
   std::string out;
-  std::string format;  ///< `wws`, `svg`, or empty if the ending of `out` tells the format
+  std::string format;  ///< `wws`, `wwb`, `svg`, or empty if the ending of `out` tells the format
   PictureOptions picture;
+};
+
+/// `waywright replay`
+struct ReplayOptions {
+  std::string log;
+  std::string other;  ///< the log to compare with; empty for none
 };
 
 /// The subcommands. Each throws Failure for errors that end in status 2.
@@ -61,5 +69,6 @@ struct ConvertOptions {
 [[nodiscard]] ExitStatus path(const PathOptions& options);
 [[nodiscard]] ExitStatus scenario(const ScenarioOptions& options);
 [[nodiscard]] ExitStatus convert(const ConvertOptions& options);
+[[nodiscard]] ExitStatus replay(const ReplayOptions& options);
 
 }  // namespace waywright::command

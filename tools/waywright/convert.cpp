@@ -1,7 +1,11 @@
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "waywright/save.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/svg.hpp"
 #include "waywright/world.hpp"
@@ -22,30 +26,44 @@ std::string picture_of(const Scene& scene, const ConvertOptions& options) {
   return draw(build_world(scene, options.in, 0.0), {}, picture);
 }
 
-/// Returns whether OUT becomes a picture; otherwise it becomes a world script. Throws Failure if neither the options
-/// nor the file name tells.
-bool is_picture(const ConvertOptions& options) {
+/// Returns the format of OUT: `wws`, `wwb` or `svg`. Throws Failure if neither the options nor the file name tells.
+std::string_view format_of(const ConvertOptions& options) {
   const std::string_view name = options.out;
-  if (!options.format.empty()) return options.format == "svg";
-  if (name.ends_with(".svg")) return true;
-  if (name.ends_with(".wws") || name == "-") return false;
-  throw Failure(
-      fmt::format("waywright: convert writes world scripts (.wws) and pictures (.svg), and '{}' ends in neither; "
-                  "--format says which",
-                  name));
+  if (!options.format.empty()) return options.format;
+  if (name == "-") return "wws";
+  for (const std::string_view format : {"wws", "wwb", "svg"}) {
+    if (name.ends_with(fmt::format(".{}", format))) return format;
+  }
+  throw Failure(fmt::format(
+      "waywright: convert writes world scripts (.wws), saved worlds (.wwb) and pictures (.svg), and '{}' has "
+      "none of these endings; --format says which",
+      name));
+}
+
+std::string saved_world_of(const ConvertOptions& options) {
+  std::ostringstream bytes;
+  const Result<void> saved = save_world(load_world(options.in), bytes);
+  if (!saved.ok()) throw Failure(fmt::format("{}: {}", options.out, saved.error().message()));
+  return std::move(bytes).str();
+}
+
+std::string contents_of(const ConvertOptions& options, std::string_view format) {
+  if (format == "wwb") return saved_world_of(options);
+  const Scene scene = load_scene(options.in);
+  return format == "svg" ? picture_of(scene, options) : to_script(scene);
 }
 
 }  // namespace
 
 ExitStatus convert(const ConvertOptions& options) {
-  const bool picture = is_picture(options);
-  if (!picture && !options.picture.crop.empty()) {
-    throw Failure("waywright: convert: --crop is for pictures, and OUT becomes a world script");
+  const std::string_view format = format_of(options);
+  if (format != "svg" && !options.picture.crop.empty()) {
+    throw Failure(fmt::format("waywright: convert: --crop is for pictures, and OUT becomes a {}",
+                              format == "wwb" ? "saved world" : "world script"));
   }
   refuse_shared_files(files_of_map(options.in), {{"OUT", options.out}});
-  const Scene scene = load_scene(options.in);
   OutputFile out(options.out);
-  out.write(picture ? picture_of(scene, options) : to_script(scene));
+  out.write(contents_of(options, format));
   out.commit();
   return kDone;
 }

@@ -9,11 +9,14 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "waywright/error.hpp"
+#include "waywright/save.hpp"
 
 #include "base/number_text.hpp"
 #include "failure.hpp"
@@ -52,6 +55,20 @@ double parse_number(std::string_view option, const std::string& word) {
   return value;
 }
 
+Script parse(const std::string& text, const std::string& name) {
+  Result<Script> script = parse_script(text, name);
+  if (!script.ok()) throw Failure(script.error().message());
+  return std::move(script).value();
+}
+
+/// Reads standard input: a world script or a saved world.
+Scene parse_scene(const std::string& text, const std::string& name) {
+  if (!is_saved_world(text)) return scene_of(parse(text, name));
+  Result<Scene> scene = parse_saved_world(text, name);
+  if (!scene.ok()) throw Failure(scene.error().message());
+  return std::move(scene).value();
+}
+
 }  // namespace
 
 std::string read_text(const std::string& name) {
@@ -61,17 +78,29 @@ std::string read_text(const std::string& name) {
   return read_all(file.get(), name);
 }
 
-Script load_script(const std::string& name) {
-  Result<Script> script = parse_script(read_text(name), name);
-  if (!script.ok()) throw Failure(script.error().message());
-  return std::move(script).value();
-}
+Script load_script(const std::string& name) { return parse(read_text(name), name); }
 
 Scene load_scene(const std::string& name) {
-  if (name == "-") return scene_of(load_script(name));
+  if (name == "-") return parse_scene(read_text(name), name);
   Result<Scene> scene = read_scene(name);
   if (!scene.ok()) throw Failure(scene.error().message());
   return std::move(scene).value();
+}
+
+World load_world(const std::string& name) {
+  std::error_code ignored;
+  const bool is_readable_twice = name != "-" && std::filesystem::is_regular_file(name, ignored);
+  const std::string text = is_readable_twice || name == "-" ? read_text(name) : std::string();
+  if (!is_saved_world(text)) return build_world(name == "-" ? parse_scene(text, name) : load_scene(name), name, 0.0);
+  std::istringstream stream(text);
+  Progress progress("load");
+  Result<World> world = waywright::load_world(
+      stream, {.threads = 1, .progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); }});
+  if (!world.ok()) throw Failure(fmt::format("{}: {}", name, world.error().message()));
+  if (stream.peek() != std::istringstream::traits_type::eof()) {
+    throw Failure(fmt::format("{}: there are more bytes after the saved world", name));
+  }
+  return std::move(world).value();
 }
 
 World build_world(const Scene& scene, const std::string& name, double radius) {

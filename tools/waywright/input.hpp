@@ -19,9 +19,12 @@ namespace waywright::command {
 /// Reads a world script from a file, or from standard input if `name` is `-`. Throws Failure.
 [[nodiscard]] Script load_script(const std::string& name);
 
-/// Reads a scene from a file, whose ending tells its format, or a world script from standard input if `name` is `-`.
-/// Throws Failure.
+/// Reads a scene from a file: a saved world, or another format that the ending of the name tells. If `name` is `-`,
+/// reads a saved world or a world script from standard input. Throws Failure.
 [[nodiscard]] Scene load_scene(const std::string& name);
+
+/// Reads the same inputs as load_scene(). A saved world keeps its options and its next id. Throws Failure.
+[[nodiscard]] World load_world(const std::string& name);
 
 /// Builds a world from the items of a scene, for agents of a radius: with a radius above 0 the world keeps its bridges.
 /// Leaves out items that the world refuses, and reports this in one line on standard error. Throws Failure if the world

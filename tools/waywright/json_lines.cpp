@@ -167,14 +167,69 @@ std::string json_line(const Request& request, const Error& error) {
          fmt::format(R"(,"error":"{}","message":{}}})", to_string(error.code), json_string(error.message()));
 }
 
+std::string json_line(const Request& request, std::uint64_t tick, const ItemsHash& expected,
+                      const ItemsHash& computed) {
+  return opening(request) + fmt::format(R"(,"tick":{},"same":false,"expected":"{}","computed":"{}"}})", tick,
+                                        to_string(expected), to_string(computed));
+}
+
+std::string json_line(const ReplayResult& result) {
+  std::string out = R"({"op":"replay","same":)";
+  if (result.is_same) return out + fmt::format(R"(true,"ticks":{}}})", result.ticks);
+  out += fmt::format(R"(false,"tick":{},"line":{},"last_same":{})", result.tick, result.line, result.last_same);
+  if (result.refusal) {
+    out += fmt::format(R"(,"error":"{}","message":{})", to_string(result.refusal->code),
+                       json_string(result.refusal->message()));
+  } else {
+    out += fmt::format(R"(,"expected":"{}","computed":"{}")", to_string(result.expected), to_string(result.computed));
+  }
+  out += R"(,"items":[)";
+  append_ids(out, result.changed);
+  return out + "]}";
+}
+
+namespace {
+
+std::string_view name_of(ReplayDifference::Kind kind) {
+  switch (kind) {
+    case ReplayDifference::Kind::domain:
+      return "domain";
+    case ReplayDifference::Kind::change:
+      return "change";
+    case ReplayDifference::Kind::hash:
+      return "hash";
+    case ReplayDifference::Kind::length:
+      break;
+  }
+  return "length";
+}
+
+}  // namespace
+
+std::string json_line(const std::optional<ReplayDifference>& difference) {
+  std::string out = R"({"op":"compare","same":)";
+  if (!difference) return out + "true}";
+  out += fmt::format(R"(false,"kind":"{}","tick":{},"line":{},"other_line":{})", name_of(difference->kind),
+                     difference->tick, difference->line, difference->other_line);
+  if (difference->kind == ReplayDifference::Kind::change) {
+    out += fmt::format(R"(,"item":{},"other_item":{})", difference->item.value, difference->other_item.value);
+  }
+  if (difference->kind == ReplayDifference::Kind::hash) {
+    out += R"(,"items":[)";
+    append_ids(out, difference->changed);
+    out += ']';
+  }
+  return out + '}';
+}
+
 std::string json_line(const PredicateCounts& counts, const MemoryUse& memory) {
   const auto stages = [](const StageCounts& stage) {
     return fmt::format(R"({{"doubles":{},"lattice":{},"integers":{}}})", stage.doubles, stage.lattice, stage.integers);
   };
   const std::string bytes = fmt::format(
-      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"bridges":{},"spare":{}}})",
+      R"({{"vertices":{},"crossings":{},"faces":{},"walls":{},"items":{},"sectors":{},"abstraction":{},"bridges":{},"history":{},"spare":{}}})",
       memory.vertices, memory.crossings, memory.faces, memory.walls, memory.items, memory.sectors, memory.abstraction,
-      memory.bridges, memory.spare);
+      memory.bridges, memory.history, memory.spare);
   return fmt::format(R"({{"op":"stats","orientation":{},"in_circle":{},"order":{},"crossing":{},"memory":{}}})",
                      stages(counts.orientation), stages(counts.in_circle), stages(counts.order),
                      stages(counts.crossing), bytes);

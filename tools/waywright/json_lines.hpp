@@ -11,6 +11,7 @@
 #include "waywright/path.hpp"
 #include "waywright/predicate_counts.hpp"
 #include "waywright/ray.hpp"
+#include "waywright/replay.hpp"
 #include "waywright/world.hpp"
 
 namespace waywright::command {
@@ -35,6 +36,12 @@ enum class RayOf : std::uint8_t { point, disc };
 [[nodiscard]] std::string json_line(const Request& request, const Validation& validation);
 [[nodiscard]] std::string json_line(const Request& request, const ItemsHash& items, const MeshHash& mesh);
 [[nodiscard]] std::string json_line(const Request& request, const Error& error);
+/// The hash of a tick that differs from the hash in the script.
+[[nodiscard]] std::string json_line(const Request& request, std::uint64_t tick, const ItemsHash& expected,
+                                    const ItemsHash& computed);
+[[nodiscard]] std::string json_line(const ReplayResult& result);
+/// The first difference between two logs; null if they do not differ.
+[[nodiscard]] std::string json_line(const std::optional<ReplayDifference>& difference);
 
 /// The counts of a whole run, and the memory of the world at its end.
 [[nodiscard]] std::string json_line(const PredicateCounts& counts, const MemoryUse& memory);

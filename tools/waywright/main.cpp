@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -35,9 +36,10 @@ constexpr const char* kExamples =
     "  waywright convert arena.map arena.svg                  draw a map\n"
     "\nwaywright help COMMAND says more. A file named - is standard input or standard output; where a file goes to\n"
     "standard output, answers go to standard error. No file is written over one that is read.\n"
-    "Exit status: 0 done, 1 a check failed or (--strict) an operation was refused, 2 bad arguments, a file that\n"
-    "cannot be read or written, or malformed input.\n";
-constexpr const char* kAboutMap = "The map: .wws, .map, .poly or .node; - is a world script on standard input";
+    "Exit status: 0 done, 1 a check failed, logs differ or (--strict) an operation was refused, 2 bad arguments, a\n"
+    "file that cannot be read or written, or malformed input.\n";
+constexpr const char* kAboutMap =
+    "The map: .wws, .wwb, .map, .poly or .node; - is a world script or a saved world on standard input";
 constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                the final world, and what was asked of it\n"
@@ -57,7 +59,7 @@ constexpr const char* kPathExamples =
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --radius 1.5 --svg path.svg\n"
     "\nPrints one JSON line: the path's length and pieces, or why there is none. With --radius, the pieces are lines\n"
     "and arcs of the path of the disc's centre. If only a smaller disc gets through, the line says how large it may\n"
-    "be, and which gap stops larger discs. Maps: .wws, .map (Moving AI), .poly and .node (Triangle).\n";
+    "be, and which gap stops larger discs. Maps: .wws, .wwb, .map (Moving AI), .poly and .node (Triangle).\n";
 constexpr const char* kScenarioExamples =
     "Examples:\n"
     "  waywright scenario arena.map arena.map.scen\n"
@@ -76,7 +78,17 @@ constexpr const char* kConvertExamples =
     "  waywright convert arena.map arena.wws\n"
     "  waywright convert greenland.node greenland.svg\n"
     "  waywright convert face.poly face.svg --no-mesh\n"
+    "  waywright convert arena.map arena.wwb                  a saved world, which loads quickly\n"
     "  waywright convert arena.map - --format svg | display\n";
+
+constexpr const char* kReplayExamples =
+    "Examples:\n"
+    "  waywright replay game.wws                              make the changes again, and compare the hashes\n"
+    "  waywright replay here.wws there.wws                    where two machines began to differ\n"
+    "\nA replay log is a world script with lines `tick N HASH`; the library's ReplayWriter writes it. With one log,\n"
+    "prints one JSON line: the first tick whose hash differs, and the items that changed since the last tick whose\n"
+    "hash was the same. With two logs, prints the first change or hash in which they differ. The exit status is 1 if\n"
+    "there is a difference.\n";
 
 /// The definition of the command line, and the values that it has after parsing.
 struct CommandLine {
@@ -85,10 +97,12 @@ struct CommandLine {
   PathOptions path_options;
   ScenarioOptions scenario_options;
   ConvertOptions convert_options;
+  ReplayOptions replay_options;
   CLI::App* run = nullptr;
   CLI::App* path = nullptr;
   CLI::App* scenario = nullptr;
   CLI::App* convert = nullptr;
+  CLI::App* replay = nullptr;
   CLI::App* help = nullptr;
   std::string helped;  ///< the command in `help COMMAND`; empty for `help` alone
 };
@@ -152,15 +166,26 @@ void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) 
 }
 
 std::string check_format(const std::string& name) {
-  return name == "wws" || name == "svg" ? "" : "'" + name + "' is neither wws nor svg";
+  const bool is_known = name == "wws" || name == "wwb" || name == "svg";
+  return is_known ? "" : "'" + name + "' is none of wws, wwb and svg";
 }
 
-std::string check_query_number(const std::string& word) {
+/// Returns the number that the word consists of, or nothing.
+std::optional<std::size_t> read_count(const std::string& word) {
   std::size_t number = 0;
   const char* const end = word.data() + word.size();
   const auto [stop, fault] = std::from_chars(word.data(), end, number);
-  const bool is_good = stop == end && fault == std::errc{} && number > 0;
+  if (stop != end || fault != std::errc{}) return std::nullopt;
+  return number;
+}
+
+std::string check_query_number(const std::string& word) {
+  const bool is_good = read_count(word).value_or(0) > 0;
   return is_good ? "" : "'" + word + "' is not the number of a query, which counts from 1";
+}
+
+std::string check_vertex_count(const std::string& word) {
+  return read_count(word) ? "" : "'" + word + "' is not a number of vertices, 0 or more";
 }
 
 void add_run(CommandLine& line) {
@@ -175,6 +200,9 @@ void add_run(CommandLine& line) {
   line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
   line.run->add_flag("--stats", options.stats,
                      "Tell on standard error which stage of the arithmetic decided how much, and where the memory is");
+  line.run->add_option("--limit", options.limit, "Refuse an operation that would make more vertices than this")
+      ->type_name("N")
+      ->check(check_vertex_count);
   line.run->footer(kRunExamples);
 }
 
@@ -222,14 +250,22 @@ void add_scenario(CommandLine& line) {
 
 void add_convert(CommandLine& line) {
   ConvertOptions& options = line.convert_options;
-  line.convert = line.app.add_subcommand("convert", "Turn a map into a world script or a picture");
+  line.convert = line.app.add_subcommand("convert", "Turn a map into a world script, a saved world or a picture");
   add_file(*line.convert, "MAP", options.in, kAboutMap);
-  add_file(*line.convert, "OUT", options.out, "The file to write (.wws or .svg); - is standard output");
-  line.convert->add_option("--format", options.format, "wws or svg, where the ending of OUT does not say it")
+  add_file(*line.convert, "OUT", options.out, "The file to write (.wws, .wwb or .svg); - is standard output");
+  line.convert->add_option("--format", options.format, "wws, wwb or svg, where the ending of OUT does not say it")
       ->type_name("NAME")
       ->check(check_format);
   add_picture(*line.convert, options.picture, nullptr);
   line.convert->footer(kConvertExamples);
+}
+
+void add_replay(CommandLine& line) {
+  ReplayOptions& options = line.replay_options;
+  line.replay = line.app.add_subcommand("replay", "Make the changes of a log again, or compare two logs");
+  add_file(*line.replay, "LOG", options.log, "The log (.wws); - is standard input");
+  line.replay->add_option("OTHER_LOG", options.other, "A log to compare with")->check(check_file_name);
+  line.replay->footer(kReplayExamples);
 }
 
 void add_help(CommandLine& line) {
@@ -247,6 +283,7 @@ std::unique_ptr<CommandLine> make_command_line() {
   add_path(*line);
   add_scenario(*line);
   add_convert(*line);
+  add_replay(*line);
   add_help(*line);
   return line;
 }
@@ -297,6 +334,7 @@ ExitStatus dispatch(int argc, const char* const* argv) {
   if (line->path->parsed()) return path(line->path_options);
   if (line->scenario->parsed()) return scenario(line->scenario_options);
   if (line->convert->parsed()) return convert(line->convert_options);
+  if (line->replay->parsed()) return replay(line->replay_options);
   return help(line->helped);
 }
 

@@ -23,14 +23,14 @@ namespace waywright::command {
 
 namespace {
 
-World create_world(const Script& script, const std::string& name) {
+World create_world(const Script& script, const RunOptions& options) {
   // Only queries that ask where a disc gets to need the bridges, which make changes slower.
   const bool has_discs = std::any_of(script.lines.begin(), script.lines.end(), [](const ScriptLine& line) {
     const bool has_two_ends = line.kind == ScriptLineKind::path || line.has_goal;
     return has_two_ends && line.radius > 0.0;
   });
-  Result<World> world = World::create(script.domain, {.keep_bridges = has_discs});
-  if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", name, script.domain_line, world.error().message()));
+  Result<World> world = World::create(script.domain, {.keep_bridges = has_discs, .new_vertex_limit = options.limit});
+  if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", options.script, script.domain_line, world.error().message()));
   return std::move(world).value();
 }
 
@@ -59,7 +59,7 @@ RunResult carry_out(const Script& script, const RunOptions& options, Runner& run
 ExitStatus run(const RunOptions& options) {
   refuse_shared_files({{"SCRIPT", options.script}}, {{"--dump", options.dump}, {"--svg", options.svg}});
   const Script script = load_script(options.script);
-  World world = create_world(script, options.script);
+  World world = create_world(script, options);
   OutputFile dump(options.dump);
   OutputFile svg(options.svg);
   StreamWriter output(stream_beside({options.dump, options.svg}));

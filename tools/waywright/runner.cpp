@@ -39,6 +39,8 @@ Outcome Runner::carry_out(const ScriptLine& operation) {
       return fit_disc(operation);
     case ScriptLineKind::nearest:
       return find_nearest_fit(operation);
+    case ScriptLineKind::tick:
+      return compare_hash(operation);
   }
   return Outcome::done;
 }
@@ -127,6 +129,13 @@ Outcome Runner::check(const ScriptLine& operation) {
   const Validation validation = world_.validate();
   output_.write_line(json_line(request_of(operation), validation));
   return validation.ok ? Outcome::done : Outcome::check_failed;
+}
+
+Outcome Runner::compare_hash(const ScriptLine& operation) {
+  const ItemsHash computed = world_.items_hash();
+  if (!operation.items_hash || *operation.items_hash == computed) return Outcome::done;
+  output_.write_line(json_line(request_of(operation), operation.tick, *operation.items_hash, computed));
+  return Outcome::check_failed;
 }
 
 void Runner::clear_queries() {

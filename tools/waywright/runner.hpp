@@ -36,6 +36,7 @@ class Runner {
   Outcome find_path(const ScriptLine& operation);
   Outcome test_clear(const ScriptLine& operation);
   Outcome check(const ScriptLine& operation);
+  Outcome compare_hash(const ScriptLine& operation);
   void clear_queries();
   Outcome refuse(const ScriptLine& operation, const Error& error);
 

@@ -1,0 +1,177 @@
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "waywright/query_context.hpp"
+#include "waywright/world.hpp"
+
+#include "random.hpp"
+
+namespace waywright::bench {
+namespace {
+
+constexpr double kCell = 64;           ///< the width of a cell, which contains at most one building
+constexpr std::int64_t kReach = 16;    ///< the largest distance of the ends of a path, in cells, along each axis
+constexpr std::size_t kPathEvery = 8;  ///< rounds between two rounds with path queries
+
+/// A town: a square of cells. Half of the cells contain a building, anywhere in its cell.
+class Town {
+ public:
+  /// Makes a town with about `vertices` vertices: the corners of buildings or, if `are_points` is true, mostly points.
+  Town(std::size_t vertices, bool are_points)
+      : random_(1), side_(side_of(are_points ? vertices / 16 : vertices)), ids_(side_ * side_), corners_(ids_.size()) {
+    const double width = kCell * static_cast<double>(side_);
+    world_ = World::create({{0, 0}, {width, width}}).value();
+    std::vector<Item> items;
+    for (std::size_t cell = 0; cell < ids_.size(); ++cell) free_.push_back(cell);
+    while (built_.size() < ids_.size() / 2) built_.push_back(take(free_));
+    for (const std::size_t cell : built_) {
+      corners_[cell] = random_.below(2) == 0 ? 4 : 8;
+      ids_[cell] = {++last_id_};
+      items.push_back({ids_[cell], building(cell, corners_[cell])});
+    }
+    world_.insert_all(items).value();
+    std::vector<Point> points;
+    while (are_points && world_.vertex_count() + points.size() < vertices) points.push_back(anywhere());
+    if (!points.empty()) last_id_ = world_.insert_points(points).value().value + points.size() - 1;
+  }
+
+  [[nodiscard]] std::size_t vertex_count() const { return world_.vertex_count(); }
+
+  /// Performs each kind of update and query once, and prints the time of each. The number of buildings does not change.
+  void run_round(std::size_t round) {
+    insert("insert a building, 4 corners", 4);
+    insert("insert a building, 8 corners", 8);
+    for (int i = 0; i < 2; ++i) {
+      const std::size_t cell = take(built_);
+      const ItemId id = std::exchange(ids_[cell], {});
+      time("remove a building", [&] { world_.remove(id).value(); });
+      free_.push_back(cell);
+    }
+    const std::size_t cell = built_[random_.below(built_.size())];
+    const Shape moved = building(cell, corners_[cell]);
+    time("move a building", [&] { world_.replace(ids_[cell], moved).value(); });
+    const Point point = anywhere();
+    time("locate a point", [&] { world_.locate(point, context_, location_).value(); });
+    if (round % kPathEvery != 0) return;
+    PathQuery query;
+    query.start = free_position(free_[random_.below(free_.size())]);
+    query.goal = goal_near(query.start);
+    query.algorithm = PathAlgorithm::tra;
+    time("find a path, tra", [&] { world_.find_path(query, context_, path_).value(); });
+    query.algorithm = PathAlgorithm::optimal;
+    time("find a path, optimal", [&] { world_.find_path(query, context_, path_).value(); });
+  }
+
+ private:
+  /// The number of cells along each axis: half of the cells have a building with 6 corners on average.
+  static std::size_t side_of(std::size_t vertices) {
+    return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(vertices) / 3)));
+  }
+
+  /// Prints the time, and by how many bytes the operation has changed the world's memory and that of its sectors.
+  template <class Run>
+  void time(const char* what, const Run& run) {
+    const MemoryUse before = world_.memory();
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    const std::chrono::nanoseconds elapsed = std::chrono::steady_clock::now() - start;
+    const MemoryUse after = world_.memory();
+    const auto difference = [](std::size_t old, std::size_t now) {
+      return static_cast<double>(now) - static_cast<double>(old);
+    };
+    std::printf("%s\t%lld\t%.0f\t%.0f\n", what, static_cast<long long>(elapsed.count()),
+                difference(before.total(), after.total()), difference(before.sectors, after.sectors));
+  }
+
+  void insert(const char* what, std::size_t corners) {
+    const std::size_t cell = take(free_);
+    const Shape shape = building(cell, corners);
+    ids_[cell] = {++last_id_};
+    corners_[cell] = corners;
+    time(what, [&] { world_.insert(shape, ids_[cell]).value(); });
+    built_.push_back(cell);
+  }
+
+  /// Takes a random cell out of a list.
+  std::size_t take(std::vector<std::size_t>& cells) {
+    std::swap(cells[random_.below(cells.size())], cells.back());
+    const std::size_t cell = cells.back();
+    cells.pop_back();
+    return cell;
+  }
+
+  [[nodiscard]] Point corner_of(std::size_t cell) const {
+    return {kCell * static_cast<double>(cell % side_), kCell * static_cast<double>(cell / side_)};
+  }
+  [[nodiscard]] Point anywhere() {
+    const double width = kCell * static_cast<double>(side_);
+    return {width * random_.unit(), width * random_.unit()};
+  }
+  [[nodiscard]] Point free_position(std::size_t cell) {
+    return corner_of(cell) + Point{kCell * random_.unit(), kCell * random_.unit()};
+  }
+  /// Returns a regular polygon at a random position and angle in the cell.
+  [[nodiscard]] Shape building(std::size_t cell, std::size_t corners) {
+    constexpr double kTurn = 6.283185307179586;
+    const double radius = 8 + 16 * random_.unit();
+    const double play = kCell - 2 * radius;
+    const Point centre = corner_of(cell) + Point{radius + play * random_.unit(), radius + play * random_.unit()};
+    const double first = random_.unit();
+    std::vector<Point> ring;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double angle = kTurn * (first + static_cast<double>(i) / static_cast<double>(corners));
+      ring.push_back(centre + Point{radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return Shape::polygon(ring);
+  }
+
+  /// Returns a position in a free cell at most kReach cells from the start, along each axis.
+  [[nodiscard]] Point goal_near(const Point& start) {
+    const auto side = static_cast<std::int64_t>(side_);
+    for (;;) {
+      const auto x = static_cast<std::int64_t>(start.x / kCell) +
+                     static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
+      const auto y = static_cast<std::int64_t>(start.y / kCell) +
+                     static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
+      if (x < 0 || y < 0 || x >= side || y >= side) continue;
+      const auto cell = static_cast<std::size_t>(y * side + x);
+      if (ids_[cell].is_null()) return free_position(cell);
+    }
+  }
+
+  Random random_;
+  std::size_t side_;                       ///< the number of cells along each axis
+  std::vector<ItemId> ids_;                ///< by cell: of its building, or null
+  std::vector<std::size_t> corners_;       ///< by cell: of its building
+  std::vector<std::size_t> free_, built_;  ///< cells
+  std::uint64_t last_id_ = 0;
+  World world_ = World::create({{0, 0}, {1, 1}}).value();
+  QueryContext context_;
+  Location location_;
+  Path path_;
+};
+
+}  // namespace
+}  // namespace waywright::bench
+
+// usage: waywright_latency buildings|points VERTICES ROUNDS
+// Prints the number of vertices, and then a line for each update or query: its name, its time in nanoseconds, and by
+// how many bytes it has changed the memory of the world and of its sectors.
+int main(int argc, char** argv) {
+  const std::string_view world = argc == 4 ? argv[1] : "";
+  if (world != "buildings" && world != "points") {
+    std::fputs("usage: waywright_latency buildings|points VERTICES ROUNDS\n", stderr);
+    return 2;
+  }
+  waywright::bench::Town town(std::strtoull(argv[2], nullptr, 10), world == "points");
+  const std::size_t rounds = std::strtoull(argv[3], nullptr, 10);
+  std::printf("%zu\n", town.vertex_count());
+  for (std::size_t i = 0; i < rounds; ++i) town.run_round(i);
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+
+namespace waywright {
+
+/// @addtogroup world
+/// @{
+
+/// One of several changes that World::apply makes together.
+///
+/// @code{.cpp}
+/// const Shape gate = Shape::segment({30, 40}, {40, 40});
+/// const std::vector<Change> changes = {Change::insert(gate, 12), Change::remove(2)};
+/// world.apply(changes).value();
+/// @endcode
+struct Change {
+  /// The kind of a change.
+  enum class Kind : std::uint8_t { insert, remove, replace };
+
+  Kind kind = Kind::insert;
+  ItemId id;    ///< the id of the item; for an insertion, null lets the world choose it
+  Shape shape;  ///< for an insertion or a replacement
+
+  /// Returns the insertion of a shape under `id`, or under an id that the world chooses.
+  [[nodiscard]] static Change insert(Shape shape, ItemId id = {}) { return {Kind::insert, id, std::move(shape)}; }
+  /// Returns the removal of an item.
+  [[nodiscard]] static Change remove(ItemId id) { return {Kind::remove, id, {}}; }
+  /// Returns the replacement of the shape of an item.
+  [[nodiscard]] static Change replace(ItemId id, Shape shape) { return {Kind::replace, id, std::move(shape)}; }
+};
+
+/// @}
+
+}  // namespace waywright

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "waywright/export.hpp"
+#include "waywright/owned.hpp"
+#include "waywright/path.hpp"
+
+namespace waywright {
+
+/// @addtogroup paths
+/// @{
+
+class World;
+
+/// The answer of PathWatch::update: the keys of the paths that the operations since the last update concern. The keys
+/// of each list ascend. A path can be in two lists.
+struct PathChanges {
+  /// The paths of point agents that are not clear any more: World::is_clear() is false for their points, and an
+  /// operation has changed something where they run. The list is exact.
+  std::vector<std::uint64_t> blocked;
+  /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
+  std::vector<std::uint64_t> may_be_blocked;
+  /// The paths that may be longer than necessary, because an item was removed that may have stood in the way of a
+  /// shorter path. No other path has become longer than necessary.
+  std::vector<std::uint64_t> may_be_too_long;
+
+  friend bool operator==(const PathChanges&, const PathChanges&) = default;
+};
+
+/// Watches the paths of many agents. After operations, it finds the paths that the agents should search for again. It
+/// looks only at paths near the changes. So the cost of update() depends on what has changed, not on how many paths
+/// there are.
+///
+/// @code{.cpp}
+/// PathWatch watch(world);
+/// for (std::size_t i = 0; i < units.size(); ++i) watch.add(i, units[i].path);
+/// PathChanges changes;
+/// world.insert(house).value();
+/// watch.update(world, changes);
+/// for (const std::uint64_t i : changes.blocked) {
+///   units[i].path = world.find_path(units[i].query).value();
+///   watch.add(i, units[i].path);
+/// }
+/// @endcode
+///
+/// A path can become shorter only by an item that is removed, and only if the shorter path meets the place of the item.
+/// Each position on a shorter path lies in the ellipse whose foci are the start and the goal of the old path, and whose
+/// major axis is as long as the old path. So the watch compares the bounding boxes of removed items with this ellipse.
+/// A replacement counts as a removal and an insertion. A path that was not found counts as infinitely long: each
+/// removal of a wall concerns it. If the search moved an end of the path, the ellipse is larger, and contains the end
+/// that the query wanted.
+///
+/// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
+/// destroy it. Threads: a watch belongs to one thread at a time; update() reads the world.
+class WAYWRIGHT_API PathWatch {
+ public:
+  /// Makes a watch without paths for a world.
+  explicit PathWatch(const World& world);
+  ~PathWatch();
+  PathWatch(PathWatch&&) noexcept;
+  PathWatch& operator=(PathWatch&&) noexcept;
+
+  /// Watches a path under a key. If the watch has a path under this key, the new path replaces it. The path must have
+  /// been found in the world as it is now, or as it was at the last update().
+  /// Cost: linear in the points or pieces of the path.
+  void add(std::uint64_t key, const Path& path);
+  /// Stops watching the path under a key. Returns whether there was one.
+  /// Cost: linear in the points or pieces of the path. Allocates nothing.
+  bool remove(std::uint64_t key);
+  /// Returns whether there is a path under a key.
+  /// Cost: O(1).
+  [[nodiscard]] bool contains(std::uint64_t key) const;
+  /// Returns the number of paths.
+  /// Cost: O(1).
+  [[nodiscard]] std::size_t size() const;
+
+  /// Finds out what the operations since the last update, or since the watch was made, mean for the paths. The watch
+  /// keeps all paths, also those that are blocked: add or remove them. A path that stays blocked appears in `changes`
+  /// again only if a later operation changes something where it runs.
+  ///
+  /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch checks all
+  /// paths.
+  /// Requires: `world` is the world for which the watch was made, or this world after a move.
+  /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for each path that comes
+  /// near to a box; and the answer. Allocates nothing if earlier updates had answers of this size.
+  void update(const World& world, PathChanges& changes);
+
+ private:
+  struct Impl;
+  detail::Owned<Impl, detail::kMovedWatch> impl_;
+};
+
+/// @}
+
+}  // namespace waywright

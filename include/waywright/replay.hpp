@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "waywright/error.hpp"
+#include "waywright/export.hpp"
+#include "waywright/id.hpp"
+#include "waywright/script.hpp"
+#include "waywright/world.hpp"
+
+namespace waywright {
+
+/// @addtogroup scenes
+/// @{
+
+/// Writes a replay log: the items of a world, every change that you record, and the hash of the items every few ticks.
+/// A replay log is a world script, so `waywright run` reads it, too. `waywright replay LOG` makes the changes again and
+/// stops at the first tick whose hash differs. `waywright replay LOG OTHER_LOG` compares the logs of two machines.
+///
+/// @code{.cpp}
+/// std::ostringstream text;
+/// ReplayWriter log(text, world, 2);  // a hash every 2 ticks
+/// for (int tick = 1; tick <= 4; ++tick) {
+///   const std::vector<Change> changes = {Change::insert(Shape::point({1.0 * tick, 5}))};
+///   log.record(changes, world.apply(changes).value()).value();
+///   log.tick(world).value();
+/// }
+/// const Script script = parse_script(text.str(), "the log").value();
+/// const bool is_same = replay(script).value().is_same;  // == true
+/// @endcode
+///
+/// The log records changes, not calls: each change is one line, also if World::apply made several as one operation.
+class WAYWRIGHT_API ReplayWriter {
+ public:
+  /// Starts a log: writes the domain and the items that `world` contains now. Writes a hash at each tick whose number
+  /// is a multiple of `ticks_per_hash`. The stream must live as long as this object. Requires: `ticks_per_hash` is 1 or
+  /// more. Cost: linear in the items of the world.
+  ReplayWriter(std::ostream& out, const World& world, std::uint64_t ticks_per_hash = 1);
+
+  /// Records a change that a world has made. The id of the change must not be null: if the world chose the id of an
+  /// insertion, set it first, or use the second function.
+  /// Errors: bad_id, if the id is null or too large; unwritable.
+  /// Cost: linear in the points of the shape.
+  Result<void> record(const Change& change);
+  /// Records the changes that World::apply has made. `ids` is the answer of this call.
+  Result<void> record(std::span<const Change> changes, std::span<const ItemId> ids);
+
+  /// Ends a tick. Ticks count from 1. If the log gets a hash at this tick, the function also flushes the stream, so
+  /// that the log is complete up to this tick even if the program crashes later. Errors: unwritable. Cost: O(1).
+  Result<void> tick(const World& world);
+
+  /// Returns the number of the last tick, 0 before the first.
+  [[nodiscard]] std::uint64_t last_tick() const { return tick_; }
+
+ private:
+  Result<void> write();
+
+  std::ostream* out_;
+  std::uint64_t ticks_per_hash_;
+  std::uint64_t tick_ = 0;
+  std::string text_;  ///< of the lines that are not written yet
+};
+
+/// The answer of replay().
+///
+/// @code{.cpp}
+/// const Script log = parse_script("waywright 1\ndomain 0 0 9 9\npoint 1 2 2\npoint 1 3 3\ntick 1\n", "log").value();
+/// const ReplayResult result = replay(log).value();
+/// const bool is_same = result.is_same;      // == false
+/// const std::uint32_t line = result.line;   // == 4
+/// std::puts(result.refusal->message().c_str());
+/// @endcode
+struct ReplayResult {
+  bool is_same = true;      ///< whether all changes were made and all hashes are equal
+  std::uint64_t ticks = 0;  ///< the number of ticks that were replayed
+  // The members below are meaningful only if `is_same` is false.
+  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or during which a change was refused
+  std::uint64_t last_same = 0;   ///< the last tick before it whose hash is equal, or 0
+  std::uint32_t line = 0;        ///< the line of the hash or of the refused change in the script
+  ItemsHash expected;            ///< the hash in the log
+  ItemsHash computed;            ///< the hash of the replayed world
+  std::optional<Error> refusal;  ///< why the world refused a change, if it did
+  std::vector<ItemId> changed;   ///< the items that were changed after tick `last_same`, ascending; or the refused one
+};
+
+/// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at
+/// the first difference. Ignores queries. `progress` may be empty; its unit is a line. Errors: those of World::create,
+/// for the domain. Cost: the cost of the changes. The changes of one tick are one operation.
+[[nodiscard]] WAYWRIGHT_API Result<ReplayResult> replay(
+    const Script& log, const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+
+/// The first difference between two logs: find_difference() returns it.
+struct ReplayDifference {
+  /// The kind of a difference.
+  enum class Kind : std::uint8_t {
+    domain,  ///< the domains differ
+    change,  ///< a change differs, or one log lacks it
+    hash,    ///< all changes are equal up to this tick, but its hash differs
+    length,  ///< one log ends after this tick, and the other one continues
+  };
+  Kind kind = Kind::change;
+  std::uint64_t tick = 0;        ///< the tick during which the logs begin to differ
+  std::uint32_t line = 0;        ///< the line in the first log
+  std::uint32_t other_line = 0;  ///< the line in the second log
+  ItemId item;                   ///< change: the item of the first log's change; null if the log has no change there
+  ItemId other_item;             ///< the same for the second log
+  std::vector<ItemId> changed;   ///< hash: the items that were changed since the last equal hash, ascending
+};
+
+/// Compares two logs, change by change and hash by hash. Ignores queries, and the hash of a tick that has no hash in
+/// the other log. Returns nothing if the logs do not differ.
+///
+/// @code{.cpp}
+/// const std::string start = "waywright 1\ndomain 0 0 9 9\npoint 1 2 2\ntick 1\n";
+/// const Script a = parse_script(start + "remove 1\ntick 2\n", "a").value();
+/// const Script b = parse_script(start + "point 2 3 3\ntick 2\n", "b").value();
+/// const std::uint64_t tick = find_difference(a, b)->tick;    // == 2
+/// const ItemId item = find_difference(a, b)->other_item;     // == 2
+/// @endcode
+/// Cost: linear in the lines of the logs.
+[[nodiscard]] WAYWRIGHT_API std::optional<ReplayDifference> find_difference(const Script& log, const Script& other);
+
+/// @}
+
+}  // namespace waywright

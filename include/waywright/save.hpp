@@ -1,0 +1,70 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "waywright/error.hpp"
+#include "waywright/export.hpp"
+#include "waywright/world.hpp"
+
+namespace waywright {
+
+/// @addtogroup scenes
+/// @{
+
+/// @name Saving and loading worlds
+/// You need this group to keep a world in a file: a saved game, or a level that loads quickly. docs/formats.md
+/// describes every byte of the format. Every later version of the library reads the files of this version.
+///
+/// @code{.cpp}
+/// save_world_file(world, "level.wwb").value();
+/// const World loaded = load_world_file("level.wwb").value();
+/// const bool is_same = loaded.items_hash() == world.items_hash();  // == true
+/// @endcode
+///
+/// A saved world contains everything that decides what the world does next: the domain, the options, the items, and
+/// the largest id that the world has seen, from which it makes the next id. It does not contain World::version(), which
+/// starts again, and no history, no WorldOptions::new_vertex_limit, and no contexts, searches or spare memory. A saved
+/// world is a function of these four: equal worlds give equal bytes, on every machine.
+/// @{
+
+/// Writes a world to a stream, and flushes the stream. Open the stream in binary mode. An error leaves the stream with
+/// a piece of the world; save_world_file() has no such case.
+///
+/// @code{.cpp}
+/// std::stringstream stream;
+/// save_world(world, stream).value();
+/// const std::size_t item_count = load_world(stream).value().item_count();  // == 2
+/// @endcode
+/// Errors: unwritable, if the stream accepts no more bytes.
+/// Cost: O(n log n) for n items, and linear in their points. A point takes 16 bytes. An item takes 1 to 11 bytes
+/// more; points whose ids count up take almost nothing more.
+[[nodiscard]] WAYWRIGHT_API Result<void> save_world(const World& world, std::ostream& out);
+
+/// Reads a world from a stream, and leaves the stream after the last byte of the world. Open the stream in binary mode.
+/// The function trusts no byte of the stream: it checks the form, the checksum, and the hash of the items. It
+/// allocates memory only for the bytes that the stream really has. Error::index is the number of bytes before the
+/// fault. Of the options, `progress` reports the construction of the mesh, after all bytes have been read.
+/// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world;
+/// not_supported, if a later version of the format is needed.
+/// Cost: the cost of World::insert_all().
+[[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
+
+/// Writes a world to a file. The function first writes a temporary file in the same folder, brings it to the disk, and
+/// then gives it the name of the file. So at every moment, also if the computer stops, the file is the old one or the
+/// new one. On an error, the function removes the temporary file, and the old file stays as it is. The new file has the
+/// permissions of the old one. If `file_name` is a symbolic link, the function replaces the file to which it leads.
+/// Error messages start with the file name. Errors: unwritable. Cost: the cost of save_world().
+[[nodiscard]] WAYWRIGHT_API Result<void> save_world_file(const World& world, const std::string& file_name);
+
+/// Reads a world from a file, which must contain nothing else. Error messages start with the file name.
+/// Errors: unreadable, malformed, not_supported.
+/// Cost: the cost of load_world().
+[[nodiscard]] WAYWRIGHT_API Result<World> load_world_file(const std::string& file_name,
+                                                          const BulkOptions& options = {});
+
+/// @}
+
+/// @}
+
+}  // namespace waywright

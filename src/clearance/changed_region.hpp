@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "waywright/memory_use.hpp"
+
+#include "clearance/bridge_finder.hpp"
+#include "constraint/exact_triangulation.hpp"
+
+namespace waywright::clearance {
+
+/// The region R of the faces that an operation has touched, and the corners and edges beyond it whose bridges the
+/// operation may have changed. Keep the object: later operations use its memory again.
+class ChangedRegion {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  /// Collects the touched faces. Leaves out faces of which only labels have changed: their walls are the same.
+  /// Requires: the operation of the triangulation is still open, and the object is empty.
+  void collect_faces(const Triangulation& triangulation);
+  /// Collects the corners and edges of other faces whose bridges may have appeared or vanished. Cost: a search beyond
+  /// each edge on the border of R. Requires: collect_faces() was called.
+  void collect_beyond(const Triangulation& triangulation, BridgeFinder& finder, BridgeScratch& scratch);
+  /// Makes the object empty. Cost: proportional to what it contains.
+  void clear();
+
+  /// The touched faces: also free faces, and faces outside the domain.
+  [[nodiscard]] const std::vector<mesh::Face>& faces() const { return faces_; }
+  [[nodiscard]] bool contains(mesh::Face f) const { return is_touched_[number(f)]; }
+  /// The corners beyond R at which foot bridges may have changed: each one is a half-edge that starts at the corner.
+  [[nodiscard]] const std::vector<mesh::HalfEdge>& corners() const { return corners_; }
+  /// The free edges beyond R that may have become bridges or may be bridges no more. Each edge has one half-edge here.
+  [[nodiscard]] const std::vector<mesh::HalfEdge>& edges() const { return edges_; }
+
+  void count_memory(MemoryUse& use) const;
+  /// Frees all memory. Requires: the object is empty.
+  void release();
+
+ private:
+  void search_beyond(BridgeFinder& finder, BridgeScratch& scratch, mesh::HalfEdge border);
+  void follow_fan(BridgeFinder& finder, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
+  [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return contains(mesh::face(mesh_->twin(h))); }
+  void note_corner(mesh::HalfEdge corner);
+  void note_edge(mesh::HalfEdge h);
+
+  const mesh::TriangleMesh* mesh_ = nullptr;  ///< of the operation
+  std::vector<mesh::Face> faces_;
+  std::vector<mesh::HalfEdge> corners_;
+  std::vector<mesh::HalfEdge> edges_;
+  std::vector<bool> is_touched_;  ///< by face
+  std::vector<bool> is_corner_;   ///< by half-edge: whether `corners_` contains it
+  std::vector<bool> is_edge_;     ///< by half-edge: whether `edges_` contains it
+};
+
+}  // namespace waywright::clearance

@@ -1,0 +1,317 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "waywright/save.hpp"
+
+#include "base/bit_cast.hpp"
+#include "io/crc32c.hpp"
+#include "io/saved_world.hpp"
+#include "text/text.hpp"
+
+namespace waywright {
+namespace {
+
+using io::SavedKind;
+
+std::uint64_t fixed_at(const char* bytes, std::size_t size) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
+  }
+  return value;
+}
+
+Point point_at(const char* bytes) {
+  return {base::bit_cast<double>(fixed_at(bytes, 8)), base::bit_cast<double>(fixed_at(bytes + 8, 8))};
+}
+
+/// The items of a file. As long as all items are points whose ids count up, only `points` contains them, which takes
+/// less memory and lets World::insert_points make them.
+struct LoadedItems {
+  std::vector<Point> points;
+  ItemId first;  ///< the id of the first one of `points`
+  std::vector<Item> items;
+
+  [[nodiscard]] std::size_t size() const { return points.size() + items.size(); }
+  /// Whether `points` may contain a point with this id as its next element.
+  [[nodiscard]] bool continues(ItemId id) const {
+    return items.empty() && (points.empty() || id.value == first.value + points.size());
+  }
+  /// Adds an item to `items`.
+  void add(ItemId id, Shape shape) {
+    if (!points.empty()) move_points();
+    items.push_back({id, std::move(shape)});
+  }
+  /// Moves `points` to `items`.
+  void move_points() {
+    items.reserve(items.size() + points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) items.push_back({{first.value + i}, Shape::point(points[i])});
+    points = {};
+  }
+};
+
+/// Reads one world from a stream. Each function that returns bool returns false after it has stored an error in
+/// `error_`.
+class WorldReader {
+ public:
+  explicit WorldReader(std::istream& in) : in_(in) {}
+
+  Result<World> read(const BulkOptions& options) {
+    if (!read_header() || !read_items() || !read_checksum()) return std::move(error_);
+    Result<World> world = World::create(domain_, options_);
+    if (!world.ok()) return refused(world.error());
+    if (!fill(*world, options)) return std::move(error_);
+    return world;
+  }
+
+ private:
+  bool read_header();
+  bool read_options();
+  bool read_items();
+  bool read_run(std::uint64_t remaining);
+  /// Reads the numbers of points of the run's items into `counts_` and `rings_`.
+  bool read_counts(std::uint64_t run_size, SavedKind kind);
+  bool read_points_of_run(ItemId first, std::uint64_t run_size);
+  bool read_shape(std::uint64_t item);
+  bool read_checksum();
+  bool fill(World& world, const BulkOptions& options);
+
+  bool read_bytes(char* bytes, std::size_t size);
+  bool read_fixed(std::uint64_t& value, std::size_t size);
+  bool read_varint(std::uint64_t& value);
+  bool read_count(std::uint64_t& value);
+  bool read_point(Point& point);
+  /// Calls visit(point) for each of the next `count` points.
+  template <class Visit>
+  bool read_points(std::uint64_t count, Visit&& visit);
+
+  /// Stores an error. Returns false.
+  bool fail(ErrorCode code, std::string_view what) {
+    std::string message = text::with_number("byte ", offset_, ": ");
+    message += what;
+    error_ = Error{.code = code, .words = std::move(message), .item = {}, .index = offset_};
+    return false;
+  }
+  bool fail(std::string_view what) { return fail(ErrorCode::malformed, what); }
+  /// Returns the error for a world that refuses the domain or an item of the file.
+  static Error refused(const Error& error) {
+    return {ErrorCode::malformed, "the saved world is not valid: " + error.message(), error.item, 0};
+  }
+
+  std::istream& in_;
+  std::uint64_t offset_ = 0;  ///< the number of bytes that were read
+  io::Crc32c checksum_;
+  Error error_;
+
+  Box domain_;
+  WorldOptions options_;
+  std::uint64_t largest_id_seen_ = 0;
+  std::uint64_t item_count_ = 0;
+  ItemsHash hash_;
+  std::uint64_t last_id_ = 0;
+  LoadedItems items_;
+
+  // Of a run: for each item the number of its rings, and for each ring the number of its points.
+  Shape shape_;
+  std::vector<std::uint64_t> ring_counts_;
+  std::vector<std::uint64_t> point_counts_;
+  std::size_t next_ring_ = 0;
+};
+
+bool WorldReader::read_bytes(char* bytes, std::size_t size) {
+  in_.read(bytes, static_cast<std::streamsize>(size));
+  const auto count = static_cast<std::size_t>(in_.gcount());
+  checksum_.add({bytes, count});
+  offset_ += count;
+  if (count == size) return true;
+  if (in_.bad()) return fail(ErrorCode::unreadable, "the stream cannot be read any further");
+  return fail("expected more bytes of the saved world, found the end");
+}
+
+bool WorldReader::read_fixed(std::uint64_t& value, std::size_t size) {
+  std::array<char, 8> bytes{};
+  if (!read_bytes(bytes.data(), size)) return false;
+  value = fixed_at(bytes.data(), size);
+  return true;
+}
+
+bool WorldReader::read_varint(std::uint64_t& value) {
+  value = 0;
+  for (unsigned shift = 0; shift < 64; shift += 7) {
+    std::uint64_t byte = 0;
+    if (!read_fixed(byte, 1)) return false;
+    const std::uint64_t bits = byte & 0x7f;
+    if (bits << shift >> shift != bits) return fail("a number is above 2^64 - 1");
+    value |= bits << shift;
+    if (byte != bits) continue;
+    return bits != 0 || shift == 0 || fail("a number has more bytes than it needs");
+  }
+  return fail("a number has more than 10 bytes");
+}
+
+bool WorldReader::read_count(std::uint64_t& value) {
+  if (!read_varint(value)) return false;
+  return (value >= 1 && value <= io::kLargestCount) || fail("a number of points or rings is not from 1 to 2^27");
+}
+
+bool WorldReader::read_point(Point& point) {
+  return read_points(1, [&](const Point& p) { point = p; });
+}
+
+// Reads in small pieces, so that a wrong count takes no memory.
+template <class Visit>
+bool WorldReader::read_points(std::uint64_t count, Visit&& visit) {
+  constexpr std::size_t kPointSize = 16;
+  std::array<char, 4096> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init): read_bytes fills it
+  while (count > 0) {
+    const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(count, bytes.size() / kPointSize));
+    if (!read_bytes(bytes.data(), piece * kPointSize)) return false;
+    for (std::size_t i = 0; i < piece; ++i) visit(point_at(bytes.data() + i * kPointSize));
+    count -= piece;
+  }
+  return true;
+}
+
+bool WorldReader::read_header() {
+  std::array<char, io::kSavedWorldMagic.size()> magic{};
+  if (!in_.good()) return fail(ErrorCode::unreadable, "the stream cannot be read");
+  if (!read_bytes(magic.data(), magic.size())) return false;
+  if (std::string_view(magic.data(), magic.size()) != io::kSavedWorldMagic) {
+    return fail("a saved world starts with 'WWORLD', and these bytes do not");
+  }
+  std::uint64_t version = 0;
+  if (!read_fixed(version, 2)) return false;
+  if (version != io::kSavedWorldVersion) {
+    const std::string what = text::with_number("the saved world has version ", version, " of the format");
+    return fail(ErrorCode::not_supported, what + "; this version of Waywright reads version 1");
+  }
+  return read_point(domain_.min) && read_point(domain_.max) && read_options() && read_fixed(largest_id_seen_, 8) &&
+         read_fixed(item_count_, 8) && read_fixed(hash_.words[0], 8) && read_fixed(hash_.words[1], 8);
+}
+
+bool WorldReader::read_options() {
+  std::uint64_t bits = 0;
+  if (!read_fixed(bits, 4)) return false;
+  if (bits > (io::kKeepsAbstraction | io::kKeepsBridges)) return fail("the options have an unknown bit");
+  options_.keep_abstraction = (bits & io::kKeepsAbstraction) != 0;
+  options_.keep_bridges = (bits & io::kKeepsBridges) != 0;
+  return true;
+}
+
+bool WorldReader::read_items() {
+  if (largest_id_seen_ > ItemId::kLargest) return fail("the largest id is above 2^63 - 1");
+  std::uint64_t remaining = item_count_;
+  while (remaining > 0) {
+    if (!read_run(remaining)) return false;
+    remaining = item_count_ - items_.size();
+  }
+  return true;
+}
+
+bool WorldReader::read_run(std::uint64_t remaining) {
+  std::uint64_t gap = 0;
+  std::uint64_t run = 0;
+  if (!read_varint(gap) || !read_varint(run)) return false;
+  const std::uint64_t size = run >> io::kKindBits;
+  const std::uint64_t kind = run & ((1U << io::kKindBits) - 1);
+  if (size < 1 || size > io::kLargestRun) return fail("the number of items of a run is not from 1 to 4096");
+  if (size > remaining) return fail("a run has more items than are left");
+  if (kind >= io::kSavedKindCount) return fail("an item has an unknown kind");
+  if (gap < 1) return fail("the ids do not ascend");
+  const std::uint64_t ids_left = largest_id_seen_ - last_id_;
+  if (gap > ids_left || size - 1 > ids_left - gap) return fail("an id is above the largest id");
+  const ItemId first{last_id_ + gap};
+  last_id_ = first.value + (size - 1);
+  return read_counts(size, static_cast<SavedKind>(kind)) && read_points_of_run(first, size);
+}
+
+bool WorldReader::read_counts(std::uint64_t run_size, SavedKind kind) {
+  constexpr std::array kKinds{ItemKind::point, ItemKind::segment, ItemKind::polyline, ItemKind::polygon,
+                              ItemKind::polygon};
+  shape_.kind = kKinds[static_cast<std::size_t>(kind)];
+  shape_.fill = kind == SavedKind::nonzero_polygon ? FillRule::nonzero : FillRule::even_odd;
+  ring_counts_.clear();
+  point_counts_.clear();
+  next_ring_ = 0;
+  if (shape_.kind == ItemKind::point || shape_.kind == ItemKind::segment) return true;
+  for (std::uint64_t item = 0; item < run_size; ++item) {
+    std::uint64_t rings = 1;
+    if (shape_.kind == ItemKind::polygon && !read_count(rings)) return false;
+    ring_counts_.push_back(rings);
+    for (std::uint64_t ring = 0; ring < rings; ++ring) {
+      std::uint64_t points = 0;
+      if (!read_count(points)) return false;
+      point_counts_.push_back(points);
+    }
+  }
+  return true;
+}
+
+bool WorldReader::read_points_of_run(ItemId first, std::uint64_t run_size) {
+  if (shape_.kind == ItemKind::point && items_.continues(first)) {
+    if (items_.points.empty()) items_.first = first;
+    return read_points(run_size, [&](const Point& p) { items_.points.push_back(p); });
+  }
+  for (std::uint64_t item = 0; item < run_size; ++item) {
+    if (!read_shape(item)) return false;
+    items_.add({first.value + item}, std::move(shape_));
+  }
+  return true;
+}
+
+/// Reads the points of an item of the run into `shape_`.
+bool WorldReader::read_shape(std::uint64_t item) {
+  const auto add_point = [&](const Point& p) { shape_.rings.add_point(p); };
+  shape_.rings = {};
+  if (ring_counts_.empty()) {
+    const std::uint64_t count = shape_.kind == ItemKind::point ? 1 : 2;
+    shape_.rings.reserve(static_cast<std::size_t>(count));
+    shape_.rings.start_ring();
+    return read_points(count, add_point);
+  }
+  for (std::uint64_t ring = 0; ring < ring_counts_[static_cast<std::size_t>(item)]; ++ring) {
+    const std::uint64_t count = point_counts_[next_ring_++];
+    if (ring == 0) shape_.rings.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, 64)));
+    shape_.rings.start_ring();
+    if (!read_points(count, add_point)) return false;
+  }
+  return true;
+}
+
+bool WorldReader::read_checksum() {
+  const std::uint64_t expected = checksum_.value();
+  std::uint64_t found = 0;
+  if (!read_fixed(found, 4)) return false;
+  return found == expected || fail("the checksum is wrong: the saved world was altered after it was written");
+}
+
+bool WorldReader::fill(World& world, const BulkOptions& options) {
+  std::optional<Error> error;
+  if (!items_.points.empty()) {
+    const Result<ItemId> done = world.insert_points(items_.points, items_.first, options);
+    if (!done.ok()) error = done.error();
+  } else if (!items_.items.empty()) {
+    const Result<std::vector<ItemId>> done = world.insert_all(items_.items, options);
+    if (!done.ok()) error = done.error();
+  }
+  if (error) {
+    error_ = refused(*error);
+    return false;
+  }
+  if (largest_id_seen_ > 0 && !world.reserve_ids({largest_id_seen_}).ok()) return fail("the largest id is not valid");
+  return world.items_hash() == hash_ || fail("the hash of the items is wrong: the saved world was altered");
+}
+
+}  // namespace
+
+Result<World> load_world(std::istream& in, const BulkOptions& options) { return WorldReader(in).read(options); }
+
+}  // namespace waywright

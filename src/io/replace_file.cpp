@@ -1,0 +1,74 @@
+#include "io/replace_file.hpp"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "base/disk.hpp"
+#include "text/text.hpp"
+
+namespace waywright::io {
+
+namespace fs = std::filesystem;
+
+FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name), target_(file_name) {
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(target_, ignored))) {
+    fs::path followed = fs::canonical(target_, ignored);
+    if (!ignored) target_ = std::move(followed);
+  }
+  if (fs::is_directory(target_, ignored)) {
+    static_cast<void>(keep(EISDIR));
+    return;
+  }
+  constexpr std::size_t kLongestStem = 200;  // file systems allow names of 255 bytes
+  const std::string stem = target_.filename().string().substr(0, kLongestStem);
+  for (std::uint64_t attempt = 0; file_ == nullptr; ++attempt) {
+    temporary_ = target_.parent_path() / text::with_number(stem + ".tmp", attempt, "");
+    errno = 0;
+    file_ = std::fopen(temporary_.string().c_str(), "wbx");
+    if (file_ != nullptr || errno == EEXIST) continue;
+    static_cast<void>(keep(errno));
+    temporary_.clear();
+    return;
+  }
+}
+
+FileReplacement::~FileReplacement() {
+  static_cast<void>(close());
+  if (!temporary_.empty()) std::remove(temporary_.string().c_str());
+}
+
+bool FileReplacement::commit() {
+  errno = 0;
+  if (std::fflush(file_) != 0 || !base::bring_to_disk(file_)) return keep(errno);
+  if (!close()) return keep(errno);
+  const std::string folder = target_.has_parent_path() ? target_.parent_path().string() : ".";
+  std::error_code fault;
+  const fs::file_status old = fs::status(target_, fault);
+  if (fs::exists(old)) fs::permissions(temporary_, old.permissions() & fs::perms::all, fault);
+  fs::rename(temporary_, target_, fault);
+  if (fault) return keep(fault.value());
+  temporary_.clear();
+  base::bring_folder_to_disk(folder.c_str());
+  return true;
+}
+
+Error FileReplacement::error() const {
+  std::string message = name_ + ": cannot be written";
+  if (fault_ != 0) message += ": " + std::generic_category().message(fault_);
+  return {ErrorCode::unwritable, std::move(message), {}, 0};
+}
+
+bool FileReplacement::close() {
+  std::FILE* const file = std::exchange(file_, nullptr);
+  return file == nullptr || std::fclose(file) == 0;
+}
+
+/// Keeps the reason for error(). Returns false.
+bool FileReplacement::keep(int fault) {
+  fault_ = fault;
+  return false;
+}
+
+}  // namespace waywright::io

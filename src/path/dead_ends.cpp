@@ -1,0 +1,42 @@
+#include "path/dead_ends.hpp"
+
+#include "nav/point_agent.hpp"
+
+namespace waywright::path {
+
+void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals) {
+  mesh_ = &mesh;
+  core_ = core;
+  goal_count_ = goals.size();
+  if (core == nullptr) return;
+  stamp_.next(1, goals_below_);
+  goals_below_.grow_to(mesh.face_slots());
+  for (const mesh::Face goal : goals) {
+    for (mesh::Face f = goal;;) {
+      GoalsBelow& below = goals_below_[number(f)];
+      if (below.query != stamp_.value()) below = {stamp_.value(), 0};
+      ++below.count;
+      if (core->is_core(f)) break;
+      const mesh::HalfEdge up = core->towards_core(f);
+      if (up == mesh::kNoHalfEdge) break;
+      f = mesh::face(mesh.twin(up));
+    }
+  }
+}
+
+bool DeadEnds::is_before(mesh::HalfEdge exit) const {
+  if (core_ == nullptr || core_->is_passage(exit)) return false;
+  if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
+  return goals_below(mesh::face(mesh_->twin(exit))) == 0;
+}
+
+unsigned DeadEnds::find_passages(mesh::Face f) const {
+  unsigned passages = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const mesh::HalfEdge exit{3 * number(f) + i};
+    if (nav::PointAgent::can_cross(*mesh_, exit) && !is_before(exit)) passages |= 1U << i;
+  }
+  return passages;
+}
+
+}  // namespace waywright::path

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "memory/stamp.hpp"
+#include "memory/zeroed_array.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "nav/two_core.hpp"
+
+namespace waywright::path {
+
+/// Says for one search which edges lead into a dead end without a goal.
+class DeadEnds {
+ public:
+  /// Starts a search with goal faces. `core` may be null: then the class knows no dead end. Cost: the length of the
+  /// chains from the goal faces to the core.
+  void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
+  /// Returns whether only a dead end without a goal lies beyond the edge. Requires: the edge is no wall.
+  [[nodiscard]] bool is_before(mesh::HalfEdge exit) const;
+  /// Returns the edges of a face that are no walls and beyond which more lies than a dead end without a goal. The
+  /// result has one bit for each half-edge of the face.
+  [[nodiscard]] unsigned passages(mesh::Face f) const {
+    if (core_ == nullptr || goals_below_[number(f)].query == stamp_.value()) return find_passages(f);
+    if (core_->is_core(f)) return core_->passages(f);
+    const mesh::HalfEdge up = core_->towards_core(f);
+    return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
+  }
+
+ private:
+  [[nodiscard]] unsigned find_passages(mesh::Face f) const;
+
+  /// How many goal faces lie in the subtree of a face, including the face itself. The subtree of a face of the core
+  /// consists of the dead ends that hang on it.
+  struct GoalsBelow {
+    std::uint32_t query;
+    std::uint32_t count;
+  };
+
+  [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
+    const GoalsBelow& below = goals_below_[number(f)];
+    return below.query == stamp_.value() ? below.count : 0;
+  }
+
+  const mesh::TriangleMesh* mesh_ = nullptr;
+  const nav::TwoCore* core_ = nullptr;
+  std::size_t goal_count_ = 0;
+  memory::ZeroedArray<GoalsBelow> goals_below_;  ///< by face
+  memory::Stamp stamp_;
+};
+
+}  // namespace waywright::path

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "memory/stamp.hpp"
+#include "memory/zeroed_array.hpp"
+#include "path/channel_node.hpp"
+#include "path/disc_ends.hpp"
+#include "path/disc_map.hpp"
+#include "path/open_list.hpp"
+#include "path/sight.hpp"
+
+namespace waywright::path {
+
+/// Finds a channel for a disc by A* over the faces, like TraStar for points. The channel crosses no edge that is
+/// shorter than the disc is wide, because no centre of a disc lies on this edge. In a face, the channel passes no gap
+/// that is too narrow. But it may pass a foot bridge that crosses several faces, so it may be that no path runs through
+/// the channel.
+///
+/// The search orders the channels by an approximate length. If it finds no channel, there is no path.
+///
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006.
+class DiscChannel {
+ public:
+  /// Starts a search. Requires: `ends` belongs to `map`. Neither changes during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends);
+  /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
+  bool step(std::size_t limit, std::size_t& expansions);
+  [[nodiscard]] bool is_found() const { return is_found_; }
+  /// The edges that the channel crosses, in the faces that it leaves. Requires: is_found().
+  [[nodiscard]] std::span<const mesh::HalfEdge> exits() const { return exits_; }
+  /// A half-edge of the face in which the channel ends. Requires: is_found().
+  [[nodiscard]] mesh::HalfEdge goal_face() const { return goal_face_; }
+
+ private:
+  /// A channel that the search is following.
+  struct Channel {
+    mesh::HalfEdge out;  ///< the last edge that it crossed
+    Point left;          ///< the ends of this edge
+    Point right;
+    Sight sight;
+
+    void move_left(mesh::HalfEdge exit, const Point& to);
+    void move_right(mesh::HalfEdge exit, const Point& to);
+  };
+  /// How a channel that has entered a face can leave it.
+  struct Exits {
+    bool is_left_open;
+    bool is_right_open;
+    Point apex;  ///< the position of the vertex between the two exits
+  };
+
+  void restart();
+  void leave_start(const locate::Located& location);
+  void follow(Channel channel, std::uint32_t before);
+  void leave(const ChannelNode& node, std::uint32_t index);
+  void collect(std::uint32_t node);
+  [[nodiscard]] bool is_visited(mesh::HalfEdge entry) const;
+  [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const;
+  [[nodiscard]] Exits exits_of(mesh::HalfEdge entry, const Point& left, const Point& right);
+
+  const DiscMap* map_ = nullptr;
+  const DiscEnds* ends_ = nullptr;
+  mesh::HalfEdge goal_face_;
+  bool is_found_ = false;
+  bool marks_faces_ = true;     ///< whether the search makes its choice at each face only once
+  bool has_seen_foot_ = false;  ///< whether a foot bridge closed a passage from one edge of a face to another
+
+  std::vector<ChannelNode> nodes_;
+  OpenList open_;                               ///< indices in `nodes_`
+  memory::ZeroedArray<std::uint32_t> visited_;  ///< by half-edge: where channels have entered a face
+  memory::Stamp stamp_;
+  std::vector<mesh::HalfEdge> exits_;
+};
+
+}  // namespace waywright::path

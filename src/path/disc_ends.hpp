@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "locate/walk.hpp"
+#include "path/dead_ends.hpp"
+#include "path/disc_map.hpp"
+
+namespace waywright::path {
+
+/// Where the two ends of a disc's path lie on the mesh, and which dead ends a path between them does not enter.
+class DiscEnds {
+ public:
+  /// Locates the ends. Requires: the disc is free at both. Cost: two point locations, and what DeadEnds::begin costs.
+  void begin(const DiscMap& map, const Point& start, const Point& goal);
+
+  /// The ends, relative to the origin of the map.
+  [[nodiscard]] const Point& start() const { return start_; }
+  [[nodiscard]] const Point& goal() const { return goal_; }
+  [[nodiscard]] const locate::Located& at_start() const { return at_start_; }
+  /// A half-edge of a face that contains the goal. If the goal lies on an edge, the half-edge is this edge.
+  [[nodiscard]] mesh::HalfEdge goal_face() const { return goal_face_; }
+  /// Returns whether the face contains the goal, or has it on its border.
+  [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
+  [[nodiscard]] const DeadEnds& dead_ends() const { return dead_ends_; }
+
+ private:
+  Point start_;
+  Point goal_;
+  locate::Located at_start_;
+  mesh::HalfEdge goal_face_;
+  mesh::Face goal_faces_[2];  ///< twice the same, unless the goal lies on an edge
+  DeadEnds dead_ends_;
+};
+
+}  // namespace waywright::path

@@ -1,0 +1,40 @@
+#include "path/disc_pieces.hpp"
+
+#include <cstddef>
+
+namespace waywright::path {
+
+double arc_length(const Contact& contact, const Point& arrival, const Point& departure, double radius) {
+  if (contact.side == 0 || departure == arrival) return 0.0;
+  const double angle = turning_angle(arrival, departure, contact.side);
+  return angle < 2 * kPi - 1.0 ? radius * angle : 0.0;
+}
+
+void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, const Point& goal,
+                       std::vector<DiscPiece>& pieces) {
+  const auto has_arc = [&](std::size_t i) {
+    return arc_length(stops[i].contact, stops[i - 1].departure, stops[i].departure, map.radius) != 0.0;
+  };
+  pieces.clear();
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const Contact& contact = stops[i].contact;
+    const Point& direction = stops[i].departure;
+    const bool has_next = i + 1 < stops.size();
+    // A line goes straight on past a contact at which the path does not turn.
+    if (i == 0 || direction != stops[i - 1].departure) {
+      const Point& touching = i > 0 && !has_arc(i) ? stops[i - 1].departure : direction;
+      pieces.emplace_back().from = touching_point(contact, touching, map.radius) + map.origin;
+    }
+    DiscPiece& piece = pieces.back();
+    piece.direction = direction;
+    piece.to = (has_next ? touching_point(stops[i + 1].contact, direction, map.radius) : goal) + map.origin;
+    if (!has_next) continue;
+    piece.centre = stops[i + 1].contact.centre + map.origin;
+    piece.turn = has_arc(i + 1) ? stops[i + 1].contact.side : 0;
+    piece.end_direction = stops[i + 1].departure;
+  }
+  // The last line has no arc.
+  if (!pieces.empty()) pieces.back().turn = 0;
+}
+
+}  // namespace waywright::path

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "waywright/point.hpp"
+
+#include "path/disc_map.hpp"
+#include "path/tangent.hpp"
+
+namespace waywright::path {
+
+/// A piece of the path of a disc's centre: a straight line, then an arc around the vertex at its end. The last piece
+/// has no arc.
+struct DiscPiece {
+  Point from;
+  Point to;
+  Point centre;         ///< of the arc
+  int turn = 0;         ///< 1 if the arc turns left, -1 if it turns right, 0 if there is none
+  Point direction;      ///< of the line, where the arc starts
+  Point end_direction;  ///< of the path where the arc ends
+};
+
+/// A contact of a path, and the direction of the line that leaves it.
+struct DiscStop {
+  Contact contact;
+  Point departure;
+};
+
+/// Returns the length of the arc around a contact at which a path arrives in one direction and leaves in another. A
+/// turn in the wrong direction is a rounding error and counts as no turn.
+[[nodiscard]] double arc_length(const Contact& contact, const Point& arrival, const Point& departure, double radius);
+
+/// Writes the pieces of a path. `stops` contains the start and the contacts of the path. The last line ends at `goal`.
+/// All positions of `stops` and `goal` are relative to the origin of the map.
+void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, const Point& goal,
+                       std::vector<DiscPiece>& pieces);
+
+}  // namespace waywright::path

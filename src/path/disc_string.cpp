@@ -1,0 +1,207 @@
+#include "path/disc_string.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace waywright::path {
+
+using mesh::HalfEdge;
+
+bool DiscString::find(const DiscMap& map, const DiscEnds& ends, std::span<const HalfEdge> exits, HalfEdge goal_face) {
+  map_ = &map;
+  start_ = ends.start();
+  goal_ = ends.goal();
+  goal_face_ = goal_face;
+  stops_.clear();
+  is_funnel_open_ = true;
+  if (exits.empty()) {
+    stops_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
+  } else {
+    run_funnel(exits);
+  }
+  stops_.push_back({{{goal_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
+  return is_funnel_open_ && straighten();
+}
+
+DiscString::Stop DiscString::stop_at(HalfEdge corner, int side) const {
+  const mesh::Vertex v = map_->mesh().origin(corner);
+  return {{{map_->position(v), side}, v}, corner, {}};
+}
+
+// Seen from inside a face, the left end of an edge is its target.
+void DiscString::run_funnel(std::span<const HalfEdge> exits) {
+  left_ = apex_ = right_ = exits.size() + 1;
+  if (row_.size() < 2 * exits.size() + 3) row_.resize(2 * exits.size() + 3);
+  row_[apex_] = {{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
+  row_[--left_] = stop_at(mesh::next(exits[0]), 1);
+  row_[++right_] = stop_at(exits[0], -1);
+  for (std::size_t i = 1; i < exits.size() && is_funnel_open_; ++i) {
+    const HalfEdge entry = map_->mesh().twin(exits[i - 1]);
+    move(mesh::previous(entry), exits[i] == mesh::next(entry) ? 1 : -1);
+  }
+  end_at_goal();
+}
+
+/// Returns the direction of the line from one stop to another, not necessarily of length 1.
+Point DiscString::direction(const Stop& from, const Stop& to) {
+  const Contact& p = from.end.contact;
+  const Contact& q = to.end.contact;
+  if (p.side == q.side) return q.centre - p.centre;
+  const auto line = tangent(p, q, map_->radius);
+  if (!line) is_funnel_open_ = false;
+  return line ? line->direction : Point{};
+}
+
+/// Returns whether the string turns to `side` at `q`, on its way from `p` to `r`.
+bool DiscString::turns(const Stop& p, const Stop& q, const Stop& r, int side) {
+  return side * cross(direction(p, q), direction(q, r)) > 0.0;
+}
+
+/// Returns whether the string from the apex to `end` has to turn around `other`, the next stop on the string of the
+/// other side: `end` lies beyond the line from the apex to `other`, and farther away. `side` is 1 if `other` is on the
+/// right string, -1 if it is on the left one.
+bool DiscString::is_across(const Stop& apex, const Stop& end, const Stop& other, int side) {
+  const auto to_end = tangent(apex.end.contact, end.end.contact, map_->radius);
+  const auto to_other = tangent(apex.end.contact, other.end.contact, map_->radius);
+  if (!to_end || !to_other) {
+    is_funnel_open_ = false;
+    return false;
+  }
+  return side * cross(to_other->direction, to_end->direction) < 0.0 && to_other->length < to_end->length;
+}
+
+/// Moves the left end (side 1) or the right end (side -1) of the portal to the vertex of `corner`, as TautString does.
+void DiscString::move(HalfEdge corner, int side) {
+  const Stop stop = stop_at(corner, side);
+  std::size_t& end = side > 0 ? left_ : right_;
+  const std::size_t other = side > 0 ? right_ : left_;
+  const auto inwards = static_cast<std::size_t>(side);  // towards the apex; -1 counts down
+  while (end != apex_ && !turns(row_[end + inwards], row_[end], stop, side)) end += inwards;
+  if (end == apex_) {
+    while (apex_ != other && is_across(row_[apex_], stop, row_[apex_ + inwards], side)) {
+      stops_.push_back(row_[apex_]);
+      apex_ += inwards;
+    }
+    end = apex_;
+  }
+  end -= inwards;
+  row_[end] = stop;
+}
+
+void DiscString::end_at_goal() {
+  const Stop goal{{{goal_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
+  const std::size_t first = apex_;
+  while (apex_ != left_ && is_across(row_[apex_], goal, row_[apex_ - 1], -1)) stops_.push_back(row_[apex_--]);
+  if (apex_ == first) {
+    while (apex_ != right_ && is_across(row_[apex_], goal, row_[apex_ + 1], 1)) stops_.push_back(row_[apex_++]);
+  }
+  stops_.push_back(row_[apex_]);
+}
+
+/// Makes the string pass all walls. Returns false if it does not succeed.
+bool DiscString::straighten() {
+  std::size_t steps = 8 * stops_.size() + 32;
+  for (std::size_t i = 0; i + 1 < stops_.size(); --steps) {
+    if (steps == 0) return false;
+    const auto line = tangent(stops_[i].end.contact, stops_[i + 1].end.contact, map_->radius);
+    if (!line) return false;
+    stops_[i].line = *line;
+    const int side = stops_[i].end.contact.side;
+    if (i > 0 && side * cross(stops_[i - 1].line.direction, line->direction) < -kTurnsBack) {
+      stops_.erase(stops_.begin() + static_cast<std::ptrdiff_t>(i));
+      --i;
+      continue;
+    }
+    Step step = test(i);
+    if (step == Step::forward && i > 0) step = test_arc(i);
+    if (step == Step::failed) return false;
+    if (step == Step::forward) ++i;
+  }
+  return true;
+}
+
+/// Tests the line from a stop to the next one. If a vertex is in the way, inserts it.
+DiscString::Step DiscString::test(std::size_t i) {
+  const Stop& from = stops_[i];
+  const Stop& to = stops_[i + 1];
+  HalfEdge face = goal_face_;
+  if (to.end.vertex != mesh::kNoVertex) {
+    const Point& centre = to.end.contact.centre;
+    const Point touching = touching_point(to.end.contact, from.line.direction, map_->radius);
+    const HalfEdge corner = corner_towards(*map_, to.corner, touching - centre, to.end.contact.side);
+    if (corner == mesh::kNoHalfEdge) return Step::failed;
+    stops_[i + 1].corner = corner;
+    const DiscLine::FaceAt found = DiscLine::face_at(*map_, centre, touching, corner);
+    face = found.h;
+    if (found.is_behind_wall) return replace_hidden(i + 1, found.h);
+  }
+  if (line_.is_clear(*map_, from.end, to.end, from.line, face)) return Step::forward;
+  return insert_obstacle(i);
+}
+
+/// Replaces a stop whose circle lies behind a wall where the path would touch it, by the end of the wall at which the
+/// path has to turn farther.
+DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
+  const Stop& before = stops_[i - 1];
+  const int side = stops_[i].end.contact.side;
+  const mesh::Vertex hidden = stops_[i].end.vertex;
+  std::optional<Stop> farthest;
+  Point direction;
+  for (const HalfEdge corner : {wall, map_->mesh().twin(wall)}) {
+    const Stop stop = stop_at(corner, side);
+    if (stop.end.vertex == hidden || stop.end.vertex == before.end.vertex) continue;
+    const auto line = tangent(before.end.contact, stop.end.contact, map_->radius);
+    if (!line) continue;
+    if (farthest && side * cross(direction, line->direction) > 0.0) continue;
+    farthest = stop;
+    direction = line->direction;
+  }
+  if (!farthest) return Step::failed;
+  stops_[i] = *farthest;
+  return Step::again;
+}
+
+/// Inserts the vertex that is in the way of a line. If there is one on the left and one on the right, inserts the one
+/// that the disc touches first.
+DiscString::Step DiscString::insert_obstacle(std::size_t i) {
+  const DiscLine::Obstacle* obstacle = nullptr;
+  int side = 0;
+  for (const int at : {1, -1}) {
+    const DiscLine::Obstacle& next = at > 0 ? line_.left() : line_.right();
+    if (next.vertex == mesh::kNoVertex) continue;
+    if (obstacle != nullptr && obstacle->line.length <= next.line.length) continue;
+    obstacle = &next;
+    side = at;
+  }
+  return obstacle == nullptr ? Step::failed : insert(i + 1, stop_at(obstacle->corner, side));
+}
+
+/// Inserts a stop. If the string turns at this vertex already, the insertion does not help.
+DiscString::Step DiscString::insert(std::size_t i, const Stop& stop) {
+  const auto has_vertex = [&](const Stop& other) { return other.end.vertex == stop.end.vertex; };
+  if (std::any_of(stops_.begin(), stops_.end(), has_vertex)) return Step::failed;
+  stops_.insert(stops_.begin() + static_cast<std::ptrdiff_t>(i), stop);
+  return Step::again;
+}
+
+/// Tests the arc at a stop. If a gap that is too narrow ends the turn, the string also turns around the vertex at the
+/// other end of the gap.
+DiscString::Step DiscString::test_arc(std::size_t i) {
+  const Stop& stop = stops_[i];
+  const Point& arrival = stops_[i - 1].line.direction;
+  const Contact& contact = stop.end.contact;
+  const auto ignore = [](HalfEdge, HalfEdge, double) {};
+  const TurnLimit limit = turn_around(*map_, contact, arrival, stop.corner, ignore);
+  if (!is_beyond(limit, contact, arrival, stop.line.direction)) return Step::forward;
+  if (limit.limit == mesh::kNoHalfEdge) return Step::failed;
+  return insert(i + 1, stop_at(limit.limit, contact.side));
+}
+
+void DiscString::write_path(std::vector<DiscPiece>& pieces) {
+  path_.clear();
+  for (const Stop& stop : stops_) path_.push_back({stop.end.contact, stop.line.direction});
+  path_.pop_back();
+  write_disc_pieces(*map_, path_, goal_, pieces);
+}
+
+}  // namespace waywright::path

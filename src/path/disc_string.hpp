@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "path/disc_ends.hpp"
+#include "path/disc_line.hpp"
+#include "path/disc_map.hpp"
+#include "path/disc_pieces.hpp"
+#include "path/disc_turn.hpp"
+
+namespace waywright::path {
+
+/// The taut string of a disc through a channel: straight lines, and arcs around vertices.
+///
+/// First a funnel, whose strings run around circles, finds the vertices of the channel around which the string turns.
+/// Then DiscLine tests each line, and turn_around() each arc: a wall beyond the channel may be nearer than the radius.
+/// If a vertex is in the way of a line, the string also turns around this vertex. If the string would turn in the wrong
+/// direction at a vertex, it leaves this vertex out.
+///
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the funnel for circles).
+class DiscString {
+ public:
+  /// Computes the string. `exits` are the edges that the channel crosses, and `goal_face` is a half-edge of the face in
+  /// which it ends. Returns false if it finds no string: there may still be a path. A string that it finds is a path.
+  [[nodiscard]] bool find(const DiscMap& map, const DiscEnds& ends, std::span<const mesh::HalfEdge> exits,
+                          mesh::HalfEdge goal_face);
+  /// Writes the pieces of the path. Requires: the last call of find() returned true.
+  void write_path(std::vector<DiscPiece>& pieces);
+
+ private:
+  /// A contact of the string, or one of its ends.
+  struct Stop {
+    DiscLine::End end;
+    mesh::HalfEdge corner;  ///< starts at the vertex
+    Tangent line;           ///< to the next stop
+  };
+
+  void run_funnel(std::span<const mesh::HalfEdge> exits);
+  void move(mesh::HalfEdge corner, int side);
+  void end_at_goal();
+  [[nodiscard]] Point direction(const Stop& from, const Stop& to);
+  [[nodiscard]] bool turns(const Stop& p, const Stop& q, const Stop& r, int side);
+  [[nodiscard]] bool is_across(const Stop& apex, const Stop& end, const Stop& other, int side);
+  [[nodiscard]] Stop stop_at(mesh::HalfEdge corner, int side) const;
+
+  [[nodiscard]] bool straighten();
+  enum class Step { forward, again, failed };
+  [[nodiscard]] Step test(std::size_t i);
+  [[nodiscard]] Step replace_hidden(std::size_t i, mesh::HalfEdge wall);
+  [[nodiscard]] Step insert_obstacle(std::size_t i);
+  [[nodiscard]] Step insert(std::size_t i, const Stop& stop);
+  [[nodiscard]] Step test_arc(std::size_t i);
+
+  const DiscMap* map_ = nullptr;
+  Point start_;
+  Point goal_;
+  mesh::HalfEdge goal_face_;
+  bool is_funnel_open_ = true;  ///< whether the funnel found each tangent that it needed
+  // Both strings of the funnel: first the left one from its end to the apex, then the right one from the apex.
+  std::vector<Stop> row_;
+  std::size_t left_ = 0;  ///< index in `row_` of the left end; `apex_` and `right_` likewise
+  std::size_t apex_ = 0;
+  std::size_t right_ = 0;
+  std::vector<Stop> stops_;
+  std::vector<DiscStop> path_;
+  DiscLine line_;
+};
+
+}  // namespace waywright::path

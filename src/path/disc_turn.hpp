@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+
+#include "mesh/triangle_mesh.hpp"
+#include "path/disc_map.hpp"
+#include "path/tangent.hpp"
+
+namespace waywright::path {
+
+/// How far the path of a disc can turn around a vertex.
+struct TurnLimit {
+  double order = 2.0;                        ///< as turning_order() from the direction of arrival
+  mesh::HalfEdge limit = mesh::kNoHalfEdge;  ///< starts at the vertex that limits the turn, if there is one
+};
+
+/// If the order of a direction exceeds a limit by more than this, the path cannot turn so far. Allows for rounding.
+inline constexpr double kTurnsBack = 0x1p-23;
+
+/// Returns whether a path that arrives at a contact in a direction can leave it in another direction.
+[[nodiscard]] inline bool is_beyond(const TurnLimit& limit, const Contact& contact, const Point& arrival,
+                                    const Point& departure) {
+  const double order = turning_order(arrival, departure, contact.side);
+  return contact.side != 0 && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
+}
+
+/// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
+/// direction of the turn. Returns kNoHalfEdge if the direction leads out of the domain.
+[[nodiscard]] mesh::HalfEdge corner_towards(const DiscMap& map, mesh::HalfEdge corner, const Point& direction,
+                                            int turn);
+
+/// Goes from corner to corner around the vertex of a contact, in the direction of the turn: up to a wall or a gap that
+/// is too narrow, or until the path has turned by 180 degrees. Calls visit(corner, spoke, order) for each corner: the
+/// turn leaves the corner across the edge `spoke`, after it has turned up to `order`. Returns how far the path can
+/// turn. `arrival` is the direction in which the path reaches the contact. `corner` contains the position at which it
+/// does.
+///
+/// Directions are numbers, their *orders*: 0 is the direction of arrival, 1 and 2 are 90 and 180 degrees farther in the
+/// direction of the turn. -1 is the direction from the vertex to the position of arrival.
+template <class Visit>
+[[nodiscard]] TurnLimit turn_around(const DiscMap& map, const Contact& contact, const Point& arrival,
+                                    mesh::HalfEdge corner, Visit&& visit) {
+  const mesh::TriangleMesh& mesh = map.mesh();
+  const int turn = contact.side;
+  double order = -1.0;
+  mesh::HalfEdge at = corner;
+  do {
+    // `spoke` is the edge at the vertex to which the turn comes next.
+    const mesh::HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    // The orders of the spokes grow. If the first one is the direction to the position of arrival, its order is -1, but
+    // rounding may make it a little smaller.
+    const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - contact.centre, turn);
+    order = end_order - 4.0 >= order - kTurnsBack ? std::max(order, end_order - 4.0) : end_order;
+    visit(at, spoke, order);
+    if (const auto foot = map.closed_foot(at)) {
+      // A bridge to a foot before the arrival does not matter.
+      const double foot_order = turning_order(arrival, *foot - contact.centre, turn);
+      const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
+      if (reach >= 0.0) return {reach, mesh::kNoHalfEdge};
+    }
+    if (order > 2.0) break;
+    // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
+    if (map.is_closed(spoke)) return {mesh.is_fixed(spoke) ? order : order + 1.0, mesh.twin(spoke)};
+    at = turn > 0 ? spoke : mesh.previous_around(at);
+  } while (at != corner);
+  return {};
+}
+
+}  // namespace waywright::path

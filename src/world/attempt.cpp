@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "waywright/world.hpp"
+
+#include "base/float_environment.hpp"
+#include "clearance/disc_reach.hpp"
+#include "world/path_query_error.hpp"
+#include "world/point_error.hpp"
+#include "world/query_scratch.hpp"
+#include "world/world_impl.hpp"
+
+// The question which points a change disconnects.
+
+namespace waywright {
+
+namespace {
+
+/// The connected areas to which a point belongs, by number, ascending. An agent gets from one point to another if they
+/// have an area in common. A point on a wall can belong to several areas, a blocked point belongs to none.
+using Areas = std::vector<std::uint32_t>;
+
+bool have_common_area(const Areas& a, const Areas& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](std::uint32_t area) { return std::binary_search(b.begin(), b.end(), area); });
+}
+
+Areas common_areas(const Areas& a, const Areas& b) {
+  Areas common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common;
+}
+
+/// Returns whether two of the points have no area in common, or one of them has none.
+bool is_any_pair_disconnected(const std::vector<std::size_t>& points, const std::vector<Areas>& areas) {
+  Areas common = areas[points.front()];
+  for (const std::size_t i : points) common = common_areas(common, areas[i]);
+  if (!common.empty()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (!have_common_area(areas[points[i]], areas[points[j]])) return true;
+    }
+  }
+  return false;
+}
+
+/// Returns whether two points that had an area in common before have none after, or a point that had one has none.
+bool is_disconnected(const std::vector<Areas>& before, const std::vector<Areas>& after) {
+  std::vector<std::pair<std::uint32_t, std::size_t>> in_area;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    for (const std::uint32_t area : before[i]) in_area.emplace_back(area, i);
+  }
+  std::sort(in_area.begin(), in_area.end());
+  std::vector<std::size_t> points;
+  for (std::size_t begin = 0; begin < in_area.size(); begin += points.size()) {
+    points.clear();
+    for (std::size_t i = begin; i < in_area.size() && in_area[i].first == in_area[begin].first; ++i) {
+      points.push_back(in_area[i].second);
+    }
+    if (is_any_pair_disconnected(points, after)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Returns the areas of each point, for a point agent: the components of the faces around it. Requires: the world keeps
+/// its abstraction.
+std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, detail::QueryScratch& scratch) const {
+  std::vector<Areas> areas(points.size());
+  scratch.cover.use(kept_abstraction());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const locate::Located location = triangulation.triangulation().locate(points[i]);
+    for (const mesh::HalfEdge h : scratch.cover.open_faces(triangulation, location)) {
+      areas[i].push_back(abstraction->components().component_of(mesh::face(h)));
+    }
+    std::sort(areas[i].begin(), areas[i].end());
+    areas[i].erase(std::unique(areas[i].begin(), areas[i].end()), areas[i].end());
+  }
+  return areas;
+}
+
+/// Returns the areas of each point, for a disc. The number of an area is the index of its first point. Requires: the
+/// world keeps its bridges, and the radius is above 0.
+std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, double radius,
+                                                              detail::QueryScratch& scratch) const {
+  std::vector<Areas> areas(points.size());
+  const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
+  const clearance::Cells cells(walls, clearance->bridges());
+  std::vector<std::optional<clearance::CellEdge>> cell_of(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    fit_disc(points[i], radius, scratch, scratch.fit);
+    if (scratch.fit.fits) cell_of[i] = scratch.near_walls.find_cell(walls, clearance->bridges(), points[i]);
+  }
+  clearance::DiscReach reach;
+  for (std::size_t first = 0; first < points.size(); ++first) {
+    if (!cell_of[first] || !areas[first].empty()) continue;
+    reach.begin(cells, *cell_of[first], radius);
+    for (std::size_t i = first; i < points.size(); ++i) {
+      const bool is_open = cell_of[i] && areas[i].empty();
+      if (is_open && reach.is_reached(cells, *cell_of[i])) areas[i].push_back(static_cast<std::uint32_t>(first));
+    }
+  }
+  return areas;
+}
+
+Result<bool> World::would_disconnect(std::span<const Change> changes, PointSpan points, double radius) {
+  const base::FloatEnvironment environment;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
+  }
+  if (auto error = find_radius_error(impl_->kept(), radius)) return *std::move(error);
+  if (radius == 0.0 && !impl_->abstraction) {
+    return Error{ErrorCode::not_supported, "the radius 0 needs a world that keeps its abstraction", {}, 0};
+  }
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  detail::QueryScratch& scratch = *(*context).scratch_;
+  const auto areas = [&] {
+    return radius > 0.0 ? impl_->areas_of(points, radius, scratch) : impl_->areas_of(points, scratch);
+  };
+  const std::vector<Areas> before = areas();
+  return attempt(changes, [&](const World&) { return is_disconnected(before, areas()); });
+}
+
+Result<bool> World::would_disconnect(const Shape& shape, PointSpan points, double radius) {
+  return would_disconnect(std::array{Change::insert(shape)}, points, radius);
+}
+
+}  // namespace waywright

@@ -1,0 +1,299 @@
+#include "waywright/path_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+#include "waywright/query_context.hpp"
+#include "waywright/world.hpp"
+
+#include "base/float_environment.hpp"
+#include "base/ieee.hpp"
+#include "path/pieces.hpp"
+#include "world/box_tree.hpp"
+
+namespace waywright {
+
+namespace {
+
+/// The boxes of a straight piece of a path are at most this share of the domain wide or high, so that they contain
+/// little else than the path.
+constexpr double kLargestShare = 0x1p-5;
+
+double largest_coordinate(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+
+/// A bound of the rounding errors of positions, distances and boxes near `a` and `b`.
+double slack_of(const Point& a, const Point& b) {
+  return 0x1p-45 * std::max(largest_coordinate(a), largest_coordinate(b));
+}
+
+/// Calls visit(box) for boxes that together contain all positions that are at most `reach` away from a line.
+template <class Visit>
+void for_each_box_of_line(const Point& a, const Point& b, double reach, const Box& domain, const Visit& visit) {
+  const double wide = std::abs(b.x - a.x) / (kLargestShare * domain.width());
+  const double high = std::abs(b.y - a.y) / (kLargestShare * domain.height());
+  const auto count = static_cast<int>(std::clamp(std::ceil(std::min(wide, high)), 1.0, 1.0 / kLargestShare));
+  Point from = a;
+  for (int i = 1; i <= count; ++i) {
+    const Point to = lerp(a, b, static_cast<double>(i) / count);
+    Box box{from, from};
+    box.expand(to);
+    visit(box.expanded(reach + slack_of(a, b)));
+    from = to;
+  }
+}
+
+double distance_to(const Box& box, const Point& p) {
+  const double x = std::max({box.min.x - p.x, 0.0, p.x - box.max.x});
+  const double y = std::max({box.min.y - p.y, 0.0, p.y - box.max.y});
+  return length({x, y});
+}
+
+/// The positions from which the sum of the distances to two foci is at most `length`, and all positions that are at
+/// most `reach` away from them.
+struct Ellipse {
+  Point start;
+  Point goal;
+  double length = std::numeric_limits<double>::infinity();
+  double reach = 0.0;
+
+  [[nodiscard]] Box bounds() const {
+    constexpr double kBeyondAllDomains = 2 * kLargestCoordinate;
+    if (length > kBeyondAllDomains) {
+      return {{-kBeyondAllDomains, -kBeyondAllDomains}, {kBeyondAllDomains, kBeyondAllDomains}};
+    }
+    const Point centre = 0.5 * (start + goal);
+    const Point across{half_extent(std::abs(goal.y - start.y)), half_extent(std::abs(goal.x - start.x))};
+    return Box{centre - across, centre + across}.expanded(reach + slack_of(start, goal));
+  }
+  /// Half the extent of the ellipse in one axis, if the foci differ by `other` in the other axis.
+  [[nodiscard]] double half_extent(double other) const {
+    return 0.5 * std::sqrt(std::max(length - other, 0.0) * (length + other));
+  }
+  /// Returns true if a position of the box lies in the ellipse. Can also return true if the box is near it.
+  [[nodiscard]] bool may_meet(const Box& box) const {
+    return distance_to(box, start) + distance_to(box, goal) <= length + 2.0 * reach + slack_of(start, goal);
+  }
+};
+
+/// Returns the ellipse that contains each shorter path, and each position that is nearer to an end in the query than
+/// the moved end is. If the search has moved the start from `s` to `t` at the distance d, and p is nearer to `s` than
+/// `t` is, then p is at most d from `s`, and at most d + d + length from the goal. So the length of the ellipse is the
+/// length of the path plus 3 d.
+Ellipse ellipse_of(const Path& path) {
+  const bool has_points = !path.points.empty();
+  if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
+  Ellipse ellipse;
+  ellipse.start = has_points ? path.points.front() : path.pieces.front().from;
+  ellipse.goal = has_points ? path.points.back() : path.pieces.back().to;
+  double moved = 0.0;
+  const auto move_back = [&](Point& end, const MovedEnd& moved_end) {
+    moved += distance(moved_end.from, moved_end.to);
+    end = moved_end.from;
+  };
+  if (path.moved_start) move_back(ellipse.start, *path.moved_start);
+  if (path.moved_goal) move_back(ellipse.goal, *path.moved_goal);
+  // The length is a sum of rounded lengths. The second term covers the rounding of up to 4 million turns.
+  const double largest = std::max(largest_coordinate(ellipse.start), largest_coordinate(ellipse.goal));
+  ellipse.length = path.length + 3.0 * moved + 0x1p-30 * (path.length + largest);
+  ellipse.reach = path.radius * (1.0 + 0x1p-30);
+  return ellipse;
+}
+
+}  // namespace
+
+struct WAYWRIGHT_INTERNAL PathWatch::Impl {
+  struct Watched {
+    std::uint64_t key = 0;
+    std::vector<Point> points;
+    std::vector<PathPiece> pieces;  ///< empty for a point agent
+    double radius = 0.0;
+    Ellipse ellipse;
+    std::vector<BoxTree::Handle> boxes;  ///< in `paths`
+    BoxTree::Handle ellipse_box = 0;     ///< in `ellipses`
+    bool has_ellipse_box = false;
+    std::uint64_t seen_by = 0;      ///< the last update that has looked at the path
+    std::uint64_t too_long_by = 0;  ///< the last update that has found that the path may be too long
+  };
+
+  explicit Impl(const World& world)
+      : domain(world.domain()), version(world.version()), paths(domain), ellipses(domain) {}
+
+  /// The slot of a new path. If memory runs out while the path is added, the destructor removes it again.
+  class Addition {
+   public:
+    explicit Addition(Impl& impl) : impl_(impl) {
+      if (impl_.free_slots.empty()) {
+        // Room for all slots, so that drop() allocates nothing.
+        const std::size_t needed = impl_.watched.size() + 1;
+        if (impl_.free_slots.capacity() < needed) impl_.free_slots.reserve(2 * needed);
+        impl_.watched.emplace_back();
+        impl_.free_slots.push_back(static_cast<std::uint32_t>(impl_.watched.size() - 1));
+      }
+      slot_ = impl_.free_slots.back();
+      impl_.free_slots.pop_back();
+    }
+    ~Addition() {
+      if (!is_done_) impl_.drop(slot_);
+    }
+    Addition(const Addition&) = delete;
+    Addition& operator=(const Addition&) = delete;
+
+    [[nodiscard]] std::uint32_t slot() const { return slot_; }
+    void done() { is_done_ = true; }
+
+   private:
+    Impl& impl_;
+    std::uint32_t slot_ = 0;
+    bool is_done_ = false;
+  };
+
+  void add_boxes(std::uint32_t slot);
+  void add_box(std::uint32_t slot, const Box& box);
+  void drop(std::uint32_t slot) noexcept;
+  void check(std::uint32_t slot, const World& world, PathChanges& changes);
+  void check_box(const ChangedBox& changed, const World& world, PathChanges& changes);
+  void check_all(const World& world, PathChanges& changes);
+
+  Box domain;
+  std::uint64_t version;  ///< of the world at the last update
+  std::uint64_t updates = 0;
+  BoxTree paths;     ///< boxes of the pieces of paths, with the slot of the path
+  BoxTree ellipses;  ///< bounding boxes of ellipses, with the slot of the path
+  std::vector<Watched> watched;
+  std::vector<std::uint32_t> free_slots;
+  std::unordered_map<std::uint64_t, std::uint32_t> slots;  ///< by key
+  QueryContext context;
+};
+
+void PathWatch::Impl::add_box(std::uint32_t slot, const Box& box) {
+  std::vector<BoxTree::Handle>& boxes = watched[slot].boxes;
+  if (boxes.size() == boxes.capacity()) boxes.reserve(2 * boxes.size() + 4);
+  boxes.push_back(paths.insert(box, slot));
+}
+
+void PathWatch::Impl::add_boxes(std::uint32_t slot) {
+  const Watched& path = watched[slot];
+  const auto add = [&](const Box& box) { add_box(slot, box); };
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    for_each_box_of_line(path.points[i], path.points[i + 1], 0.0, domain, add);
+  }
+  if (path.points.size() == 1) for_each_box_of_line(path.points[0], path.points[0], 0.0, domain, add);
+  for (const PathPiece& piece : path.pieces) {
+    const double reach = path.radius * (1.0 + 0x1p-40);
+    if (piece.kind == PathPiece::Kind::line) {
+      for_each_box_of_line(piece.from, piece.to, reach, domain, add);
+    } else {
+      for_each_box_of_line(piece.centre, piece.centre, reach + piece.radius * (1.0 + 0x1p-40), domain, add);
+    }
+  }
+  watched[slot].ellipse_box = ellipses.insert(path.ellipse.bounds(), slot);
+  watched[slot].has_ellipse_box = true;
+}
+
+/// Frees a slot and removes its boxes. Keeps the memory of its lists.
+void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
+  Watched& path = watched[slot];
+  for (const BoxTree::Handle box : path.boxes) paths.remove(box);
+  if (path.has_ellipse_box) ellipses.remove(path.ellipse_box);
+  path.has_ellipse_box = false;
+  path.boxes.clear();
+  path.points.clear();
+  path.pieces.clear();
+  free_slots.push_back(slot);
+}
+
+/// Decides whether a path that a changed box meets is blocked.
+void PathWatch::Impl::check(std::uint32_t slot, const World& world, PathChanges& changes) {
+  Watched& path = watched[slot];
+  if (std::exchange(path.seen_by, updates) == updates) return;
+  const Result<bool> is_clear = world.is_clear(path.points, context);
+  if (!is_clear || !*is_clear) changes.blocked.push_back(path.key);
+}
+
+// The removal of an item never blocks a disc. It can block a point agent that turns at the rounded coordinates of a
+// crossing, because the crossing no longer exists.
+void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, PathChanges& changes) {
+  paths.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
+    Watched& path = watched[slot];
+    if (path.pieces.empty()) return check(slot, world, changes);
+    if (!changed.is_insertion || path.seen_by == updates) return;
+    if (!path::may_touch(path.pieces, path.radius, changed.box)) return;
+    path.seen_by = updates;
+    changes.may_be_blocked.push_back(path.key);
+  });
+  if (!changed.is_removal) return;
+  ellipses.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
+    Watched& path = watched[slot];
+    if (path.too_long_by == updates || !path.ellipse.may_meet(changed.box)) return;
+    path.too_long_by = updates;
+    changes.may_be_too_long.push_back(path.key);
+  });
+}
+
+void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
+  for (const auto& [key, slot] : slots) {
+    changes.may_be_too_long.push_back(key);
+    if (!watched[slot].pieces.empty()) {
+      changes.may_be_blocked.push_back(key);
+    } else if (!watched[slot].points.empty()) {
+      check(slot, world, changes);
+    }
+  }
+}
+
+PathWatch::PathWatch(const World& world) : impl_(std::make_unique<Impl>(world)) {}
+PathWatch::~PathWatch() = default;
+PathWatch::PathWatch(PathWatch&&) noexcept = default;
+PathWatch& PathWatch::operator=(PathWatch&&) noexcept = default;
+
+void PathWatch::add(std::uint64_t key, const Path& path) {
+  const base::FloatEnvironment environment;
+  Impl::Addition addition(*impl_);
+  Impl::Watched& added = impl_->watched[addition.slot()];
+  added.key = key;
+  added.points = path.points;
+  added.pieces = path.pieces;
+  added.radius = path.radius;
+  added.ellipse = ellipse_of(path);
+  added.seen_by = added.too_long_by = 0;
+  impl_->add_boxes(addition.slot());
+  const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
+  // Nothing can fail from here on.
+  if (!is_new) impl_->drop(std::exchange(found->second, addition.slot()));
+  addition.done();
+}
+
+bool PathWatch::remove(std::uint64_t key) {
+  const auto found = impl_->slots.find(key);
+  if (found == impl_->slots.end()) return false;
+  impl_->drop(found->second);
+  impl_->slots.erase(found);
+  return true;
+}
+
+bool PathWatch::contains(std::uint64_t key) const { return impl_->slots.contains(key); }
+
+std::size_t PathWatch::size() const { return impl_->slots.size(); }
+
+void PathWatch::update(const World& world, PathChanges& changes) {
+  const base::FloatEnvironment environment;
+  changes.blocked.clear();
+  changes.may_be_blocked.clear();
+  changes.may_be_too_long.clear();
+  ++impl_->updates;
+  if (const auto boxes = world.changes_since(impl_->version)) {
+    for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, changes);
+  } else {
+    impl_->check_all(world, changes);
+  }
+  std::sort(changes.blocked.begin(), changes.blocked.end());
+  std::sort(changes.may_be_blocked.begin(), changes.may_be_blocked.end());
+  std::sort(changes.may_be_too_long.begin(), changes.may_be_too_long.end());
+  impl_->version = world.version();
+}
+
+}  // namespace waywright

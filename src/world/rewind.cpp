@@ -1,0 +1,125 @@
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "waywright/world.hpp"
+
+#include "base/float_environment.hpp"
+#include "constraint/batch.hpp"
+#include "constraint/constrained_triangulation.inl"
+#include "world/history.hpp"
+#include "world/item_shape.hpp"
+#include "world/world_impl.hpp"
+
+// The functions that bring back an earlier state of a world.
+
+namespace waywright {
+
+namespace {
+
+constexpr char kNoHistory[] = "World::mark: the world keeps no history; call keep_history() first";
+
+using Triangulation = constraint::ExactTriangulation;
+using Batch = constraint::ShapeBatch<Item>;
+
+/// The changes that bring back the items of a tick. An item whose shape has changed is in both lists.
+struct Return {
+  std::vector<ItemId> removed;
+  std::vector<ItemId> inserted_ids;
+  std::vector<Item> inserted;
+};
+
+/// Returns the changes from the items of the triangulation to the items of a tick. Requires: the history has the tick.
+Return changes_back_to(History& history, History::Tick tick, const Triangulation& triangulation) {
+  Return changes;
+  Shape now;
+  for (const History::Old& old : history.changed_since(tick)) {
+    const bool is_live = triangulation.items().contains(old.id);
+    if (!history.was_live(old)) {
+      if (is_live) changes.removed.push_back(old.id);
+      continue;
+    }
+    Shape before = history.shape(old);
+    if (is_live) {
+      fill_shape(triangulation, old.id, now);
+      if (now == before) continue;
+      changes.removed.push_back(old.id);
+    }
+    changes.inserted_ids.push_back(old.id);
+    changes.inserted.push_back({old.id, std::move(before)});
+  }
+  return changes;
+}
+
+/// Returns whether most of the mesh belongs to the removed items. A new mesh of the items that stay then costs less
+/// than the removals.
+bool is_most_removed(const Return& changes, const Triangulation& triangulation) {
+  std::size_t corners = 0;
+  for (const ItemId id : changes.removed) {
+    triangulation.items().for_each_corner(triangulation.items().slot(id), [&](mesh::Vertex, bool) { ++corners; });
+  }
+  return 2 * corners > triangulation.topology().vertex_count();
+}
+
+/// Adds all items of the triangulation that are not removed to the inserted items.
+void add_items_that_stay(Return& changes, const Triangulation& triangulation) {
+  std::size_t next_removed = 0;  // both lists ascend
+  for (const ItemId id : triangulation.items().ids()) {
+    if (next_removed < changes.removed.size() && changes.removed[next_removed] == id) {
+      ++next_removed;
+      continue;
+    }
+    changes.inserted_ids.push_back(id);
+    changes.inserted.push_back({id, {}});
+    fill_shape(triangulation, id, changes.inserted.back().shape);
+  }
+}
+
+}  // namespace
+
+void World::keep_history(std::size_t ticks) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  impl_->history.keep(ticks);
+}
+
+std::uint64_t World::mark() {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  WAYWRIGHT_ASSERT(impl_->history.is_kept(), kNoHistory);
+  return impl_->history.mark(impl_->triangulation.items().largest_id_seen());
+}
+
+Result<void> World::rewind(std::uint64_t tick) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  const base::FloatEnvironment environment;
+  if (auto error = impl_->history.find_error(tick)) return *std::move(error);
+  impl_->rewind(tick);
+  return {};
+}
+
+void World::Impl::rewind(History::Tick tick) {
+  Return changes = changes_back_to(history, tick, triangulation);
+  // The world had these items before, so there cannot be too many vertices.
+  [[maybe_unused]] std::optional<Error> error;
+  if (is_most_removed(changes, triangulation)) {
+    change_log.begin();
+    for (const ItemId id : changes.removed) note_removal(triangulation.items().slot(id));
+    note_changes(Batch{changes.inserted, changes.inserted_ids});
+    add_items_that_stay(changes, triangulation);
+    error = replace_all(Batch{changes.inserted, changes.inserted_ids}, history.largest_id(tick), {});
+  } else {
+    Operation operation(*this, Operation::Kind::rewind);
+    for (const ItemId id : changes.removed) operation.remove(id);
+    if (changes.inserted.size() == 1) {
+      error = operation.insert(changes.inserted[0].shape, changes.inserted[0].id);
+    } else if (!changes.inserted.empty()) {
+      error = operation.insert_all(Batch{changes.inserted, changes.inserted_ids});
+    }
+    operation.set_largest_id_seen(history.largest_id(tick));
+    operation.commit();
+  }
+  history.return_to(tick);
+}
+
+}  // namespace waywright

@@ -1,0 +1,82 @@
+#include "support/bridges_check.hpp"
+
+#include "clearance/clearance.hpp"
+#include "constraint/constrained_triangulation.inl"
+#include "constraint/exact_triangulation.hpp"
+#include "support/changes_check.hpp"
+#include "support/live_items.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+/// A triangulation with bridges, which changes both in the same order as a world does.
+class WithBridges {
+ public:
+  explicit WithBridges(const Box& domain) : mesh_(domain), clearance_(mesh_) {}
+
+  enum class End : std::uint8_t { commit, roll_back };
+
+  void make(const Step& step, const std::vector<ItemId>& ids, End end) {
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    clearance::Clearance::UndoGuard clearance_operation(clearance_);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Change& change = step.changes[i];
+      clearance_.note_changed(ids[i]);
+      if (change.kind != Change::Kind::insert) mesh_.remove(ids[i]);
+      if (change.kind != Change::Kind::remove) mesh_.insert(change.shape, ids[i]);
+    }
+    clearance_.update(mesh_);
+    if (end == End::roll_back) return;
+    operation.commit();
+    clearance_operation.commit();
+  }
+  [[nodiscard]] Fault bridges_fault() const { return clearance_.bridges().find_fault(clearance_.walls(mesh_)); }
+  [[nodiscard]] Fault find_fault() const { return clearance_.find_fault(mesh_); }
+  void shrink_to_fit() { clearance_.shrink_to_fit(mesh_); }
+
+ private:
+  constraint::ExactTriangulation mesh_;
+  clearance::Clearance clearance_;
+};
+
+Fault find_first_fault(const ChangeScript& script, std::uint64_t seed, BridgesReport& report) {
+  Random random(seed ^ 0x6272696467657321U);
+  LiveItems live(script.domain);
+  WithBridges world(script.domain);
+  for (std::size_t i = 0; i < script.steps.size(); ++i) {
+    const Step& step = script.steps[i];
+    const Result<std::vector<ItemId>> ids = live.apply(step);
+    if (!ids) continue;
+    const std::string name = "step " + std::to_string(i + 1) + ": ";
+    if (random.below(8) == 0) {
+      ++report.undone;
+      world.make(step, *ids, WithBridges::End::roll_back);
+      if (const Fault fault = world.bridges_fault()) return name + "undone: " + *fault;
+    }
+    report.changes += ids->size();
+    world.make(step, *ids, WithBridges::End::commit);
+    if (const Fault fault = world.bridges_fault()) return name + *fault;
+    if (random.below(128) == 0) world.shrink_to_fit();
+  }
+  return world.find_fault();
+}
+
+}  // namespace
+
+BridgesReport check_bridges(const ChangeScript& script, std::uint64_t seed) {
+  BridgesReport report;
+  report.fault = find_first_fault(script, seed, report);
+  return report;
+}
+
+std::string report_bridges_failure(const ChangeScript& script, std::uint64_t seed) {
+  const ChangeScript small =
+      shrink(script, [&](const ChangeScript& less) { return check_bridges(less, seed).fault.has_value(); });
+  return check_bridges(small, seed).fault.value_or("fails now and then") + "\nshrunk to " +
+         std::to_string(small.steps.size()) + " steps:\n" + to_script(small);
+}
+
+}  // namespace waywright::test

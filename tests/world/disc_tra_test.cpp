@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/case_count.hpp"
+#include "support/disc_oracle.hpp"
+#include "support/disc_paths.hpp"
+#include "support/disc_scenes.hpp"
+#include "support/random.hpp"
+
+// The algorithm `tra` for discs: it finds a path exactly if there is one, the path is valid, and on average it is
+// hardly longer than the shortest one.
+
+namespace waywright::test {
+namespace {
+
+using disc::NamedScene;
+
+/// Sums up how much longer the paths are than the shortest ones.
+struct Excess {
+  std::size_t count = 0;
+  double sum = 0.0;
+  double worst = 1.0;
+
+  void add(double ratio) {
+    ++count;
+    sum += ratio;
+    worst = std::max(worst, ratio);
+  }
+};
+
+void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, const World& world, const Point& start,
+                 const Point& goal, double radius, Excess& excess) {
+  if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) return;
+  PathQuery query{.start = start, .goal = goal, .radius = radius, .algorithm = PathAlgorithm::tra, .end_tolerance = 0};
+  const Path path = world.find_path(query).value();
+  ASSERT_EQ(path.status == PathStatus::found, oracle.connected(start, goal, radius));
+  if (path.status != PathStatus::found) return;
+  const disc::PathReport report = disc::check_path(walls, start, goal, radius, disc::pieces_of(path));
+  ASSERT_EQ(report.fault, "");
+  ASSERT_NEAR(report.length, path.length, 1e-9 * path.length);
+  query.algorithm = PathAlgorithm::optimal;
+  const Path shortest_path = world.find_path(query).value();
+  ASSERT_EQ(shortest_path.status, PathStatus::found);
+  const double shortest = shortest_path.length;
+  ASSERT_GE(path.length, shortest * (1 - 1e-12));
+  ASSERT_LE(path.lower_bound, shortest * (1 + 1e-12));
+  excess.add(shortest > 0.0 ? path.length / shortest : 1.0);
+}
+
+void check_scene(const NamedScene& scene, bool has_point, Excess& excess) {
+  const disc::Walls walls = walls_of(scene);
+  const disc::Connectivity oracle(walls);
+  World world = World::create(scene.domain, {.keep_bridges = true}).value();
+  for (const auto& [a, b] : scene.walls.segments) world.insert_segment(a, b).value();
+  // If there is a point, the world keeps a second mesh of the walls, and the search knows no dead ends.
+  if (has_point) world.insert_point(scene.queries.front().first).value();
+  for (const auto& [start, goal] : scene.queries) {
+    for (const double radius : scene.radii) {
+      SCOPED_TRACE(scene.name + ", " + to_string(start) + " to " + to_string(goal) + ", radius " +
+                   std::to_string(radius));
+      check_query(walls, oracle, world, start, goal, radius, excess);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+class DiscTra : public testing::TestWithParam<disc::SceneKind> {};
+
+TEST_P(DiscTra, FindsAPathExactlyIfThereIsOne) {
+  Random random(41);
+  Excess excess;
+  for (std::uint64_t i = 0; i < (case_count() + 4) / 5; ++i) {
+    check_scene(disc::random_scene(random, GetParam()), i % 2 != 0, excess);
+    if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
+  }
+  if (excess.count == 0) return;
+  RecordProperty("queries", static_cast<int>(excess.count));
+  RecordProperty("mean", std::to_string(excess.sum / static_cast<double>(excess.count)));
+  RecordProperty("worst", std::to_string(excess.worst));
+  EXPECT_LE(excess.sum, 1.02 * static_cast<double>(excess.count) + 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DiscTra, testing::ValuesIn(disc::kSceneKinds),
+                         [](const auto& kind) { return std::string(to_string(kind.param)); });
+
+TEST(DiscTraTraps, HaveAPathExactlyIfThereIsOne) {
+  Excess excess;
+  for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
+    for (const NamedScene& scene : disc::trap_scenes(seed)) {
+      check_scene(scene, false, excess);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(excess.count, 0U);
+}
+
+}  // namespace
+}  // namespace waywright::test

@@ -1,0 +1,290 @@
+#include "waywright/path_watch.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "support/case_count.hpp"
+#include "support/random.hpp"
+
+namespace waywright::test {
+namespace {
+
+using Keys = std::vector<std::uint64_t>;
+
+bool contains(const Keys& keys, std::uint64_t key) { return std::binary_search(keys.begin(), keys.end(), key); }
+
+World world_of_hundred() { return World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value(); }
+
+const Shape kHouse = Shape::rectangle({{40, 40}, {60, 60}});
+
+PathChanges changes_of(PathWatch& watch, const World& world) {
+  PathChanges changes;
+  watch.update(world, changes);
+  return changes;
+}
+
+TEST(PathWatch, SaysWhichPathsAreBlocked) {
+  World world = world_of_hundred();
+  PathWatch watch(world);
+  watch.add(7, world.find_path({.start = {10, 50}, .goal = {90, 50}}).value());
+  watch.add(3, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
+  watch.add(5, world.find_path({.start = {10, 40}, .goal = {90, 40}}).value());
+  watch.add(9, world.find_path({.start = {10, 30}, .goal = {90, 30}, .radius = 10}).value());
+  watch.add(8, world.find_path({.start = {10, 25}, .goal = {90, 25}, .radius = 10}).value());
+  world.insert(kHouse, 1).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{7}, {9}, {}}));
+  EXPECT_EQ(changes_of(watch, world), PathChanges{}) << "nothing has changed since";
+  world.insert_segment({45, 45}, {55, 55}).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{7}, {}, {}})) << "still blocked, and changed there";
+}
+
+TEST(PathWatch, SaysWhichPathsMayBeTooLong) {
+  World world = world_of_hundred();
+  world.insert(kHouse, 1).value();
+  world.insert_segment({20, 95}, {80, 95}, 2).value();
+  PathWatch watch(world);
+  watch.add(1, world.find_path({.start = {30, 50}, .goal = {70, 50}}).value());
+  watch.add(2, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
+  watch.add(3, world.find_path({.start = {50, 50}, .goal = {90, 10}}).value());  // blocked
+  watch.add(4, world.find_path({.start = {41, 50}, .goal = {10, 50}, .end_tolerance = 5.0}).value());
+  world.remove(2).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {3}}));
+  world.replace(1, Shape::rectangle({{40, 40}, {60, 59}})).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1, 3, 4}}));
+}
+
+// The wall is beyond the ellipse, but the disc touches it from within the ellipse.
+TEST(PathWatch, KnowsHowFarADiscReaches) {
+  World world = world_of_hundred();
+  world.insert_segment({50, 0}, {50, 45.5}, 1).value();
+  PathWatch watch(world);
+  watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}, .radius = 5}).value());
+  world.remove(1).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1}}));
+}
+
+// The start lies in the left one of two adjacent houses. Without the right one, a free position is nearer to it.
+TEST(PathWatch, KnowsThatANearerEndMayBeFree) {
+  World world = world_of_hundred();
+  world.insert(kHouse, 1).value();
+  world.insert(Shape::rectangle({{60, 40}, {80, 60}}), 2).value();
+  const PathQuery query{.start = {59, 50}, .goal = {59, 20}, .end_tolerance = 15.0};
+  const Path path = world.find_path(query).value();
+  ASSERT_EQ(path.points.front(), (Point{59, 40}));
+  PathWatch watch(world);
+  watch.add(1, path);
+  world.remove(2).value();
+  EXPECT_EQ(world.find_path(query).value().points.front(), (Point{60, 50}));
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1}}));
+}
+
+// A point agent may turn at the exact crossing of two walls if a point of its path has the rounded coordinates of the
+// crossing. Without one of the walls, this point can lie on the wrong side of the other wall.
+TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
+  Random random(5);
+  std::size_t blocked = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto share = [&] { return static_cast<double>(random.below(1U << 30)) * 0x1p-30; };
+    World world = world_of_hundred();
+    const Point right{80, 40 + 20 * share()};
+    const Point top{40 + 20 * share(), 80};
+    world.insert_segment({20, 40 + 20 * share()}, right, 1).value();
+    world.insert_segment({40 + 20 * share(), 20}, top, 2).value();
+    const std::vector<Point> vertices = world.snapshot().vertices;
+    const auto is_crossing = [](const Point& p) { return p.x > 21 && p.x < 79 && p.y > 21 && p.y < 79; };
+    const Point crossing = *std::find_if(vertices.begin(), vertices.end(), is_crossing);
+    Path path;
+    path.status = PathStatus::found;
+    path.points = {right + Point{0, 5}, crossing, top + Point{5, 0}};
+    path.length = distance(path.points[0], crossing) + distance(crossing, path.points[2]);
+    ASSERT_TRUE(world.is_clear(path.points).value());
+    PathWatch watch(world);
+    watch.add(1, path);
+    world.remove(2).value();
+    const bool is_clear = world.is_clear(path.points).value();
+    blocked += is_clear ? 0 : 1;
+    ASSERT_EQ(changes_of(watch, world).blocked, is_clear ? Keys{} : Keys{1});
+  }
+  EXPECT_GT(blocked, 20U);
+}
+
+TEST(PathWatch, KnowsItsKeys) {
+  World world = world_of_hundred();
+  PathWatch watch(world);
+  const Path path = world.find_path({.start = {10, 50}, .goal = {90, 50}}).value();
+  EXPECT_FALSE(watch.remove(4));
+  watch.add(4, path);
+  watch.add(4, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
+  EXPECT_TRUE(watch.contains(4));
+  EXPECT_EQ(watch.size(), 1U);
+  world.insert(kHouse).value();
+  EXPECT_EQ(changes_of(watch, world), PathChanges{}) << "the new path is elsewhere";
+  EXPECT_TRUE(watch.remove(4));
+  EXPECT_FALSE(watch.contains(4));
+  PathWatch moved = std::move(watch);
+  EXPECT_EQ(moved.size(), 0U);
+  EXPECT_DEATH(static_cast<void>(watch.size()), "PathWatch: this one has been moved from");  // NOLINT
+}
+
+TEST(PathWatch, ChecksAllPathsIfTheWorldHasForgottenTheBoxes) {
+  World world = world_of_hundred();
+  PathWatch watch(world);
+  watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}}).value());
+  watch.add(2, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
+  watch.add(3, world.find_path({.start = {10, 10}, .goal = {90, 10}, .radius = 1}).value());
+  const ItemId house = world.insert(kHouse).value();
+  const ItemId other = world.insert_segment({1, 1}, {2, 2}).value();
+  for (int i = 0; i < 3000; ++i) world.replace(other, Shape::segment({1, 1}, {2, 2.0 + i % 2})).value();
+  ASSERT_FALSE(world.changes_since(0).has_value());
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{1}, {3}, {1, 2, 3}}));
+  world.remove(house).value();
+  EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1}})) << "the house stood on the path";
+}
+
+/// Random agents in a random world. The model knows each path and asks for all of them anew.
+class Agents {
+ public:
+  Agents(std::uint64_t seed, std::size_t count)
+      : random_(seed), world_(world_of_hundred()), watch_(world_), radius_of_discs_(seed % 2 == 0 ? 0.0 : 1.0) {
+    for (int i = 0; i < 30; ++i) items_.push_back(world_.insert(shape()).value());
+    watch_ = PathWatch(world_);
+    for (std::uint64_t key = 0; key < count; ++key) send(key);
+  }
+
+  std::size_t blocked = 0;
+  std::size_t shortened = 0;
+  std::size_t named = 0;
+  std::size_t asked = 0;
+
+  void run(std::size_t operations) {
+    world_.keep_history(4);
+    for (std::size_t i = 0; i < operations; ++i) {
+      if (random_.chance(10)) tick_ = world_.mark();
+      for (std::size_t count = 1 + random_.below(3); count > 0; --count) operate();
+      watch_.update(world_, changes_);
+      check();
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+
+ private:
+  Point point() {
+    // On a coarse lattice, so that walls touch and cross each other's ends.
+    return {5.0 * static_cast<double>(random_.between(0, 20)), 5.0 * static_cast<double>(random_.between(0, 20))};
+  }
+  Shape shape() {
+    const Point at = point();
+    const auto near = [&] {
+      const Point p{at.x + static_cast<double>(random_.between(-12, 12)),
+                    at.y + static_cast<double>(random_.between(-12, 12))};
+      return Point{std::clamp(p.x, 0.0, 100.0), std::clamp(p.y, 0.0, 100.0)};
+    };
+    if (random_.chance(50)) return Shape::segment(at, near());
+    return random_.chance(80) ? Shape::polygon({at, near(), near()}) : Shape::point(at);
+  }
+  void send(std::uint64_t key) {
+    queries_[key] = {.start = point(), .goal = point(), .radius = key % 4 == 0 ? radius_of_discs_ : 0.0};
+    search(key);
+  }
+  void search(std::uint64_t key) {
+    paths_[key] = world_.find_path(queries_[key]).value();
+    watch_.add(key, paths_[key]);
+  }
+  void operate() {
+    const std::size_t i = random_.below(items_.size());
+    if (random_.chance(5) && tick_) {
+      world_.rewind(*tick_).value();
+      items_ = world_.item_ids();
+      return;
+    }
+    if (items_.size() < 20 || random_.chance(40)) {
+      items_.push_back(world_.insert(shape()).value());
+    } else if (random_.chance(50)) {
+      world_.replace(items_[i], shape()).value();
+    } else {
+      world_.remove(items_[i]).value();
+      items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  void check() {
+    named += changes_.blocked.size() + changes_.may_be_too_long.size();
+    for (auto& [key, path] : paths_) {
+      ++asked;
+      const bool is_for_disc = queries_[key].radius > 0.0;
+      const bool is_found = path.status == PathStatus::found;
+      const bool is_blocked = !is_for_disc && is_found && !world_.is_clear(path.points).value();
+      ASSERT_EQ(contains(changes_.blocked, key), is_blocked) << "path " << key;
+      const Path now = world_.find_path(queries_[key]).value();
+      const bool is_lost =
+          is_for_disc && is_found && (now.status != PathStatus::found || now.length > path.length * (1.0 + 1e-9));
+      if (is_lost) {
+        ASSERT_TRUE(contains(changes_.may_be_blocked, key)) << "disc " << key;
+      }
+      const bool is_shorter =
+          now.status == PathStatus::found &&
+          (!is_found || now.length < path.length * (1.0 - 1e-9) || moved_by(now) < moved_by(path) * (1.0 - 1e-9));
+      if (is_shorter && !is_blocked && !is_lost) {
+        ASSERT_TRUE(contains(changes_.may_be_too_long, key)) << "path " << key;
+        ++shortened;
+      }
+      blocked += is_blocked ? 1 : 0;
+      if (random_.chance(1)) {
+        send(key);
+      } else if (is_blocked || is_shorter || contains(changes_.may_be_blocked, key)) {
+        search(key);
+      }
+    }
+  }
+  /// The distance by which the search has moved the ends.
+  static double moved_by(const Path& path) {
+    double sum = 0.0;
+    if (path.moved_start) sum += distance(path.moved_start->from, path.moved_start->to);
+    if (path.moved_goal) sum += distance(path.moved_goal->from, path.moved_goal->to);
+    return sum;
+  }
+
+  Random random_;
+  World world_;
+  PathWatch watch_;
+  double radius_of_discs_;
+  std::vector<ItemId> items_;
+  std::map<std::uint64_t, PathQuery> queries_;
+  std::map<std::uint64_t, Path> paths_;
+  PathChanges changes_;
+  std::optional<std::uint64_t> tick_;
+};
+
+// With WAYWRIGHT_SCRIPTS=1000 the test makes 10,000 rounds of operations.
+TEST(PathWatch, AgreesWithQuestionsAboutAllPaths) {
+  std::size_t blocked = 0;
+  std::size_t shortened = 0;
+  std::size_t named = 0;
+  std::size_t asked = 0;
+  for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(case_count() / 5, 2); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Agents agents(seed, 60);
+    agents.run(50);
+    if (HasFailure()) return;
+    blocked += agents.blocked;
+    shortened += agents.shortened;
+    named += agents.named;
+    asked += agents.asked;
+  }
+  EXPECT_GT(blocked, 100U);
+  EXPECT_GT(shortened, 50U);
+  EXPECT_LT(named, asked / 2) << "most paths are not near a change";
+}
+
+}  // namespace
+}  // namespace waywright::test
