@@ -52,6 +52,7 @@ ROOMS = {
     "src/world": room(WORLD, ALL),
     "src/io": room(["base", "text"], ALL),
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
+    "bindings/wasm": room(["c"], ALL, ("malloc.h",)),
     "tools": room(["base"], ALL, ALL),
     "examples": room([], ALL),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),

@@ -110,7 +110,7 @@ def write_abi(header):
 
 def write_layout(header):
     lines = ["// Written by make_abi.py. Compares the layouts in abi.ts with the compiler's.", "#include <cstddef>"]
-    lines += ['#include "waywright.h"', '#include "module.h"', "", "// NOLINTBEGIN"]
+    lines += ["", '#include "wasm/module.h"', "", "// NOLINTBEGIN"]
     for name, struct in header.structs.items():
         lines.append(f"static_assert(sizeof({name}) == {struct['size']});")
         for member, offset in struct["members"].items():

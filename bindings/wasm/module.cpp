@@ -1,4 +1,4 @@
-#include "module.h"
+#include "wasm/module.h"
 
 #include <algorithm>
 #include <malloc.h>

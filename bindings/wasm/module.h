@@ -3,7 +3,7 @@
 #ifndef WAYWRIGHT_MODULE_H
 #define WAYWRIGHT_MODULE_H
 
-#include "waywright.h"
+#include "c/waywright.h"
 
 #ifdef __cplusplus
 extern "C" {
