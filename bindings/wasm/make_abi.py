@@ -12,8 +12,11 @@ import re
 import sys
 from pathlib import Path
 
-# What JavaScript does itself, or has no use for: reading and writing files, functions of C as callbacks, texts of C.
-OMITTED = re.compile(r"ww_set_allocator|ww_scene_read|\w*_file")
+# What JavaScript does itself: it reads and writes files. The functions with functions of C as parameters, which module.h
+# replaces.
+OMITTED = re.compile(
+    r"ww_set_allocator|ww_scene_read|\w*_file|ww_world_save|ww_world_load|ww_world_attempt|ww_replay_writer_create|ww_replay_run"
+)
 SIZES = {"double": 8, "uint64_t": 8, "int64_t": 8, "uint32_t": 4, "int32_t": 4, "size_t": 4, "uint8_t": 1, "char": 1}
 
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <malloc.h>
 #include <new>
+#include <string>
 #include <vector>
+
+#include "c/internal.hpp"
 
 namespace {
 
@@ -15,6 +18,7 @@ void report_progress(std::size_t done, std::size_t total, void* user_data);
 
 extern "C" {
 
+__attribute__((import_module("env"), import_name("question"))) std::int32_t waywright_question();
 __attribute__((import_module("env"), import_name("progress"))) void waywright_progress(std::size_t done,
                                                                                        std::size_t total);
 // The function of Emscripten by which the allocator makes the memory larger. The linker replaces it by the second one.
@@ -31,6 +35,18 @@ namespace {
 
 void report_progress(std::size_t done, std::size_t total, void* /*user_data*/) { waywright_progress(done, total); }
 
+ww_status ask_question(const ww_world* /*changed*/, void* /*user_data*/) { return waywright_question(); }
+
+/// Appends bytes to a ww_text.
+ww_bool append(const void* bytes, std::size_t size, void* text) {
+  try {
+    waywright::c::object(static_cast<ww_text*>(text)).append(static_cast<const char*>(bytes), size);
+    return 1;
+  } catch (...) {
+    return 0;
+  }
+}
+
 }  // namespace
 
 void ww_js_set_memory_limit(size_t bytes) { memory_limit = bytes; }
@@ -38,6 +54,27 @@ void ww_js_set_memory_limit(size_t bytes) { memory_limit = bytes; }
 size_t ww_js_memory_in_use(void) { return static_cast<size_t>(mallinfo().uordblks); }
 
 void ww_js_report_progress(ww_bulk_options* options) { options->progress = report_progress; }
+
+ww_status ww_js_world_attempt(ww_world* world, const ww_change* changes, size_t change_count) {
+  return ww_world_attempt(world, changes, change_count, ask_question, nullptr);
+}
+
+ww_status ww_js_replay_run(ww_replay* replay, const ww_script* log, ww_bool has_progress) {
+  return ww_replay_run(replay, log, has_progress != 0 ? report_progress : nullptr, nullptr);
+}
+
+ww_status ww_js_replay_writer_create(const ww_world* world, uint64_t ticks_per_hash, ww_text* log,
+                                     ww_replay_writer** writer) {
+  const ww_output output{sizeof(ww_output), append, nullptr, log};
+  return ww_replay_writer_create(&output, world, ticks_per_hash, writer);
+}
+
+ww_status ww_js_text_clear(ww_text* text) {
+  return waywright::c::guarded([&] {
+    waywright::c::object(text).clear();
+    return WW_OK;
+  });
+}
 
 ww_status ww_js_find_paths(const ww_world* world, const ww_path_query* query, const ww_point* ends, size_t query_count,
                            ww_context* context, ww_paths* paths) {

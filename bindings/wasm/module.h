@@ -17,6 +17,17 @@ WW_API size_t ww_js_memory_in_use(void);
 /* Makes bulk options report their progress to the import `progress` of the module. */
 WW_API void ww_js_report_progress(ww_bulk_options* options);
 
+/* Like ww_world_attempt, with the import `question` of the module as the question. */
+WW_API ww_status ww_js_world_attempt(ww_world* world, const ww_change* changes, size_t change_count);
+
+/* Like ww_replay_run, with the import `progress` of the module if `has_progress` is set. */
+WW_API ww_status ww_js_replay_run(ww_replay* replay, const ww_script* log, ww_bool has_progress);
+/* Like ww_replay_writer_create. The writer appends to `log`, which must exist as long as the writer. */
+WW_API ww_status ww_js_replay_writer_create(const ww_world* world, uint64_t ticks_per_hash, ww_text* log,
+                                            ww_replay_writer** writer);
+/* Removes the characters of a text. */
+WW_API ww_status ww_js_text_clear(ww_text* text);
+
 /* Finds a path for each pair of ends: start and goal, one after the other. The other members are those of `query`. */
 WW_API ww_status ww_js_find_paths(const ww_world* world, const ww_path_query* query, const ww_point* ends,
                                   size_t query_count, ww_context* context, ww_paths* paths);

@@ -158,7 +158,7 @@ export function packSizes(numbers: ArrayLike<number>): List {
   return { address, count: numbers.length };
 }
 
-/** Copies a text into the arena. */
+/** Copies a text, or other bytes, into the arena, with a zero byte at the end. */
 export function packText(text: Uint8Array): List {
   const address = arena.take(text.length + 1);
   u8.set(text, address);

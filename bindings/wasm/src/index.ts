@@ -20,6 +20,15 @@ export {
   type WidestPath,
 } from './path.js';
 export { PathSearch } from './path_search.js';
+export { type PathChanges, PathWatch } from './path_watch.js';
+export {
+  type DifferenceKind,
+  findDifference,
+  replay,
+  type ReplayDifference,
+  type ReplayResult,
+  ReplayWriter,
+} from './replay.js';
 export { init, type InitOptions, initSync, moduleMemory } from './runtime.js';
 export {
   Scenario,
@@ -42,8 +51,19 @@ export {
   svgToPicture,
   svgToWorld,
 } from './svg.js';
-export { type Box, type ItemId, type PredicateCounts, predicateCounts, type StageCounts, version } from './values.js';
 export {
+  type Box,
+  isInRange,
+  type ItemId,
+  LARGEST_COORDINATE,
+  type PredicateCounts,
+  predicateCounts,
+  SMALLEST_COORDINATE,
+  type StageCounts,
+  version,
+} from './values.js';
+export {
+  type ChangedBox,
   type CrossedItem,
   type DiscFit,
   type Location,
@@ -55,6 +75,6 @@ export {
   type RayHit,
   type Validation,
   World,
-  type WorldOptions,
 } from './world.js';
+export { isSavedWorld, type WorldOptions } from './world_history.js';
 export type { BulkOptions, Change } from './world_items.js';

@@ -259,6 +259,13 @@ export class Path extends Handle {
     return this.info.length;
   }
 
+  /** A copy, for example of a path that belongs to a list or a search. */
+  copy(into: Path = new Path()): Path {
+    into.renew();
+    check(lib.ww_path_copy(this.address, into.address));
+    return into;
+  }
+
   /** The start, the turns and the goal. Empty if there is no path, or if the query has a radius above 0. */
   points(into?: Float64Array): Float64Array {
     const { address } = this;

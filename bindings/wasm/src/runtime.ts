@@ -1,4 +1,4 @@
-import { type Functions, guarded, ww_error, WW_BUFFER_TOO_SMALL, WW_OK } from './generated/abi.js';
+import { type Functions, guarded, ww_error, WW_BUFFER_TOO_SMALL, WW_INVALID_ARGUMENT, WW_OK } from './generated/abi.js';
 import { type ErrorCode, WaywrightError } from './errors.js';
 
 /** What the module exports besides its functions. */
@@ -45,8 +45,8 @@ function refreshViews(): void {
 }
 
 /** Addresses for the arguments and the answers of one call. */
-export const slots = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0 };
-const SLOT_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8 };
+export const slots = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0 };
+const SLOT_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40 };
 
 /** What the progress function of the running call does, and what it has thrown. */
 let progress: ((done: number, total: number) => void) | null = null;
@@ -62,6 +62,41 @@ function reportProgress(done: number, total: number): void {
   } finally {
     lib = functions;
   }
+}
+
+/** What the question of the running call does, and what it has thrown. */
+let question: (() => void) | null = null;
+let questionError: { readonly reason: unknown } | null = null;
+
+function askQuestion(): number {
+  const [asked, outerStack] = [question!, initialStack];
+  question = null;
+  initialStack = exports!.stackSave();
+  try {
+    asked();
+    return WW_OK;
+  } catch (reason) {
+    questionError = { reason };
+    return WW_INVALID_ARGUMENT;
+  } finally {
+    initialStack = outerStack;
+  }
+}
+
+/** Makes a call that asks a question. An error of the question is thrown after the call. */
+export function withQuestion(ask: () => void, call: () => number): void {
+  question = ask;
+  questionError = null;
+  let status = WW_OK;
+  try {
+    status = call();
+  } finally {
+    question = null;
+  }
+  const thrown = questionError as { readonly reason: unknown } | null;
+  questionError = null;
+  if (thrown !== null) throw thrown.reason;
+  check(status);
 }
 
 /** Makes a call that may report its progress. An error of the progress function is thrown after the call. */
@@ -109,6 +144,7 @@ function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   const env = (imports['env'] ??= {});
   env['emscripten_notify_memory_growth'] = refreshViews;
   env['progress'] = reportProgress;
+  env['question'] = askQuestion;
   return imports as WebAssembly.Imports;
 }
 

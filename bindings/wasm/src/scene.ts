@@ -1,14 +1,15 @@
-import { arena, packText, readList, toSize } from './buffers.js';
+import { arena, packText, type Point, readList, toSize } from './buffers.js';
 import * as abi from './generated/abi.js';
 import { Handle, make } from './handle.js';
 import { ItemList } from './items.js';
 import { PATH_ALGORITHMS, type PathAlgorithm } from './path.js';
 import { check, cTextAt, encode, idAt, lib, slots, textAt, u32 } from './runtime.js';
-import { answer, askSize, askText, type Box, fromEnum, get, type ItemId, readBox, readPoint, writeBox } from './values.js';
-import type { Point } from './buffers.js';
+import {
+  answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readBox, readPoint, writeBox,
+} from './values.js';
 
-export type SceneFormat = 'script' | 'movingai' | 'triangle-poly' | 'triangle-node';
-const SCENE_FORMATS = ['script', 'movingai', 'triangle-poly', 'triangle-node'] as const;
+export type SceneFormat = 'script' | 'movingai' | 'triangle-poly' | 'triangle-node' | 'saved-world';
+const SCENE_FORMATS = ['script', 'movingai', 'triangle-poly', 'triangle-node', 'saved-world'] as const;
 
 /** Returns the format for the ending of a file name. */
 export function sceneFormat(fileName: string): SceneFormat {
@@ -57,6 +58,15 @@ export class Scene extends Handle {
     return this;
   }
 
+  /** Reads a saved world: its domain and its items. */
+  parseSavedWorld(bytes: Uint8Array, name = 'world'): this {
+    const scene = this.change();
+    arena.reset();
+    const { address, count } = packText(bytes);
+    check(lib.ww_scene_parse_saved_world(address, count, packText(encode(name)).address, scene));
+    return this;
+  }
+
   /** Sets the scene to a copy of a domain and items. */
   set(domain: Box, items: ItemList, yDown = false): this {
     const scene = this.change();
@@ -97,9 +107,9 @@ export class Scene extends Handle {
 }
 
 export type ScriptLineKind =
-  | 'insert' | 'remove' | 'replace' | 'locate' | 'ray' | 'disc' | 'nearest' | 'path' | 'check' | 'hash' | 'clear';
+  | 'insert' | 'remove' | 'replace' | 'locate' | 'ray' | 'disc' | 'nearest' | 'path' | 'check' | 'hash' | 'clear' | 'tick';
 export const SCRIPT_LINE_KINDS = [
-  'insert', 'remove', 'replace', 'locate', 'ray', 'disc', 'nearest', 'path', 'check', 'hash', 'clear',
+  'insert', 'remove', 'replace', 'locate', 'ray', 'disc', 'nearest', 'path', 'check', 'hash', 'clear', 'tick',
 ] as const;
 
 /** One line of a world script. `Script.item` gives the shape of an insertion or a replacement. */
@@ -117,6 +127,9 @@ export interface ScriptLine {
   readonly algorithm: PathAlgorithm | null;
   readonly endTolerance: number | null;
   readonly hasGoal: boolean;
+  /** Of a line `tick`: its number, and the hash of the items, or null if it has none. */
+  readonly tick: number;
+  readonly itemsHash: string | null;
 }
 
 /** The lines of a world script. */
@@ -158,6 +171,8 @@ export class Script extends Handle {
       algorithm: has(layout.hasAlgorithm) ? fromEnum(PATH_ALGORITHMS, algorithm) : null,
       endTolerance: has(layout.hasEndTolerance) ? get.float(struct + layout.endTolerance) : null,
       hasGoal: has(layout.hasGoal),
+      tick: get.long(struct + layout.tick),
+      itemsHash: has(layout.hasItemsHash) ? itemsHashAt(struct + layout.itemsHash) : null,
     };
   }
 

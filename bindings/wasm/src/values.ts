@@ -1,7 +1,7 @@
 import { arena, type List, type Point } from './buffers.js';
 import { refuse, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
-import { check, f64, i32, idAt, lib, slots, textAt, u32, u64 } from './runtime.js';
+import { check, f64, i32, idAt, lib, slots, textAt, u32, u64, u8 } from './runtime.js';
 
 /** A closed box. */
 export interface Box {
@@ -73,6 +73,14 @@ export const put = {
   long: (address: number, value: bigint): void => void (u64[address >>> 3] = value),
 };
 
+const ITEMS_HASH_DIGITS = 32;
+
+/** Returns the digits of the hash of items at an address. */
+export function itemsHashAt(address: number): string {
+  check(lib.ww_items_hash_text(address, slots.hash, ITEMS_HASH_DIGITS + 1, 0));
+  return textAt(slots.hash, ITEMS_HASH_DIGITS);
+}
+
 /** Prepares a struct for an answer. */
 export function answer(struct: { readonly size_: number }, address = slots.struct): number {
   u32[address >>> 2] = struct.size_;
@@ -112,20 +120,39 @@ export function askId(call: (address: number) => number): ItemId {
   return idAt(slots.id);
 }
 
-/** Makes a call that writes to a text object, and returns the text. */
-export function askText(call: (text: number) => number): string {
+/** Makes a call that writes to a text object, and returns what `read` makes of the bytes. */
+function askBytes<T>(call: (text: number) => number, read: (address: number, size: number) => T): T {
   check(lib.ww_text_create(slots.pointer));
   const text = u32[slots.pointer >>> 2]!;
   try {
     check(call(text));
-    const size = askSize((count) => lib.ww_text_read(text, 0, 0, count));
-    arena.reset();
-    const buffer = arena.take(size);
-    check(lib.ww_text_read(text, buffer, size, 0));
-    return textAt(buffer, size - 1);
+    return readBytes(text, read);
   } finally {
     lib.ww_text_destroy(text);
   }
+}
+
+/** Returns what `read` makes of the bytes of a text object. */
+export function readBytes<T>(text: number, read: (address: number, size: number) => T): T {
+  check(lib.ww_text_bytes(text, slots.pointer, slots.count));
+  return read(u32[slots.pointer >>> 2]!, u32[slots.count >>> 2]!);
+}
+
+/** Makes a call that writes to a text object, and returns the text, or a copy of the bytes. */
+export function askText(call: (text: number) => number): string {
+  return askBytes(call, textAt);
+}
+export function askCopy(call: (text: number) => number): Uint8Array {
+  return askBytes(call, (address, size) => u8.slice(address, address + size));
+}
+
+/** The magnitudes of the coordinates that a world accepts, besides 0. */
+export const LARGEST_COORDINATE = 2 ** 100;
+export const SMALLEST_COORDINATE = 2 ** -100;
+
+/** Returns whether a world accepts a coordinate. */
+export function isInRange(coordinate: number): boolean {
+  return lib.ww_is_in_range(coordinate) !== 0;
 }
 
 /** The version of the library: `0.1.0`. */

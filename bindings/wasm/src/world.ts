@@ -1,23 +1,17 @@
-import { arena, packPoints, packSizes, type Point, type Points, readList } from './buffers.js';
+import { arena, packPoints, packSizes, packText, type Point, type Points, readList } from './buffers.js';
 import { refuse } from './errors.js';
 import * as abi from './generated/abi.js';
 import { contextAddress, make, type QueryContext } from './handle.js';
 import { Mesh } from './mesh.js';
 import { findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readWidest, type WidestPath } from './path.js';
-import { check, idAt, lib, slots, textAt } from './runtime.js';
+import { check, idAt, lib, slots, textAt, withProgress } from './runtime.js';
 import { packSvgOptions, type SvgOptions, type SvgOverlay } from './svg.js';
 import {
-  answer, askFlag, askFloat, askLong, askSize, askText, type Box, fromEnum, get, type ItemId, put, readBox, readIds,
+  answer, askFlag, askFloat, askLong, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, put, readBox, readIds,
   readPoint, toId, writeBox, writePoint,
 } from './values.js';
-import { WorldItems } from './world_items.js';
-
-export interface WorldOptions {
-  /** Whether the world maintains the path abstraction. The default is true. */
-  readonly keepAbstraction?: boolean;
-  /** Whether the world can answer path queries for discs. The default is false. */
-  readonly keepBridges?: boolean;
-}
+import { packWorldOptions, WorldHistory, type WorldOptions } from './world_history.js';
+import { type BulkOptions, packBulk } from './world_items.js';
 
 export type LocationKind = 'vertex' | 'edge' | 'face';
 export const LOCATION_KINDS = ['vertex', 'edge', 'face'] as const;
@@ -91,23 +85,26 @@ export interface MemoryUse {
   readonly sectors: number;
   readonly abstraction: number;
   readonly bridges: number;
+  readonly history: number;
   readonly spare: number;
   readonly total: number;
+}
+
+/** A region that an operation has changed. */
+export interface ChangedBox {
+  /** The version of the world after the operation. */
+  readonly version: number;
+  /** The bounding box of an item, or the last box of an operation: of several items. */
+  readonly box: Box;
+  /** Whether the operation inserted or removed an item in the box. A replacement is both. */
+  readonly isInsertion: boolean;
+  readonly isRemoval: boolean;
 }
 
 export interface Validation {
   readonly isValid: boolean;
   /** The first fault, or an empty text. */
   readonly fault: string;
-}
-
-function packWorldOptions(options: WorldOptions): number {
-  const { ww_world_options: layout } = abi;
-  const struct = slots.struct2;
-  check(lib.ww_world_options_init(struct, layout.size_));
-  if (options.keepAbstraction !== undefined) put.flag(struct + layout.keepAbstraction, options.keepAbstraction);
-  if (options.keepBridges !== undefined) put.flag(struct + layout.keepBridges, options.keepBridges);
-  return struct;
 }
 
 function createWorld(domain: Box, options: WorldOptions): number {
@@ -128,9 +125,41 @@ function readHit(call: (struct: number, buffer: number, capacity: number, count:
 }
 
 /** Obstacles over a closed box, and their mesh. */
-export class World extends WorldItems {
-  constructor(domain: Box, options: WorldOptions = {}) {
-    super(createWorld(domain, options), (address) => lib.ww_world_destroy(address));
+export class World extends WorldHistory {
+  constructor(domain: Box, options?: WorldOptions);
+  /** @internal */
+  constructor(address: number);
+  constructor(given: Box | number, options: WorldOptions = {}) {
+    const address = typeof given === 'number' ? given : createWorld(given, options);
+    super(address, (world) => lib.ww_world_destroy(world));
+  }
+
+  /** Makes a world from the bytes that `save` has returned. The progress is that of the construction of the mesh. */
+  static load(bytes: Uint8Array, options: BulkOptions = {}): World {
+    arena.reset();
+    const { address, count } = packText(bytes);
+    const bulk = packBulk(options);
+    return withProgress(
+      options.progress,
+      () => new World(make((world) => lib.ww_world_load_bytes(address, count, bulk, world))),
+    );
+  }
+
+  /** Makes an independent copy, with the same history. Searches and path watches do not belong to the copy. */
+  clone(): World {
+    return new World(make((world) => lib.ww_world_clone(this.address, world)));
+  }
+
+  /** The options with which the world was made, and its present limit of new vertices. */
+  get options(): Required<WorldOptions> {
+    const { ww_world_options: layout } = abi;
+    const struct = answer(layout);
+    check(lib.ww_world_get_options(this.address, struct));
+    return {
+      keepAbstraction: get.flag(struct + layout.keepAbstraction),
+      keepBridges: get.flag(struct + layout.keepBridges),
+      newVertexLimit: this.newVertexLimit,
+    };
   }
 
   get domain(): Box {
@@ -316,6 +345,25 @@ export class World extends WorldItems {
     return Array.from({ length: count }, (_, i) => get.size(address + 4 * i));
   }
 
+  /** The regions that the operations after version `since` have changed, the oldest first; null if it no longer knows. */
+  changesSince(since: number): ChangedBox[] | null {
+    const { ww_changed_box: layout } = abi;
+    const [world, version] = [this.address, toId(since)];
+    const { address, count } = readList(layout.size_, (...list) =>
+      lib.ww_world_changes_since(world, version, slots.flag, ...list),
+    );
+    if (!get.flag(slots.flag)) return null;
+    return Array.from({ length: count }, (_, i) => {
+      const struct = address + i * layout.size_;
+      return {
+        version: get.long(struct + layout.version),
+        box: readBox(struct + layout.box),
+        isInsertion: get.flag(struct + layout.isInsertion),
+        isRemoval: get.flag(struct + layout.isRemoval),
+      };
+    });
+  }
+
   /** The number of operations that the world has carried out. */
   get version(): number {
     return askLong((address) => lib.ww_world_version(this.address, address));
@@ -342,8 +390,7 @@ export class World extends WorldItems {
   /** The hash of the items: 32 hexadecimal digits. */
   itemsHash(): string {
     check(lib.ww_world_items_hash(this.address, slots.struct));
-    check(lib.ww_items_hash_text(slots.struct, slots.struct2, 33, 0));
-    return textAt(slots.struct2, 32);
+    return itemsHashAt(slots.struct);
   }
 
   /** The hash of the mesh: 64 hexadecimal digits. */

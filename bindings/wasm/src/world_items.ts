@@ -36,6 +36,13 @@ export function packChanges(changes: readonly Change[]): number {
   return address;
 }
 
+/** Writes options to a struct of the module. */
+export function packBulk(options: BulkOptions): number {
+  check(lib.ww_bulk_options_init(slots.struct, abi.ww_bulk_options.size_));
+  if (options.progress !== undefined) lib.ww_js_report_progress(slots.struct);
+  return slots.struct;
+}
+
 /** The part of World that changes and reads items. */
 export abstract class WorldItems extends Handle {
   /** Inserts a shape. If `id` is 0, the world chooses the id. Returns the id. */
@@ -89,7 +96,7 @@ export abstract class WorldItems extends Handle {
       const count = list.length;
       arena.reset();
       const ids = arena.take(8 * count);
-      const bulk = this.packBulk(options);
+      const bulk = packBulk(options);
       withProgress(options.progress, () => check(lib.ww_world_insert_all(this.address, list.address, bulk, ids)));
       return readIds({ address: ids, count });
     } finally {
@@ -102,16 +109,10 @@ export abstract class WorldItems extends Handle {
     arena.reset();
     const wanted = toId(first);
     const { address, count } = packPoints(points);
-    const bulk = this.packBulk(options);
+    const bulk = packBulk(options);
     return withProgress(options.progress, () =>
       askId((firstId) => lib.ww_world_insert_points(this.address, address, count, wanted, bulk, firstId)),
     );
-  }
-
-  private packBulk(options: BulkOptions): number {
-    check(lib.ww_bulk_options_init(slots.struct, abi.ww_bulk_options.size_));
-    if (options.progress !== undefined) lib.ww_js_report_progress(slots.struct);
-    return slots.struct;
   }
 
   /** Makes several changes, one after the other, as one operation. Returns the id of each. */
