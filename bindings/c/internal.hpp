@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "waywright/waywright.hpp"
@@ -63,6 +64,24 @@ struct Context {
   WidestPath widest;
 };
 
+/// A search, and the world in which it began. The world may be gone.
+struct Search {
+  PathSearch search;
+  const World* world = nullptr;
+};
+
+/// A path watch with the world for which it was made, and the answer of its last update. The world may be gone.
+struct Watch {
+  explicit Watch(const World& watched) : watch(watched), world(&watched) {}
+
+  PathWatch watch;
+  const World* world;
+  PathChanges changes;
+};
+
+/// A replay log: where it writes, and its writer.
+struct ReplayLog;
+
 /// The C++ class of an opaque type. A pointer to the opaque type is a pointer to an object of this class.
 template <class Opaque>
 struct ObjectOf;
@@ -88,7 +107,11 @@ struct ObjectOf<ww_paths> {
 };
 template <>
 struct ObjectOf<ww_search> {
-  using Type = PathSearch;
+  using Type = Search;
+};
+template <>
+struct ObjectOf<ww_path_watch> {
+  using Type = Watch;
 };
 template <>
 struct ObjectOf<ww_mesh> {
@@ -109,6 +132,14 @@ struct ObjectOf<ww_script> {
 template <>
 struct ObjectOf<ww_scenario> {
   using Type = std::vector<ScenarioQuery>;
+};
+template <>
+struct ObjectOf<ww_replay_writer> {
+  using Type = ReplayLog;
+};
+template <>
+struct ObjectOf<ww_replay> {
+  using Type = ReplayResult;
 };
 template <>
 struct ObjectOf<ww_svg_overlay> {
@@ -133,6 +164,16 @@ Opaque* opaque(typename ObjectOf<Opaque>::Type* object) {
 template <class Opaque>
 const Opaque* opaque(const typename ObjectOf<Opaque>::Type* object) {
   return reinterpret_cast<const Opaque*>(object);
+}
+
+/// Throws a Refusal if this thread is asking a question of ww_world_attempt about the world.
+void require_no_question(const World& world);
+
+/// Returns the world of a call that changes it.
+inline World& changing(ww_world* world) {
+  World& changed = object(world);
+  require_no_question(changed);
+  return changed;
 }
 
 /// Returns the variable behind a pointer for an answer.
@@ -231,6 +272,7 @@ inline ww_point to_c(const Point& point) { return {point.x, point.y}; }
 inline ww_box to_c(const Box& box) { return {to_c(box.min), to_c(box.max)}; }
 inline ww_id to_c(ItemId id) { return id.value; }
 inline ww_bool to_c(bool value) { return value ? 1 : 0; }
+inline ww_items_hash to_c(const ItemsHash& hash) { return {{hash.words[0], hash.words[1]}}; }
 /// Reads a member of the type ww_bool.
 inline bool is_set(ww_bool value) { return value != 0; }
 
@@ -271,10 +313,23 @@ inline std::string_view to_view(const char* text) {
 inline std::string_view text_or_empty(const char* text) { return text != nullptr ? text : ""; }
 
 Shape to_shape(const ww_shape* shape);
+std::vector<Change> to_changes(const ww_change* changes, std::size_t count);
 PathQuery to_query(const ww_path_query* query);
 SvgOptions to_options(const ww_svg_options* options);
 ww_ray_hit to_c(const RayHit& hit);
 ww_widest_path to_c(const WidestPath& widest);
+
+/// Makes an object for the caller.
+template <class Opaque, class... Arguments>
+ww_status make_object(Opaque** out, Arguments&&... arguments) {
+  Opaque*& pointer = answer(out);
+  pointer = opaque<Opaque>(new typename ObjectOf<Opaque>::Type(std::forward<Arguments>(arguments)...));
+  return WW_OK;
+}
+template <class Opaque>
+void destroy_object(Opaque* pointer) noexcept {
+  if (pointer != nullptr) delete &object(pointer);
+}
 
 /// A job system of the caller.
 class Jobs final : public JobSystem {
@@ -287,6 +342,19 @@ class Jobs final : public JobSystem {
 
  private:
   ww_job_system jobs_{};
+};
+
+/// The options of a bulk insertion, with the job system to which they point. `given` may be null.
+struct Bulk {
+  explicit Bulk(const ww_bulk_options* given);
+  Bulk(const Bulk&) = delete;
+  Bulk& operator=(const Bulk&) = delete;
+
+  Jobs jobs;
+  BulkOptions options;
+
+ private:
+  explicit Bulk(const ww_bulk_options& given);
 };
 
 }  // namespace waywright::c

@@ -59,8 +59,7 @@ ww_status ww_world_dump(const ww_world* world, ww_text* text) {
 
 ww_status ww_world_items_hash(const ww_world* world, ww_items_hash* hash) {
   return guarded([&] {
-    const ItemsHash found = object(world).items_hash();
-    answer(hash) = {{found.words[0], found.words[1]}};
+    answer(hash) = to_c(object(world).items_hash());
     return WW_OK;
   });
 }
@@ -105,14 +104,14 @@ ww_status ww_world_memory(const ww_world* world, ww_memory_use* use) {
     const StructOut out(use);
     const MemoryUse found = object(world).memory();
     out.write({0, found.vertices, found.crossings, found.faces, found.walls, found.items, found.sectors,
-               found.abstraction, found.bridges, found.spare, found.total()});
+               found.abstraction, found.bridges, found.history, found.spare, found.total()});
     return WW_OK;
   });
 }
 
 ww_status ww_world_shrink_to_fit(ww_world* world) {
   return guarded([&] {
-    object(world).shrink_to_fit();
+    changing(world).shrink_to_fit();
     return WW_OK;
   });
 }

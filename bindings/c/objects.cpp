@@ -9,16 +9,7 @@ namespace {
 
 template <class Opaque>
 ww_status create(Opaque** out) noexcept {
-  return guarded([&] {
-    Opaque*& pointer = answer(out);
-    pointer = opaque<Opaque>(new typename ObjectOf<Opaque>::Type());
-    return WW_OK;
-  });
-}
-
-template <class Opaque>
-void destroy(Opaque* pointer) noexcept {
-  if (pointer != nullptr) delete &object(pointer);
+  return guarded([&] { return make_object(out); });
 }
 
 const Item& item_at(const ww_items* items, std::size_t index) {
@@ -56,31 +47,45 @@ using namespace waywright;
 using namespace waywright::c;
 
 ww_status ww_context_create(ww_context** context) { return create(context); }
-void ww_context_destroy(ww_context* context) { destroy(context); }
+void ww_context_destroy(ww_context* context) { destroy_object(context); }
 ww_status ww_items_create(ww_items** items) { return create(items); }
-void ww_items_destroy(ww_items* items) { destroy(items); }
+void ww_items_destroy(ww_items* items) { destroy_object(items); }
 ww_status ww_path_create(ww_path** path) { return create(path); }
-void ww_path_destroy(ww_path* path) { destroy(path); }
+void ww_path_destroy(ww_path* path) { destroy_object(path); }
 ww_status ww_paths_create(ww_paths** paths) { return create(paths); }
-void ww_paths_destroy(ww_paths* paths) { destroy(paths); }
+void ww_paths_destroy(ww_paths* paths) { destroy_object(paths); }
 ww_status ww_search_create(ww_search** search) { return create(search); }
-void ww_search_destroy(ww_search* search) { destroy(search); }
+void ww_search_destroy(ww_search* search) { destroy_object(search); }
 ww_status ww_mesh_create(ww_mesh** mesh) { return create(mesh); }
-void ww_mesh_destroy(ww_mesh* mesh) { destroy(mesh); }
+void ww_mesh_destroy(ww_mesh* mesh) { destroy_object(mesh); }
 ww_status ww_text_create(ww_text** text) { return create(text); }
-void ww_text_destroy(ww_text* text) { destroy(text); }
+void ww_text_destroy(ww_text* text) { destroy_object(text); }
 ww_status ww_scene_create(ww_scene** scene) { return create(scene); }
-void ww_scene_destroy(ww_scene* scene) { destroy(scene); }
+void ww_scene_destroy(ww_scene* scene) { destroy_object(scene); }
 ww_status ww_script_create(ww_script** script) { return create(script); }
-void ww_script_destroy(ww_script* script) { destroy(script); }
+void ww_script_destroy(ww_script* script) { destroy_object(script); }
 ww_status ww_scenario_create(ww_scenario** scenario) { return create(scenario); }
-void ww_scenario_destroy(ww_scenario* scenario) { destroy(scenario); }
+void ww_scenario_destroy(ww_scenario* scenario) { destroy_object(scenario); }
+ww_status ww_replay_create(ww_replay** replay) { return create(replay); }
+void ww_replay_destroy(ww_replay* replay) { destroy_object(replay); }
 ww_status ww_svg_overlay_create(ww_svg_overlay** overlay) { return create(overlay); }
-void ww_svg_overlay_destroy(ww_svg_overlay* overlay) { destroy(overlay); }
+void ww_svg_overlay_destroy(ww_svg_overlay* overlay) { destroy_object(overlay); }
 
 ww_status ww_text_read(const ww_text* text, char* buffer, size_t capacity, size_t* count) {
   return guarded([&] { return write_text(object(text), buffer, capacity, count); });
 }
+
+ww_status ww_text_bytes(const ww_text* text, const char** bytes, size_t* size) {
+  return guarded([&] {
+    const std::string& given = object(text);
+    const char*& out = answer(bytes);
+    answer(size) = given.size();
+    out = given.c_str();
+    return WW_OK;
+  });
+}
+
+ww_bool ww_is_in_range(double coordinate) { return to_c(is_in_range(coordinate)); }
 
 ww_status ww_shape_init(ww_shape* shape, size_t struct_size) { return init_struct(shape, struct_size, {}); }
 

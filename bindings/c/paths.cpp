@@ -1,5 +1,6 @@
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "internal.hpp"
 
@@ -151,6 +152,14 @@ ww_status ww_paths_get(const ww_paths* paths, size_t index, const ww_path** path
   });
 }
 
+ww_status ww_path_copy(const ww_path* path, ww_path* to) {
+  return guarded([&] {
+    Path copy = object(path);
+    object(to) = std::move(copy);
+    return WW_OK;
+  });
+}
+
 ww_status ww_path_get_info(const ww_path* path, ww_path_info* info) {
   return guarded([&] {
     StructOut(info).write(info_of(object(path)));
@@ -244,13 +253,21 @@ ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_point* poin
 }
 
 ww_status ww_search_begin(ww_search* search, const ww_world* world, const ww_path_query* query) {
-  return guarded([&] { return status_of(object(search).begin(object(world), to_query(query))); });
+  return guarded([&] {
+    Search& begun = object(search);
+    const World& searched = object(world);
+    require_no_question(searched);
+    begun.world = &searched;
+    return status_of(begun.search.begin(searched, to_query(query)));
+  });
 }
 
 ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done) {
   return guarded([&] {
     ww_bool& out = answer(is_done);
-    const Result<bool> done = object(search).step(expansions);
+    Search& continued = object(search);
+    if (continued.search.is_running()) require_no_question(*continued.world);
+    const Result<bool> done = continued.search.step(expansions);
     if (done.ok()) out = c::to_c(*done);
     return status_of(done);
   });
@@ -258,28 +275,28 @@ ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done)
 
 ww_status ww_search_path(const ww_search* search, const ww_path** path) {
   return guarded([&] {
-    answer(path) = opaque<ww_path>(&object(search).path());
+    answer(path) = opaque<ww_path>(&object(search).search.path());
     return WW_OK;
   });
 }
 
 ww_status ww_search_restarts(const ww_search* search, size_t* restarts) {
   return guarded([&] {
-    answer(restarts) = object(search).restarts();
+    answer(restarts) = object(search).search.restarts();
     return WW_OK;
   });
 }
 
 ww_status ww_search_cancel(ww_search* search) {
   return guarded([&] {
-    object(search).cancel();
+    object(search).search.cancel();
     return WW_OK;
   });
 }
 
 ww_status ww_search_is_running(const ww_search* search, ww_bool* is_running) {
   return guarded([&] {
-    answer(is_running) = c::to_c(object(search).is_running());
+    answer(is_running) = c::to_c(object(search).search.is_running());
     return WW_OK;
   });
 }

@@ -203,3 +203,17 @@ ww_status ww_world_version(const ww_world* world, uint64_t* version) {
     return WW_OK;
   });
 }
+
+ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
+                                 size_t capacity, size_t* count) {
+  return guarded([&] {
+    ww_bool& out = answer(is_known);
+    const ListOut<ww_changed_box> list(boxes, capacity, count);
+    const std::optional<std::span<const ChangedBox>> changes = object(world).changes_since(since);
+    out = c::to_c(changes.has_value());
+    return list.write(changes.value_or(std::span<const ChangedBox>()), [](const ChangedBox& changed) {
+      return ww_changed_box{changed.version, c::to_c(changed.box), c::to_c(changed.is_insertion),
+                            c::to_c(changed.is_removal)};
+    });
+  });
+}

@@ -58,6 +58,12 @@ ww_status ww_scene_parse_triangle_node(const char* text, size_t length, const ch
   return guarded([&] { return keep(parse_triangle_node(to_view(text, length), to_view(name)), object(scene)); });
 }
 
+ww_status ww_scene_parse_saved_world(const void* bytes, size_t size, const char* name, ww_scene* scene) {
+  return guarded([&] {
+    return keep(parse_saved_world(to_view(static_cast<const char*>(bytes), size), to_view(name)), object(scene));
+  });
+}
+
 ww_status ww_scene_set(ww_scene* scene, ww_box domain, const ww_items* items, ww_bool y_down) {
   return guarded([&] {
     Scene& kept = object(scene);
@@ -127,6 +133,9 @@ ww_status ww_script_get_line(const ww_script* script, size_t index, ww_script_li
     result.to = to_c(given.to);
     result.radius = given.radius;
     result.end_tolerance = given.end_tolerance.value_or(0.0);
+    result.has_items_hash = to_c(given.items_hash.has_value());
+    result.tick = given.tick;
+    result.items_hash = to_c(given.items_hash.value_or(ItemsHash{}));
     out.write(result);
     return WW_OK;
   });

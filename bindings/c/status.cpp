@@ -31,11 +31,17 @@ static_assert(equal(WW_BAD_ID, ErrorCode::bad_id));
 static_assert(equal(WW_BAD_DOMAIN, ErrorCode::bad_domain));
 static_assert(equal(WW_EMPTY_SHAPE, ErrorCode::empty_shape));
 static_assert(equal(WW_TOO_LARGE, ErrorCode::too_large));
+static_assert(equal(WW_TOO_MANY_VERTICES, ErrorCode::too_many_vertices));
 static_assert(equal(WW_WORLD_GONE, ErrorCode::world_gone));
 static_assert(equal(WW_NOT_SUPPORTED, ErrorCode::not_supported));
 static_assert(equal(WW_NO_BRIDGES, ErrorCode::no_bridges));
+static_assert(equal(WW_NO_HISTORY, ErrorCode::no_history));
+static_assert(equal(WW_OLD_TICK, ErrorCode::old_tick));
+static_assert(equal(WW_UNKNOWN_TICK, ErrorCode::unknown_tick));
 static_assert(equal(WW_UNREADABLE, ErrorCode::unreadable));
 static_assert(equal(WW_MALFORMED, ErrorCode::malformed));
+static_assert(equal(WW_UNWRITABLE, ErrorCode::unwritable));
+static_assert(WW_LARGEST_COORDINATE == kLargestCoordinate && WW_SMALLEST_COORDINATE == kSmallestCoordinate);
 static_assert(equal(WW_ITEM_POINT, ItemKind::point) && equal(WW_ITEM_SEGMENT, ItemKind::segment) &&
               equal(WW_ITEM_POLYLINE, ItemKind::polyline) && equal(WW_ITEM_POLYGON, ItemKind::polygon));
 static_assert(equal(WW_FILL_EVEN_ODD, FillRule::even_odd) && equal(WW_FILL_NONZERO, FillRule::nonzero));
@@ -51,13 +57,18 @@ static_assert(equal(WW_PIECE_LINE, PathPiece::Kind::line) && equal(WW_PIECE_ARC,
 static_assert(equal(WW_FLOAT64, Precision::float64) && equal(WW_FLOAT32, Precision::float32));
 static_assert(equal(WW_SCENE_SCRIPT, SceneFormat::script) && equal(WW_SCENE_MOVINGAI, SceneFormat::movingai) &&
               equal(WW_SCENE_TRIANGLE_POLY, SceneFormat::triangle_poly) &&
-              equal(WW_SCENE_TRIANGLE_NODE, SceneFormat::triangle_node));
+              equal(WW_SCENE_TRIANGLE_NODE, SceneFormat::triangle_node) &&
+              equal(WW_SCENE_SAVED_WORLD, SceneFormat::saved_world));
 static_assert(equal(WW_SCRIPT_INSERT, ScriptLineKind::insert) && equal(WW_SCRIPT_REMOVE, ScriptLineKind::remove) &&
               equal(WW_SCRIPT_REPLACE, ScriptLineKind::replace) && equal(WW_SCRIPT_LOCATE, ScriptLineKind::locate) &&
               equal(WW_SCRIPT_RAY, ScriptLineKind::ray) && equal(WW_SCRIPT_DISC, ScriptLineKind::disc) &&
               equal(WW_SCRIPT_NEAREST, ScriptLineKind::nearest) && equal(WW_SCRIPT_PATH, ScriptLineKind::path) &&
               equal(WW_SCRIPT_CHECK, ScriptLineKind::check) && equal(WW_SCRIPT_HASH, ScriptLineKind::hash) &&
-              equal(WW_SCRIPT_CLEAR, ScriptLineKind::clear));
+              equal(WW_SCRIPT_CLEAR, ScriptLineKind::clear) && equal(WW_SCRIPT_TICK, ScriptLineKind::tick));
+static_assert(equal(WW_DIFFERENCE_DOMAIN, ReplayDifference::Kind::domain) &&
+              equal(WW_DIFFERENCE_CHANGE, ReplayDifference::Kind::change) &&
+              equal(WW_DIFFERENCE_HASH, ReplayDifference::Kind::hash) &&
+              equal(WW_DIFFERENCE_LENGTH, ReplayDifference::Kind::length));
 static_assert(equal(WW_SVG_AUTOMATIC, SvgTheme::automatic) && equal(WW_SVG_LIGHT, SvgTheme::light) &&
               equal(WW_SVG_DARK, SvgTheme::dark));
 
@@ -156,7 +167,7 @@ const char* ww_status_name(ww_status status) {
     default:
       break;
   }
-  if (status < WW_COORDINATE_RANGE || status > WW_MALFORMED) return "unknown";
+  if (status < WW_COORDINATE_RANGE || status > WW_UNWRITABLE) return "unknown";
   return to_string(static_cast<ErrorCode>(status)).data();
 }
 

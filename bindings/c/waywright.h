@@ -4,9 +4,18 @@
    headers in include/waywright describe each operation in full, with its cost and its source.
 
    Rules for all functions:
-   - Every function that can fail returns a ww_status. It is WW_OK, or it says why the call did nothing. Then
+   - Lengths, radii and coordinates are doubles in one unit, which you choose. Angles are in radians, counter-clockwise
+     from the x axis.
+   - Every function that can fail returns a ww_status: WW_OK, or the reason why the call did nothing. Then
      ww_last_error() and ww_last_error_message() say more. No exception leaves the library.
-   - The functions ww_..._destroy accept null.
+   - Every function can return WW_OUT_OF_MEMORY, WW_INVALID_ARGUMENT and WW_INTERNAL_ERROR, and every function with a
+     list or a text can return WW_BUFFER_TOO_SMALL. The comments name the other errors of each function.
+   - After an error, answers (structs, lists, and objects that the call writes) have no meaning. A world, and the
+     paths of a path watch, are as before the call.
+   - The functions ww_..._create make an object, which belongs to you until you pass it to ww_..._destroy. The functions
+     ww_..._destroy accept null. You may destroy objects in any order.
+   - The library copies what it needs. After a call, you may free or change your arrays, structs and texts. If a
+     function gives you a pointer, its comment says how long the pointer is valid.
    - Structs that can grow in later versions begin with struct_size. For a struct with options, call its function
      ww_..._init. For a struct with an answer, set struct_size to its size yourself:
          ww_location location = {.struct_size = sizeof location};
@@ -15,9 +24,13 @@
      WW_BUFFER_TOO_SMALL: the answer is then complete except for the missing elements. A null buffer with capacity 0 is
      never too small, so you can ask for the count first. `count` may be null.
    - A text is a list of characters that ends with a zero byte. The zero byte counts. A buffer that is too small also
-     ends with a zero byte.
+     ends with a zero byte. Texts are UTF-8. File names are as fopen() takes them.
+   - Your functions that the library calls get the user_data that you gave with them. The library calls them on the
+     thread that called it, except those of an allocator. They must return: they must not call longjmp, nor throw an
+     exception. They must not use the objects of the call that runs them, except where the comment allows it.
    - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use
-     it. Functions whose parameter is `const ww_world*` read the world. A context serves one call at a time. */
+     it. A function whose parameter is `const ww_world*` reads the world. A context serves one call at a time: make one
+     for each thread. The library has no other shared data, except the allocator. */
 #ifndef WAYWRIGHT_H
 #define WAYWRIGHT_H
 
@@ -47,41 +60,57 @@ extern "C" {
 /* ---------------------------------------------------------------------------------------------------------------------
    Values */
 
-/* 0 or 1. As an argument, every number but 0 counts as 1. */
+/* 0 or 1. As an argument, every number except 0 counts as 1. */
 typedef int32_t ww_bool;
 
 /* The id of an item: 1 to 2^63 - 1. 0 is null. In a list of the items on a wall, 0 is the border of the domain. */
 typedef uint64_t ww_id;
 
+/* A world takes every coordinate in its range exactly as it is. */
 typedef struct ww_point {
   double x;
   double y;
 } ww_point;
 
+/* A closed box with sides parallel to the axes. */
 typedef struct ww_box {
   ww_point min;
   ww_point max;
 } ww_box;
 
+/* The range of coordinates: 2^100 and 2^-100. */
+#define WW_LARGEST_COORDINATE 1267650600228229401496703205376.0
+#define WW_SMALLEST_COORDINATE 7.8886090522101180541172856528278622967e-31
+
+/* Returns whether a world accepts a coordinate: 0, or a magnitude from WW_SMALLEST_COORDINATE to
+   WW_LARGEST_COORDINATE. */
+WW_API ww_bool ww_is_in_range(double coordinate);
+
 typedef int32_t ww_status;
-/* The statuses above 0 are the values of waywright::ErrorCode. The statuses below 0 exist only in C. */
+/* The statuses above 0 are the values of waywright::ErrorCode. The statuses below 0 exist only in C. A later version
+   may add statuses. */
 enum {
   WW_OK = 0,
-  WW_COORDINATE_RANGE = 1, /* a coordinate that is not finite, beyond +-2^100, or nearer to 0 than 2^-100 but not 0 */
-  WW_OUT_OF_DOMAIN = 2,    /* a point outside the world's domain */
-  WW_ID_IN_USE = 3,        /* a live item has this id already */
-  WW_UNKNOWN_ID = 4,       /* no live item has this id */
-  WW_BAD_RADIUS = 5,       /* a radius that is negative or not finite */
-  WW_BAD_DISTANCE = 6,     /* a distance that is negative, not a number, or too small */
-  WW_BAD_ID = 7,           /* an id above 2^63 - 1 */
-  WW_BAD_DOMAIN = 8,       /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
-  WW_EMPTY_SHAPE = 9,      /* a polyline or ring without points, a polygon without rings */
-  WW_TOO_LARGE = 10,       /* more than 2^27 vertices */
-  WW_WORLD_GONE = 11,      /* the world of a search no longer exists */
-  WW_NOT_SUPPORTED = 12,   /* a request that this version, this build or this world does not support */
-  WW_NO_BRIDGES = 13,      /* a query that needs bridges, of a world that does not keep them */
-  WW_UNREADABLE = 14,      /* a file that cannot be opened or read */
-  WW_MALFORMED = 15,       /* text that does not follow its format */
+  WW_COORDINATE_RANGE = 1,   /* a coordinate that is not finite, beyond +-2^100, or nearer to 0 than 2^-100 but not 0 */
+  WW_OUT_OF_DOMAIN = 2,      /* a point outside the world's domain */
+  WW_ID_IN_USE = 3,          /* a live item has this id already */
+  WW_UNKNOWN_ID = 4,         /* no live item has this id */
+  WW_BAD_RADIUS = 5,         /* a radius that is negative or not finite */
+  WW_BAD_DISTANCE = 6,       /* a distance that is negative, not a number, or too small */
+  WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where it is not allowed */
+  WW_BAD_DOMAIN = 8,         /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
+  WW_EMPTY_SHAPE = 9,        /* a polyline or ring without points, a polygon without rings */
+  WW_TOO_LARGE = 10,         /* more than 2^27 vertices without the crossings of a change, or 350 million with them */
+  WW_TOO_MANY_VERTICES = 11, /* an operation that would make more vertices than the new_vertex_limit of the world */
+  WW_WORLD_GONE = 12,        /* the world of a search no longer exists */
+  WW_NOT_SUPPORTED = 13,     /* a request that this version, this build or this world does not support */
+  WW_NO_BRIDGES = 14,        /* a query that needs bridges, of a world that does not keep them */
+  WW_NO_HISTORY = 15,        /* a mark or a rewind of a world that keeps no history */
+  WW_OLD_TICK = 16,          /* a tick that the history of a world no longer contains */
+  WW_UNKNOWN_TICK = 17,      /* a tick that no mark of a world has */
+  WW_UNREADABLE = 18,        /* a file or an input that cannot be opened or read */
+  WW_MALFORMED = 19,         /* text or bytes that do not follow their format */
+  WW_UNWRITABLE = 20,        /* a file or an output that cannot be written */
 
   WW_OUT_OF_MEMORY = -1,    /* there is not enough memory; no world has changed */
   WW_INVALID_ARGUMENT = -2, /* a broken rule of this interface: a null pointer, a wrong size, an unknown kind */
@@ -89,14 +118,16 @@ enum {
   WW_INTERNAL_ERROR = -4    /* a bug in the library; destroy the objects that the call used */
 };
 
-/* Returns the name of a status: "out-of-domain". Never null. */
+/* Returns the name of a status: "out-of-domain". Returns "unknown" for any other number. All functions ww_..._name
+   return a text that is valid as long as the library is loaded; never null. */
 WW_API const char* ww_status_name(ww_status status);
 
-/* Returns the version of the library as text, "0.1.0", and as a number like WW_VERSION_NUMBER. */
+/* Returns the version of the library as text: "0.1.0". It is valid as long as the library is loaded. */
 WW_API const char* ww_version(void);
+/* Returns the version of the library as a number like WW_VERSION_NUMBER. */
 WW_API int32_t ww_version_number(void);
 
-/* What the last call on this thread without WW_OK said about its error. */
+/* The error of the last call on this thread that did not return WW_OK. Later successful calls do not change it. */
 typedef struct ww_error {
   uint32_t struct_size;
   ww_status status; /* WW_OK if no call has failed yet */
@@ -104,14 +135,16 @@ typedef struct ww_error {
   uint64_t index;   /* the index of the refused element in its list (from 0), or a line number (from 1) */
 } ww_error;
 
+/* Gives the last error of this thread. This function and the next one do not change it. */
 WW_API ww_status ww_last_error(ww_error* error);
-/* Writes the error in words: "the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)". */
+/* Writes the last error in words, in English: "the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)". The
+   text is empty if no call has failed yet. */
 WW_API ww_status ww_last_error_message(char* buffer, size_t capacity, size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Memory of the library */
 
-/* The functions from which the library takes its memory. Any thread may call them, several at once. */
+/* The functions from which the library takes its memory. The library calls them on any thread, on several at once. */
 typedef struct ww_allocator {
   uint32_t struct_size;
   /* Returns `size` bytes (1 or more) at a multiple of `alignment`, or null. */
@@ -121,28 +154,33 @@ typedef struct ww_allocator {
   void* user_data;
 } ww_allocator;
 
-/* Sets the allocator of the whole process. Null restores malloc and free. Call it before you make the first object:
-   as long as the library holds memory, the status is WW_INVALID_ARGUMENT. Errors: WW_NOT_SUPPORTED, if the library was
-   built without allocator hooks (docs/c.md says when). */
+/* Sets the allocator of the whole process. Null restores malloc and free. Call it before you make the first object, or
+   after you have destroyed all objects: as long as the library holds memory, the status is WW_INVALID_ARGUMENT.
+   Errors: WW_NOT_SUPPORTED, if the library was built without allocator hooks (docs/c.md says when).
+   Threads: no other thread may use the library during this call. */
 WW_API ww_status ww_set_allocator(const ww_allocator* allocator);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Objects */
 
-typedef struct ww_world ww_world;             /* obstacles, and their mesh */
-typedef struct ww_context ww_context;         /* the memory that queries keep between calls; one for each thread */
-typedef struct ww_items ww_items;             /* a list of items: ids and shapes */
-typedef struct ww_path ww_path;               /* the answer to a path query */
-typedef struct ww_paths ww_paths;             /* the answers to several path queries */
-typedef struct ww_search ww_search;           /* a path search in slices */
-typedef struct ww_mesh ww_mesh;               /* a copy of the mesh of a world */
-typedef struct ww_text ww_text;               /* a text that the library has written */
-typedef struct ww_scene ww_scene;             /* a domain and items, as a file gives them */
-typedef struct ww_script ww_script;           /* the lines of a world script */
-typedef struct ww_scenario ww_scenario;       /* the queries of a scenario of Moving AI */
-typedef struct ww_svg_overlay ww_svg_overlay; /* what a picture shows besides the world */
+typedef struct ww_world ww_world;                 /* obstacles, and their mesh */
+typedef struct ww_context ww_context;             /* the memory that queries keep between calls; one for each thread */
+typedef struct ww_items ww_items;                 /* a list of items: ids and shapes */
+typedef struct ww_path ww_path;                   /* the answer to a path query */
+typedef struct ww_paths ww_paths;                 /* the answers to several path queries */
+typedef struct ww_search ww_search;               /* a path search in slices */
+typedef struct ww_path_watch ww_path_watch;       /* the paths of many agents, which changes of a world may concern */
+typedef struct ww_mesh ww_mesh;                   /* a copy of the mesh of a world */
+typedef struct ww_text ww_text;                   /* text or bytes that the library has written */
+typedef struct ww_scene ww_scene;                 /* a domain and items, as a file gives them */
+typedef struct ww_script ww_script;               /* the lines of a world script */
+typedef struct ww_scenario ww_scenario;           /* the queries of a scenario of Moving AI */
+typedef struct ww_replay_writer ww_replay_writer; /* writes a replay log */
+typedef struct ww_replay ww_replay;               /* the answer of a replay */
+typedef struct ww_svg_overlay ww_svg_overlay;     /* what a picture shows besides the world */
 
-/* You can use an object again and again for answers: it keeps its memory. */
+/* These functions make empty objects. Use one object for many answers: it keeps its memory, so that later calls need
+   not allocate. (The functions that make the other objects are with their groups below.) */
 WW_API ww_status ww_context_create(ww_context** context);
 WW_API void ww_context_destroy(ww_context* context);
 WW_API ww_status ww_items_create(ww_items** items);
@@ -163,11 +201,16 @@ WW_API ww_status ww_script_create(ww_script** script);
 WW_API void ww_script_destroy(ww_script* script);
 WW_API ww_status ww_scenario_create(ww_scenario** scenario);
 WW_API void ww_scenario_destroy(ww_scenario* scenario);
+WW_API ww_status ww_replay_create(ww_replay** replay);
+WW_API void ww_replay_destroy(ww_replay* replay);
 WW_API ww_status ww_svg_overlay_create(ww_svg_overlay** overlay);
 WW_API void ww_svg_overlay_destroy(ww_svg_overlay* overlay);
 
-/* Reads a text. It may contain zero bytes besides the one at its end. */
+/* Copies a text. It may contain zero bytes besides the one at its end. */
 WW_API ww_status ww_text_read(const ww_text* text, char* buffer, size_t capacity, size_t* count);
+/* Sets *bytes to the bytes of the text and *size to their number, without the zero byte that follows them. The bytes
+   belong to the text, and are valid until it changes or is destroyed. */
+WW_API ww_status ww_text_bytes(const ww_text* text, const char** bytes, size_t* size);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Shapes and items */
@@ -175,43 +218,52 @@ WW_API ww_status ww_text_read(const ww_text* text, char* buffer, size_t capacity
 typedef int32_t ww_item_kind;
 enum {
   WW_ITEM_POINT = 0,    /* a vertex, no wall */
-  WW_ITEM_SEGMENT = 1,  /* a wall */
+  WW_ITEM_SEGMENT = 1,  /* a wall; a segment of length 0 acts as a point */
   WW_ITEM_POLYLINE = 2, /* an open chain of walls */
   WW_ITEM_POLYGON = 3   /* a solid obstacle of one or more closed rings */
 };
+/* Returns the name of a kind in world scripts: "polyline". */
 WW_API const char* ww_item_kind_name(ww_item_kind kind);
 
+/* Which positions lie inside a polygon. The winding number says how often all rings together turn around a position:
+   each counter-clockwise turn counts as 1, each clockwise turn as -1. */
 typedef int32_t ww_fill_rule;
 enum {
   WW_FILL_EVEN_ODD = 0, /* inside if the winding number is odd: a ring in a ring is a hole */
-  WW_FILL_NONZERO = 1   /* inside if the winding number is not 0 */
+  WW_FILL_NONZERO = 1   /* inside if the winding number is not 0: a hole is a ring in the other direction */
 };
+/* Returns the name of a fill rule: "even-odd". */
 WW_API const char* ww_fill_rule_name(ww_fill_rule rule);
 
-/* The geometry of an item. It refers to points of yours, which the functions below only read. */
+/* The geometry of an item. A point has 1 point, a segment has 2, a polyline has 1 or more; these have one ring. A
+   polygon has one or more rings. The side from the last point of a ring to its first is implied. The shape refers to
+   points of yours, which must exist during each call with the shape. */
 typedef struct ww_shape {
   uint32_t struct_size;
   ww_item_kind kind;
-  ww_fill_rule fill; /* for a polygon */
-  const ww_point* points;
+  ww_fill_rule fill;      /* for a polygon */
+  const ww_point* points; /* of all rings, ring after ring */
   size_t point_count;
   /* The number of points of each ring; their sum is point_count. Null stands for one ring of all points. */
   const size_t* ring_sizes;
-  size_t ring_count;
+  size_t ring_count; /* has no meaning if ring_sizes is null */
 } ww_shape;
 
-/* Sets the shape to a point without coordinates: kind WW_ITEM_POINT, no points, one ring. */
+/* Sets all members to 0 and null: the kind WW_ITEM_POINT, and one ring without points. */
 WW_API ww_status ww_shape_init(ww_shape* shape, size_t struct_size);
 
 /* Writes the corners of a rectangle, counter-clockwise from its lower left corner. */
 WW_API ww_status ww_rectangle(ww_box box, ww_point* points, size_t capacity, size_t* count);
-/* Writes the corners of a regular polygon of 3 corners or more, counter-clockwise from the corner to the right. */
+/* Writes the corners of a regular polygon of 3 corners or more, counter-clockwise from the corner to the right of the
+   centre. Each corner is rounded to doubles. The result is the same on every machine. */
 WW_API ww_status ww_regular_polygon(ww_point centre, double radius, size_t corner_count, ww_point* points,
                                     size_t capacity, size_t* count);
-/* Writes the points of a shape, moved by (dx, dy). */
+/* Writes the points of a shape, moved by (dx, dy) and rounded to doubles. The rings keep their sizes. `points` may be
+   the array of the shape. */
 WW_API ww_status ww_translated(const ww_shape* shape, double dx, double dy, ww_point* points, size_t capacity,
                                size_t* count);
-/* Computes the centroid of a shape with a point, in plain doubles. */
+/* Computes the centroid of a shape with one point or more, in plain doubles: for a polygon the centroid of the area
+   inside, otherwise the mean of the points. If rings cross, the result is an approximation. */
 WW_API ww_status ww_centroid(const ww_shape* shape, ww_point* centroid);
 /* Computes the smallest box that contains the points, one or more. */
 WW_API ww_status ww_bounding_box(const ww_point* points, size_t point_count, ww_box* box);
@@ -226,12 +278,16 @@ typedef struct ww_item_info {
   size_t ring_count;
 } ww_item_info;
 
+/* Removes all items from a list. */
 WW_API ww_status ww_items_clear(ww_items* items);
 /* Appends a copy of a shape. If id is 0, a world that inserts the item chooses the id. */
 WW_API ww_status ww_items_add(ww_items* items, ww_id id, const ww_shape* shape);
 WW_API ww_status ww_items_count(const ww_items* items, size_t* count);
+/* Gives facts about an item. The items of a list have the indices 0 to count - 1. */
 WW_API ww_status ww_items_get_info(const ww_items* items, size_t index, ww_item_info* info);
+/* Writes the points of an item, ring after ring. */
 WW_API ww_status ww_items_points(const ww_items* items, size_t index, ww_point* points, size_t capacity, size_t* count);
+/* Writes the number of points of each ring of an item. */
 WW_API ww_status ww_items_ring_sizes(const ww_items* items, size_t index, size_t* ring_sizes, size_t capacity,
                                      size_t* count);
 
@@ -240,142 +296,234 @@ WW_API ww_status ww_items_ring_sizes(const ww_items* items, size_t index, size_t
 
 typedef struct ww_world_options {
   uint32_t struct_size;
-  ww_bool keep_abstraction; /* 1 by default: whether the world maintains the path abstraction */
+  ww_bool keep_abstraction; /* 1 by default: whether the world maintains the path abstraction. docs/paths.md */
   ww_bool keep_bridges;     /* 0 by default: whether the world can answer path queries for discs */
+  size_t new_vertex_limit;  /* SIZE_MAX by default, no limit: see ww_world_set_new_vertex_limit */
 } ww_world_options;
 
 WW_API ww_status ww_world_options_init(ww_world_options* options, size_t struct_size);
-/* Makes an empty world over a closed box. `options` may be null. */
+/* Makes an empty world over a closed box. `options` may be null: then all options have their defaults.
+   Errors: WW_COORDINATE_RANGE, WW_BAD_DOMAIN. */
 WW_API ww_status ww_world_create(ww_box domain, const ww_world_options* options, ww_world** world);
 WW_API void ww_world_destroy(ww_world* world);
+/* Makes an independent copy of a world: with the same domain, options, items, mesh, hashes, version and history. It
+   chooses the same ids for later items. Searches and path watches of the world do not belong to the copy. */
+WW_API ww_status ww_world_clone(const ww_world* world, ww_world** clone);
 WW_API ww_status ww_world_domain(const ww_world* world, ww_box* domain);
+/* Gives the options with which the world was made, and its present new_vertex_limit. */
+WW_API ww_status ww_world_get_options(const ww_world* world, ww_world_options* options);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Changing items. Each call is one operation: the world carries it out completely or changes nothing.
-   If `id` is 0, the world chooses the id. `inserted` receives the id, and may be null. */
+   If `id` is 0, the world chooses the id: the largest id that it has seen, plus 1. `inserted` receives the id, and may
+   be null. Geometry is never an error: items may cross, overlap, repeat each other or have length 0. Errors of
+   insertions: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_ID_IN_USE, WW_BAD_ID, WW_EMPTY_SHAPE, WW_TOO_LARGE,
+   WW_TOO_MANY_VERTICES. ww_error.index is the index of the refused point in the shape. */
 
+/* Inserts a shape of any kind. */
 WW_API ww_status ww_world_insert(ww_world* world, const ww_shape* shape, ww_id id, ww_id* inserted);
+/* Inserts a vertex that stays as long as the item is live. It is no wall. */
 WW_API ww_status ww_world_insert_point(ww_world* world, ww_point point, ww_id id, ww_id* inserted);
+/* Inserts a wall from `a` to `b`. */
 WW_API ww_status ww_world_insert_segment(ww_world* world, ww_point a, ww_point b, ww_id id, ww_id* inserted);
+/* Inserts an open chain of walls through one or more points. */
 WW_API ww_status ww_world_insert_polyline(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
                                           ww_id* inserted);
-/* Inserts a polygon of one ring. For several rings, use ww_world_insert. */
+/* Inserts a solid obstacle of one ring, with the fill rule WW_FILL_EVEN_ODD. The side from the last point to the first
+   is implied. For several rings or another fill rule, use ww_world_insert. */
 WW_API ww_status ww_world_insert_polygon(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
                                          ww_id* inserted);
+/* Removes an item. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
 WW_API ww_status ww_world_remove(ww_world* world, ww_id id);
+/* Gives an item another shape, for example to move it. It keeps its id. Errors: WW_UNKNOWN_ID, and those of
+   insertions. */
 WW_API ww_status ww_world_replace(ww_world* world, ww_id id, const ww_shape* shape);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Changing many items at once */
 
-/* A job of the library: call job(job_data, i) for an index i. It does not fail. */
+/* A job of the library: job(job_data, i) does number i of the work. It does not fail. */
 typedef void (*ww_job)(void* job_data, size_t index);
 
-/* The threads of your program. run() calls job(job_data, i) once for each i below count, on any threads, in any order,
-   and returns when all these calls have returned. It may omit calls; the library then makes them itself. */
+/* The threads of your program. Without a job system, the library starts threads itself. */
 typedef struct ww_job_system {
   uint32_t struct_size;
+  /* Calls job(job_data, i) once for each i below `count`, on any threads, in any order, and returns when all these
+     calls have returned. No job waits for another one. run() may omit calls: the library then makes them itself. It
+     must make no call after it has returned. The library calls run() on the thread that called the library. */
   void (*run)(size_t count, ww_job job, void* job_data, void* user_data);
   void* user_data;
 } ww_job_system;
 
 typedef struct ww_bulk_options {
   uint32_t struct_size;
-  /* Null, or a function that the library calls on the calling thread, at the end with done == total. It must not use
-     the world. */
+  /* Null, or a function that the library calls on the calling thread from time to time, and at the end with done ==
+     total. The unit of both numbers has no meaning. It must not use the world. */
   void (*progress)(size_t done, size_t total, void* user_data);
   void* progress_user_data;
-  size_t threads;            /* 1 by default; 1 or more, including the calling thread */
+  size_t threads;            /* 1 by default; including the calling thread; a number above 256 counts as 256 */
   const ww_job_system* jobs; /* null by default: the library starts threads itself */
 } ww_bulk_options;
 
 WW_API ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_size);
 
-/* Inserts all items of a list as one operation. `options` may be null. `ids` is null, or an array with room for one id
-   for each item. */
+/* Inserts all items of a list as one operation. This is much faster than one call for each item. `options` may be null.
+   `ids` is null, or an array with room for one id for each item. The world is the same for any number of threads.
+   Errors: those of insertions. ww_error.index is the index of the refused item. */
 WW_API ww_status ww_world_insert_all(ww_world* world, const ww_items* items, const ww_bulk_options* options,
                                      ww_id* ids);
-/* Inserts many points as one operation. The first has the id `first`, and each further one the next id. `first_id`
-   receives the id of the first point, and may be null. */
+/* Inserts many points as one operation. The first has the id `first`, or an id that the world chooses if `first` is 0,
+   and each further one the next id. `first_id` receives the id of the first point, and may be null. `options` may be
+   null. Errors: those of insertions. ww_error.index is the index of the refused point. */
 WW_API ww_status ww_world_insert_points(ww_world* world, const ww_point* points, size_t point_count, ww_id first,
                                         const ww_bulk_options* options, ww_id* first_id);
 
 typedef int32_t ww_change_kind;
 enum { WW_CHANGE_INSERT = 0, WW_CHANGE_REMOVE = 1, WW_CHANGE_REPLACE = 2 };
 
+/* A change of one item. This struct does not grow. */
 typedef struct ww_change {
   ww_change_kind kind;
-  ww_id id;
+  ww_id id;              /* of an insertion: 0 lets the world choose */
   const ww_shape* shape; /* for an insertion or a replacement */
 } ww_change;
 
 /* Makes several changes, one after the other, as one operation. `ids` is null, or an array with room for one id for
-   each change. */
+   each change, which receives the id of its item. Errors: those of insertions, and WW_UNKNOWN_ID. ww_error.index is the
+   index of the refused change. */
 WW_API ww_status ww_world_apply(ww_world* world, const ww_change* changes, size_t change_count, ww_id* ids);
+
+/* ---------------------------------------------------------------------------------------------------------------------
+   Going back and trying out */
+
+/* Makes the world remember its last `ticks` ticks from now on. If the history has more ticks, the world drops the
+   oldest. With 0, the world drops its history and keeps none. A world keeps no history by default. */
+WW_API ww_status ww_world_keep_history(ww_world* world, size_t ticks);
+/* Names the current state of the world. `tick` receives its number, and may be null: 1 for the first call, and one more
+   for each further call. After a rewind, the numbers continue from the tick to which the world went back.
+   Errors: WW_NO_HISTORY. */
+WW_API ww_status ww_world_mark(ww_world* world, uint64_t* tick);
+/* Brings back the state of the world at a tick, as one operation: its items, next id, mesh and hashes. The later ticks
+   then no longer exist. Only the version differs: it grows by one.
+   Errors: WW_NO_HISTORY; WW_OLD_TICK, if the history no longer has the tick; WW_UNKNOWN_TICK, if no mark has this tick.
+   ww_error.index is the tick. */
+WW_API ww_status ww_world_rewind(ww_world* world, uint64_t tick);
+
+/* A question about a changed world. `changed` is the world of the call ww_world_attempt. The question may call all
+   functions that take a `const ww_world*`, except ww_world_clone and ww_search_begin. The other functions return
+   WW_INVALID_ARGUMENT for this world; it must not be destroyed. The same is true for ww_search_step with a search in
+   this world. */
+typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
+/* Makes changes, asks a question about the changed world, and takes the changes back. Afterwards the world is as
+   before, bit for bit; only its spare memory may be larger. The question writes its answer to user_data. The function
+   returns what the question returned. It asks no question if the world refuses a change.
+   Errors: those of ww_world_apply, and those that the question returns.
+   Threads: the whole call, with the question, is a change of the world. */
+WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
+                                  void* user_data);
+/* Finds out whether changes would wall an agent in: whether an agent that now gets from one of the points to another
+   could not do so after the changes, or whether a point at which it can stand now would be blocked. Points that are
+   blocked or not connected now do not matter. The function makes no change. It is exact and moves no point.
+   Errors: those of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
+   radius is 0 and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does
+   not keep its bridges. ww_error.index is the index of the refused point or change.
+   Threads: the call is a change of the world. */
+WW_API ww_status ww_world_would_disconnect(ww_world* world, const ww_change* changes, size_t change_count,
+                                           const ww_point* points, size_t point_count, double radius,
+                                           ww_bool* would_disconnect);
+
+/* ---------------------------------------------------------------------------------------------------------------------
+   Limiting operations, for programs that take shapes from people whom they do not know: two polylines of n points can
+   have n^2 crossings. */
+
+/* Sets the largest number of vertices that one operation may make: those at new corners and at new crossings, of all
+   items of the operation together. An operation that would make more changes nothing and returns WW_TOO_MANY_VERTICES.
+   SIZE_MAX stands for no limit. ww_error.item is the item at which the operation passed the limit. */
+WW_API ww_status ww_world_set_new_vertex_limit(ww_world* world, size_t limit);
+WW_API ww_status ww_world_new_vertex_limit(const ww_world* world, size_t* limit);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Reading items */
 
+/* Gives the largest id that the world has seen, or 0 if it has seen none: of all items that it has ever contained, or
+   the id given to ww_world_reserve_ids. If the world chooses an id, it is this id plus 1. */
+WW_API ww_status ww_world_largest_id_seen(const ww_world* world, ww_id* id);
+/* Lets the world continue its ids after `last`, as if it had seen this id. Does nothing if the world has seen a larger
+   id. The call is not an operation: it does not change the version. Errors: WW_BAD_ID. */
+WW_API ww_status ww_world_reserve_ids(ww_world* world, ww_id last);
+/* Finds out whether a live item has this id. */
 WW_API ww_status ww_world_contains(const ww_world* world, ww_id id, ww_bool* contains);
+/* Gives the number of live items. */
 WW_API ww_status ww_world_item_count(const ww_world* world, size_t* item_count);
 /* Writes the ids of all live items, ascending. */
 WW_API ww_status ww_world_item_ids(const ww_world* world, ww_id* ids, size_t capacity, size_t* count);
-/* Sets `items` to the item with this id, or to all live items, ascending by id. */
+/* Sets `items` to a copy of the item with this id. Its shape is as you inserted it, without points that equal their
+   predecessor. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
 WW_API ww_status ww_world_item(const ww_world* world, ww_id id, ww_items* items);
+/* Sets `items` to copies of all live items, ascending by id. */
 WW_API ww_status ww_world_items(const ww_world* world, ww_context* context, ww_items* items);
 
 /* ---------------------------------------------------------------------------------------------------------------------
-   Locating and asking */
+   Locating and asking. Errors, unless a comment names others: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN. */
 
 typedef int32_t ww_location_kind;
 enum { WW_LOCATION_VERTEX = 0, WW_LOCATION_EDGE = 1, WW_LOCATION_FACE = 2 };
+/* Returns the name of a kind of location: "vertex", "edge", "face". */
 WW_API const char* ww_location_kind_name(ww_location_kind kind);
 
 typedef struct ww_location {
   uint32_t struct_size;
   ww_location_kind kind;
   size_t vertex_count;
-  ww_point vertices[3]; /* 1, 2 or 3 vertices, rounded; those of a face counter-clockwise */
+  ww_point vertices[3]; /* 1, 2 or 3 vertices, rounded to nearest; those of a face counter-clockwise */
 } ww_location;
 
-/* Finds the vertex, edge or face at a point. The list is the polygons there, ascending. */
+/* Finds the vertex, edge or face at a point. The list is the polygons that contain the point in their interior or on
+   their boundary, ascending. */
 WW_API ww_status ww_world_locate(const ww_world* world, ww_point point, ww_context* context, ww_location* location,
                                  ww_id* polygons, size_t capacity, size_t* count);
-/* Finds the items that contain a point, ascending. */
+/* Finds the items that contain a point: polygons that cover it, and items with a side or corner there; ascending. */
 WW_API ww_status ww_world_items_at(const ww_world* world, ww_point point, ww_context* context, ww_id* items,
                                    size_t capacity, size_t* count);
 
 typedef struct ww_crossed_item {
   ww_id id;
-  ww_point at; /* where the segment meets a side of the item, rounded */
+  ww_point at; /* where the segment meets a side of the item, or where their overlap starts; rounded to nearest */
 } ww_crossed_item;
 
-/* Finds the items whose sides a segment meets, in the order from `from` to `to`. */
+/* Finds the items whose sides a segment meets, and where, in the order from `from` to `to`. An item occurs once for
+   each position where the segment meets its sides. Items at one position ascend. */
 WW_API ww_status ww_world_items_crossed(const ww_world* world, ww_point from, ww_point to, ww_context* context,
                                         ww_crossed_item* items, size_t capacity, size_t* count);
-/* Finds the items that have a position in common with a closed box, ascending. */
+/* Finds the items that have a position in common with a closed box, ascending. The box may reach beyond the domain.
+   Errors: WW_COORDINATE_RANGE; WW_BAD_DOMAIN, if min is beyond max. */
 WW_API ww_status ww_world_items_in(const ww_world* world, ww_box box, ww_context* context, ww_id* items,
                                    size_t capacity, size_t* count);
 
 typedef struct ww_ray_hit {
   uint32_t struct_size;
-  ww_bool hit;      /* whether the segment or the disc touches a wall */
-  ww_point at;      /* the first position where it does; for a disc, the position of its centre */
-  ww_point contact; /* the position on these walls that is nearest to `at` */
+  ww_bool hit;      /* whether the segment or the disc touches a wall; if not, the points have no meaning */
+  ww_point at;      /* the first position where it does, rounded; for a disc, the position of its centre */
+  ww_point contact; /* the position on these walls that is nearest to `at`; for a segment, it equals `at` */
 } ww_ray_hit;
 
-/* Finds the first wall that a segment touches. The list is the items with a side there; 0 is the border. */
+/* Finds the first wall that a segment touches, seen from `from`. The border of the domain is a wall, too. The decision
+   is exact. The list is the items with a side there, ascending; 0 is the border. */
 WW_API ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to, ww_context* context, ww_ray_hit* hit,
                               ww_id* items, size_t capacity, size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
-   Discs */
+   Discs. A disc may touch walls. Like paths, discs ignore items of the kind WW_ITEM_POINT. All decisions are exact.
+   Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN; with a radius also WW_BAD_RADIUS. */
 
-/* Finds the first wall that a disc touches while its centre moves from `from` to `to`. */
+/* Finds the first wall that a disc touches while its centre moves straight from `from` to `to`: a wall that is not
+   farther from the centre than the radius. A disc that touches a wall at the start has its hit there. The list is the
+   items that it touches there, ascending; 0 is the border of the domain. */
 WW_API ww_status ww_world_sweep_disc(const ww_world* world, ww_point from, ww_point to, double radius,
                                      ww_context* context, ww_ray_hit* hit, ww_id* items, size_t capacity,
                                      size_t* count);
-/* Finds out whether a disc fits at a position. The list is the items that stop it; 0 is the border. */
+/* Finds out whether a disc fits at a position: the centre does not lie strictly inside a polygon, and no wall is nearer
+   to it than the radius. The list is the items that stop it, ascending; 0 is the border of the domain. */
 WW_API ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, double radius, ww_context* context,
                                    ww_bool* fits, ww_id* items, size_t capacity, size_t* count);
 
@@ -390,26 +538,32 @@ typedef struct ww_nearest_fit_query {
 
 typedef struct ww_nearest_fit {
   uint32_t struct_size;
-  ww_bool is_found;
-  ww_point at;
-  double distance;
+  ww_bool is_found; /* whether the disc fits somewhere; if not, the other members are 0 */
+  ww_point at;      /* where it fits, exactly as ww_world_fit_disc says */
+  double distance;  /* from query->point to `at` */
 } ww_nearest_fit;
 
 WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size);
-/* Finds the point nearest to query->point where a disc fits. */
+/* Finds the point nearest to query->point where a disc fits. The distance is the least one up to rounding: the C++
+   header world.hpp says how far. Of equally near points, the first in (x, y) order is the answer. ww_error.index is 0
+   for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or not a number; with a
+   goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and WW_NOT_SUPPORTED if the
+   radius is 0 and the world does not keep its abstraction. */
 WW_API ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query* query, ww_context* context,
                                       ww_nearest_fit* fit);
 
 typedef struct ww_widest_path {
   uint32_t struct_size;
-  ww_bool is_connected;
-  ww_bool is_limited; /* whether a gap limits the disc */
-  double radius;      /* the largest radius of a disc that gets through; infinity if no gap limits it */
-  ww_point from;      /* the ends of the gap */
-  ww_point to;
+  ww_bool is_connected; /* whether the walls leave a connection at all; if not, the other members are 0 */
+  ww_bool is_limited;   /* whether a gap between the ends limits the disc */
+  double radius;        /* the largest radius of a disc that passes all gaps; infinity if no gap limits it */
+  ww_point from;        /* where the narrowest gap starts: the corner of an item, or of the domain */
+  ww_point to;          /* where this gap ends, rounded */
 } ww_widest_path;
 
-/* Finds the largest disc that gets from start to goal. The lists are the items at the two ends of the gap. */
+/* Finds the largest disc that gets from start to goal, and the gap that stops every larger disc. The disc must also fit
+   at both ends: see ww_world_fit_disc. The lists are the items with a side at the two ends of the gap, ascending; 0 is
+   the border of the domain. Further errors: WW_NO_BRIDGES. */
 WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, ww_context* context,
                                       ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
@@ -417,8 +571,14 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
 /* ---------------------------------------------------------------------------------------------------------------------
    Paths */
 
+/* docs/paths.md says when to choose which. */
 typedef int32_t ww_path_algorithm;
-enum { WW_ALGORITHM_TA = 0, WW_ALGORITHM_TRA = 1, WW_ALGORITHM_OPTIMAL = 2 };
+enum {
+  WW_ALGORITHM_TA = 0,     /* a first path quickly, and a better one within a budget */
+  WW_ALGORITHM_TRA = 1,    /* a good path in very little time, for crowds; needs the abstraction */
+  WW_ALGORITHM_OPTIMAL = 2 /* the shortest path */
+};
+/* Returns the name of an algorithm: "ta", "tra", "optimal". */
 WW_API const char* ww_path_algorithm_name(ww_path_algorithm algorithm);
 /* Sets *algorithm to the algorithm with this name. Errors: WW_INVALID_ARGUMENT, if there is none. */
 WW_API ww_status ww_path_algorithm_by_name(const char* name, ww_path_algorithm* algorithm);
@@ -428,29 +588,35 @@ typedef struct ww_path_query {
   ww_path_algorithm algorithm; /* WW_ALGORITHM_OPTIMAL by default */
   ww_point start;
   ww_point goal;
-  double radius;              /* 0 by default: a point agent. Above 0 the world must keep its bridges. */
-  double end_tolerance;       /* how far the search may move a blocked end, if has_end_tolerance is set */
-  ww_bool has_end_tolerance;  /* 0 by default: the tolerance is that of ww_world_default_end_tolerance */
-  ww_bool wants_channel;      /* 0 by default */
-  ww_bool wants_time;         /* 0 by default */
-  uint64_t budget_expansions; /* for TA: 0 by default; UINT64_MAX for no limit */
-  int64_t budget_nanoseconds; /* for TA: INT64_MAX by default, no limit */
+  double radius;             /* 0 by default: a point agent. Above 0 the world must keep its bridges. */
+  double end_tolerance;      /* how far the search may move a blocked end, if has_end_tolerance is set; 0: not at all */
+  ww_bool has_end_tolerance; /* 0 by default: the tolerance is that of ww_world_default_end_tolerance */
+  ww_bool wants_channel;     /* 0 by default: whether the answer has the edges that a point agent crosses */
+  ww_bool wants_time;        /* 0 by default: whether the answer has the time of the search */
+  uint64_t budget_expansions; /* for TA: the triangles that it may enter; 0 by default; UINT64_MAX for no limit */
+  int64_t budget_nanoseconds; /* for TA: the time since the start of the search; INT64_MAX by default, no limit */
 } ww_path_query;
 
 WW_API ww_status ww_path_query_init(ww_path_query* query, size_t struct_size);
-/* Finds a path, or finds out that there is none: ww_path_info says which. */
+/* Finds a path, or finds out that there is none, which is no error: ww_path_get_info says which. The path never passes
+   through a wall, nor through a point where walls meet. It may touch both. The search may move a blocked start or goal
+   to a free position within the tolerance.
+   Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_BAD_DISTANCE, for the tolerance; WW_NOT_SUPPORTED,
+   if the algorithm is TRA and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the
+   world does not keep its bridges. */
 WW_API ww_status ww_world_find_path(const ww_world* world, const ww_path_query* query, ww_context* context,
                                     ww_path* path);
-/* Finds a path for each query, on `threads` threads, 1 or more. All queries have the struct_size of the first one.
-   `jobs` may be null. */
+/* Finds a path for each query, in their order, on `threads` threads, 1 or more; a number above 256 counts as 256.
+   `queries` is an array whose elements all have the struct_size of the first one. `jobs` may be null: the library then
+   starts threads. Errors: those of ww_world_find_path. ww_error.index is the index of the refused query. */
 WW_API ww_status ww_world_find_paths(const ww_world* world, const ww_path_query* queries, size_t query_count,
                                      size_t threads, const ww_job_system* jobs, ww_context* context, ww_paths* paths);
 
 typedef struct ww_many_goals_query {
   uint32_t struct_size;
-  ww_bool wants_points; /* 0 by default: the answers have only status and length */
+  ww_bool wants_points; /* 0 by default: the answers have only status and length; 1: also points or pieces */
   ww_point start;
-  const ww_point* goals;
+  const ww_point* goals; /* they must exist during the call */
   size_t goal_count;
   double radius;             /* 0 by default */
   double end_tolerance;      /* like ww_path_query.end_tolerance */
@@ -458,28 +624,39 @@ typedef struct ww_many_goals_query {
 } ww_many_goals_query;
 
 WW_API ww_status ww_many_goals_query_init(ww_many_goals_query* query, size_t struct_size);
-/* Finds the shortest path to each goal. */
+/* Finds the shortest path to each goal, in the order of the goals. For many goals, this is faster than one query for
+   each. Errors: those of ww_world_find_path. ww_error.index is 0 for the start, and i + 1 for goals[i]. */
 WW_API ww_status ww_world_find_paths_from(const ww_world* world, const ww_many_goals_query* query, ww_context* context,
                                           ww_paths* paths);
+/* Gives the end_tolerance of queries without has_end_tolerance: the largest magnitude of a coordinate of the domain,
+   times 2^-20. It allows for the rounding errors of positions that are kept as float. */
 WW_API ww_status ww_world_default_end_tolerance(const ww_world* world, double* tolerance);
 
 WW_API ww_status ww_paths_count(const ww_paths* paths, size_t* count);
-/* Sets *path to a path of the list. It belongs to the list, and is valid until the list changes. */
+/* Sets *path to a path of the list. It belongs to the list, and is valid until the list changes or is destroyed. */
 WW_API ww_status ww_paths_get(const ww_paths* paths, size_t index, const ww_path** path);
+/* Sets `to` to a copy of a path, for example of one that belongs to a list or a search. */
+WW_API ww_status ww_path_copy(const ww_path* path, ww_path* to);
 
 typedef int32_t ww_path_status;
-enum { WW_PATH_FOUND = 0, WW_PATH_START_BLOCKED = 1, WW_PATH_GOAL_BLOCKED = 2, WW_PATH_NO_PATH = 3 };
+enum {
+  WW_PATH_FOUND = 0,
+  WW_PATH_START_BLOCKED = 1, /* the start lies strictly inside a polygon, or a wall is nearer than the radius */
+  WW_PATH_GOAL_BLOCKED = 2,  /* the same for the goal */
+  WW_PATH_NO_PATH = 3        /* no end is blocked, but no path connects them */
+};
+/* Returns the name of a status of paths: "found", "start-blocked", "goal-blocked", "no-path". */
 WW_API const char* ww_path_status_name(ww_path_status status);
 
 /* Facts about a path. */
 typedef struct ww_path_info {
   uint32_t struct_size;
   ww_path_status status;
-  double length;      /* 0 unless found */
-  double lower_bound; /* no path is shorter */
-  double radius;      /* as in the query */
-  uint64_t expansions;
-  int64_t nanoseconds; /* 0 unless ww_path_query.wants_time */
+  double length;       /* 0 unless found */
+  double lower_bound;  /* no path is shorter; equal to `length` if the path is proven shortest; 0 unless found */
+  double radius;       /* as in the query */
+  uint64_t expansions; /* the triangles that the search entered; with a radius above 0, the steps of the search */
+  int64_t nanoseconds; /* the time of the search; 0 unless ww_path_query.wants_time */
   size_t point_count;
   size_t piece_count;
   size_t channel_count;
@@ -501,168 +678,302 @@ typedef struct ww_path_piece {
   ww_piece_kind kind;
   ww_point from;
   ww_point to;
-  ww_point centre;    /* of an arc */
-  double radius;      /* of an arc */
-  double start_angle; /* of an arc, in radians; larger end_angle: the arc turns left */
-  double end_angle;
+  ww_point centre;    /* of an arc: a corner of an item, or of the domain */
+  double radius;      /* of an arc: the radius of the agent */
+  double start_angle; /* of an arc: the angle from the centre to `from`, in radians */
+  double end_angle;   /* of an arc: larger than start_angle if the arc turns left, otherwise smaller */
 } ww_path_piece;
 
-/* An edge that a path crosses: its ends, seen from an agent on the path. */
+/* An edge that a path crosses: its ends, seen from an agent on the path, rounded to nearest. */
 typedef struct ww_portal {
   ww_point left;
   ww_point right;
 } ww_portal;
 
+/* Gives facts about a path. A new ww_path is a path with the status WW_PATH_NO_PATH. */
 WW_API ww_status ww_path_get_info(const ww_path* path, ww_path_info* info);
-/* The start, the turns and the goal. Empty if there is no path, or if the query has a radius above 0. */
+/* Writes the start, the turns and the goal. Empty if there is no path, or if the query has a radius above 0. */
 WW_API ww_status ww_path_points(const ww_path* path, ww_point* points, size_t capacity, size_t* count);
-/* The lines and arcs of the path of a disc. */
+/* Writes the lines and arcs of the path of a disc's centre. Empty if there is no path, or if the radius is 0. */
 WW_API ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size_t capacity, size_t* count);
-/* The edges that the path crosses, if the query has asked for them. */
+/* Writes the edges that the path of a point agent crosses, in order. Empty unless the query has wants_channel. */
 WW_API ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count);
-/* The items that block an end. */
+/* Writes the items that block an end, ascending; 0 is the border of the domain. Empty unless an end is blocked. */
 WW_API ww_status ww_path_blockers(const ww_path* path, ww_id* items, size_t capacity, size_t* count);
-/* The largest disc that gets through, if there is no path for the disc of the query. If there is no such answer, the
-   function sets is_connected to 0. */
+/* Gives the largest disc that gets through, if no path for the disc of the query exists (WW_PATH_NO_PATH) and a smaller
+   disc gets through. Otherwise the function sets is_connected to 0. The lists are as in ww_world_widest_path. */
 WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                 size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
+/* The type in which your program keeps coordinates: double or float. */
 typedef int32_t ww_precision;
 enum { WW_FLOAT64 = 0, WW_FLOAT32 = 1 };
 
-/* A position on a path. */
+/* A position on a path. Its coordinates are numbers of the precision. For a point agent, they are rounded away from the
+   walls at the turns of the path: you can use the position as the start of a query (path.hpp names two exceptions). For
+   a disc, they are rounded to nearest. */
 typedef struct ww_path_position {
   uint32_t struct_size;
   ww_point at;
-  ww_point heading; /* the direction of the path there, of length 1 */
+  ww_point heading; /* the direction of the path there, of length 1; (0, 0) on a path of length 0 */
   size_t segment;   /* the position lies between the points `segment` and `segment` + 1, or on the piece `segment` */
   double before;    /* the length of the path from its start to the start of this segment */
   double distance;  /* the length of the path from its start to this position */
 } ww_path_position;
 
-/* The position at a distance from the start. Errors of these three functions: WW_INVALID_ARGUMENT, if the path is not
+/* Gives the position at a distance from the start, along the path. A distance below 0 or a NaN gives the start, a
+   distance above the length gives the goal. Errors of these three functions: WW_INVALID_ARGUMENT, if the path is not
    found. */
 WW_API ww_status ww_path_at(const ww_path* path, double distance, ww_precision precision, ww_path_position* position);
-/* Moves a position of this path farther along the path by `step`. */
+/* Moves a position of this path farther along the path by `step`: one step of a unit that walks. *position must come
+   from one of these functions for this path. */
 WW_API ww_status ww_path_advance(const ww_path* path, double step, ww_precision precision, ww_path_position* position);
-/* The position on the path that is nearest to a point. */
+/* Gives the position on the path that is nearest to a point, for example for a unit that has left its path. */
 WW_API ww_status ww_path_nearest(const ww_path* path, ww_point point, ww_precision precision,
                                  ww_path_position* position);
-/* The path as points that are not farther than `tolerance` from it. */
+/* Writes the path as points, for programs that know no arcs: for a point agent its points; for a disc so many points
+   that the straight segments between them are nowhere farther than `tolerance` from the path. Empty if the path is not
+   found. Errors: WW_BAD_DISTANCE, if the tolerance is negative, not a number, or below 2^-20 times the radius. */
 WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_point* points, size_t capacity,
                                   size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
-   Searches in slices. Between the slices you may change the world. */
+   Searches in slices, if a whole search takes more time than one frame of your program has. Between the slices you may
+   query, change and even destroy the world. If a change concerns what the search has seen, the search starts again.
+   Threads: a search belongs to one thread at a time. ww_search_begin and ww_search_step read the world. */
 
-/* Starts a search. It cancels the search that is running. */
+/* Starts a search, and cancels the search that is running. Errors: those of ww_world_find_path. After an error no
+   search is running. */
 WW_API ww_status ww_search_begin(ww_search* search, const ww_world* world, const ww_path_query* query);
-/* Continues the search until it has entered `expansions` further triangles. Sets *is_done. */
+/* Continues the search until it has entered `expansions` further triangles, or a few more. For a radius above 0,
+   `expansions` is a number of steps. Sets *is_done to 1 if the search is done, or if no search is running.
+   Errors: WW_WORLD_GONE, if the world was destroyed. This error, and WW_OUT_OF_MEMORY, cancel the search. */
 WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done);
-/* Sets *path to the answer, or to the best path so far. It belongs to the search, and is valid until the next call that
-   changes the search. */
+/* Sets *path to the answer, or to the best path so far; its status is WW_PATH_NO_PATH as long as there is none. It
+   belongs to the search, and is valid until the next call that changes or destroys the search. */
 WW_API ww_status ww_search_path(const ww_search* search, const ww_path** path);
+/* Gives the number of times that the search has started again because of changes of the world. */
 WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
 WW_API ww_status ww_search_cancel(ww_search* search);
+/* Finds out whether a search has begun and is neither done nor cancelled. */
 WW_API ww_status ww_search_is_running(const ww_search* search, ww_bool* is_running);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Following changes */
 
-/* Whether a point agent can walk along a polyline, or straight from one point to another. */
+/* Finds out whether a point agent can walk along a polyline, for example along the points of a path. It may touch walls
+   and walk along them. It must not pass through a wall, the interior of a polygon, or a point where walls meet. The
+   decision is exact. Without points, the answer is 0. Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN. ww_error.index is
+   the index of the refused point. */
 WW_API ww_status ww_world_is_clear(const ww_world* world, const ww_point* points, size_t point_count,
                                    ww_context* context, ww_bool* is_clear);
+/* Finds out whether a point agent can walk straight from one point to another. Errors: as for ww_world_is_clear. */
 WW_API ww_status ww_world_is_clear_between(const ww_world* world, ww_point from, ww_point to, ww_context* context,
                                            ww_bool* is_clear);
-/* Whether an operation after version `since` has changed something near the polyline, or near the path. */
+/* Finds out whether a polyline meets the bounding box of an item that an operation after version `since` has inserted
+   or removed. If not, and if the polyline was clear at that version, it is still clear. The answer is 1 if the world no
+   longer has all boxes since then: it keeps at least the last 2,048. */
 WW_API ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count, uint64_t since,
                                       ww_bool* is_affected);
+/* Finds out the same for a path, also of a disc. The path of a disc is affected if a box is so near that the disc may
+   touch it. A path that was not found is never affected. A path that is not affected need not be the shortest one. */
 WW_API ww_status ww_world_is_path_affected(const ww_world* world, const ww_path* path, uint64_t since,
                                            ww_bool* is_affected);
-/* The indices of the affected paths, ascending. */
+/* Writes the indices of the affected paths, ascending. */
 WW_API ww_status ww_world_find_affected(const ww_world* world, const ww_path* const* paths, size_t path_count,
                                         uint64_t since, size_t* indices, size_t capacity, size_t* count);
-/* The number of operations that the world has carried out. */
+/* Gives the number of operations that the world has carried out. It grows by one with each operation that succeeds. */
 WW_API ww_status ww_world_version(const ww_world* world, uint64_t* version);
+
+/* A region that an operation has changed. This struct does not grow. */
+typedef struct ww_changed_box {
+  uint64_t version;     /* the version of the world after the operation */
+  ww_box box;           /* the bounding box of an item, or the last box of an operation: of several items */
+  ww_bool is_insertion; /* whether the operation inserted an item in the box */
+  ww_bool is_removal;   /* whether the operation removed an item in the box; a replacement is both */
+} ww_changed_box;
+
+/* Writes the regions that the operations after version `since` have changed, the oldest first: the bounding box of each
+   segment, polyline or polygon that they inserted or removed. If the world no longer has all boxes since then, sets
+   *is_known to 0 and writes none. It keeps as many as ww_world_is_affected says. */
+WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
+                                        size_t capacity, size_t* count);
+
+/* A path watch holds copies of the paths of many agents under keys that you choose. After operations, it says which
+   agents should search again. It looks only at paths near the changes, so its cost depends on what has changed.
+   Threads: a watch belongs to one thread at a time; making and updating it reads the world. */
+WW_API ww_status ww_path_watch_create(const ww_world* world, ww_path_watch** watch);
+WW_API void ww_path_watch_destroy(ww_path_watch* watch);
+/* Watches a copy of a path under a key, instead of the path that the watch has under this key. The path must have been
+   found in the world as it is now, or as it was at the last update. It may also be a path that was not found. */
+WW_API ww_status ww_path_watch_add(ww_path_watch* watch, uint64_t key, const ww_path* path);
+/* Stops watching the path under a key. `was_there` receives whether there was one, and may be null. */
+WW_API ww_status ww_path_watch_remove(ww_path_watch* watch, uint64_t key, ww_bool* was_there);
+WW_API ww_status ww_path_watch_contains(const ww_path_watch* watch, uint64_t key, ww_bool* contains);
+WW_API ww_status ww_path_watch_count(const ww_path_watch* watch, size_t* count);
+/* Finds out what the operations since the last update, or since the watch was made, mean for the paths. `world` must be
+   the world for which the watch was made. The watch keeps all paths. The three functions below read the answer, until
+   the next update. A path can be in two of the lists. */
+WW_API ww_status ww_path_watch_update(ww_path_watch* watch, const ww_world* world);
+/* Writes the keys of the paths of point agents that are no longer clear, ascending. This list is exact. */
+WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity, size_t* count);
+/* Writes the keys of the paths of discs to which an inserted item is so near that the disc may touch it, ascending. */
+WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
+                                              size_t* count);
+/* Writes the keys of the paths that may be longer than necessary, because an item was removed that may have stood in
+   the way of a shorter path; ascending. No other path has become longer than necessary. */
+WW_API ww_status ww_path_watch_may_be_too_long(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
+                                               size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Mesh, hashes, memory */
 
+/* The hash of the domain and the live items. It is the same on every machine, whatever operations led to these items.
+   docs/hashes.md defines both hashes. */
 typedef struct ww_items_hash {
   uint64_t words[2];
 } ww_items_hash;
+/* The SHA-256 of the text that ww_world_dump writes. */
 typedef struct ww_mesh_hash {
   uint8_t bytes[32];
 } ww_mesh_hash;
 
+/* The corners of a triangle, as indices in the list of vertices; counter-clockwise, from the smallest. */
 typedef struct ww_triangle {
   uint32_t vertices[3];
 } ww_triangle;
+/* An edge on which sides of items, or the border of the domain, lie. */
 typedef struct ww_constrained_edge {
-  uint32_t vertices[2];
-  uint32_t first_id; /* the index of the first id of the edge in the list of ids */
+  uint32_t vertices[2]; /* indices in the list of vertices, the smaller first */
+  uint32_t first_id;    /* the index of the first id of the edge in the list of ids */
   uint32_t id_count;
 } ww_constrained_edge;
 
+/* Gives the number of vertices of the mesh: the corners of the domain, the corners of items, and the crossings. */
 WW_API ww_status ww_world_vertex_count(const ww_world* world, size_t* vertex_count);
 WW_API ww_status ww_world_triangle_count(const ww_world* world, size_t* triangle_count);
-/* Copies the mesh in canonical order. */
+/* Sets `mesh` to a copy of the mesh in canonical order: vertices by (x, y), triangles and edges by their indices. */
 WW_API ww_status ww_world_snapshot(const ww_world* world, ww_context* context, ww_mesh* mesh);
+/* Writes the vertices, rounded to nearest. */
 WW_API ww_status ww_mesh_vertices(const ww_mesh* mesh, ww_point* vertices, size_t capacity, size_t* count);
 WW_API ww_status ww_mesh_triangles(const ww_mesh* mesh, ww_triangle* triangles, size_t capacity, size_t* count);
 WW_API ww_status ww_mesh_constrained_edges(const ww_mesh* mesh, ww_constrained_edge* edges, size_t capacity,
                                            size_t* count);
+/* Writes the ids of the items on all constrained edges, edge after edge; 0 is the border of the domain. */
 WW_API ww_status ww_mesh_ids(const ww_mesh* mesh, ww_id* ids, size_t capacity, size_t* count);
-/* Writes the mesh as canonical text with exact coordinates. */
+/* Sets `text` to the mesh as canonical text with exact coordinates. Worlds with equal domains and equal live items have
+   equal texts. */
 WW_API ww_status ww_world_dump(const ww_world* world, ww_text* text);
+/* Gives the hash of the items. Every operation updates it, so this call costs nothing. */
 WW_API ww_status ww_world_items_hash(const ww_world* world, ww_items_hash* hash);
+/* Computes the hash of the mesh, at the cost of ww_world_dump. */
 WW_API ww_status ww_world_mesh_hash(const ww_world* world, ww_mesh_hash* hash);
-/* The hashes as 32 and 64 hexadecimal digits. */
+/* Writes a hash as 32 hexadecimal digits. */
 WW_API ww_status ww_items_hash_text(const ww_items_hash* hash, char* buffer, size_t capacity, size_t* count);
+/* Writes a hash as 64 hexadecimal digits. */
 WW_API ww_status ww_mesh_hash_text(const ww_mesh_hash* hash, char* buffer, size_t capacity, size_t* count);
-/* Checks the whole world, exactly. `fault` receives the first fault as text, and may be null. */
+/* Checks the whole world, exactly, at a cost linear in the mesh. `fault` receives the first fault as text, which is
+   empty if the world is valid; it may be null. */
 WW_API ww_status ww_world_validate(const ww_world* world, ww_bool* is_valid, ww_text* fault);
 
-/* The memory of a world in bytes. */
+/* The memory of a world in bytes, by purpose. */
 typedef struct ww_memory_use {
   uint32_t struct_size;
-  size_t vertices;
-  size_t crossings;
-  size_t faces;
-  size_t walls;
-  size_t items;
-  size_t sectors;
-  size_t abstraction;
-  size_t bridges;
-  size_t spare;
-  size_t total; /* the sum of all of them */
+  size_t vertices;    /* for each vertex: its point, an edge from it, the items with a corner there */
+  size_t crossings;   /* for each vertex at a crossing: the ends of the two sides */
+  size_t faces;       /* for each triangle: its vertices and neighbours */
+  size_t walls;       /* for each constrained edge: the sides that lie on it */
+  size_t items;       /* ids, kinds and sides of the items */
+  size_t sectors;     /* for point location */
+  size_t abstraction; /* the path abstraction */
+  size_t bridges;     /* the bridges */
+  size_t history;     /* the ticks to which the world can return */
+  size_t spare;       /* unused capacity of arrays, and the scratch of operations */
+  size_t total;       /* the sum of all of them */
 } ww_memory_use;
 
 WW_API ww_status ww_world_memory(const ww_world* world, ww_memory_use* use);
+/* Frees most of the spare memory. Changes no answer and no hash. The next operations allocate it again. */
 WW_API ww_status ww_world_shrink_to_fit(ww_world* world);
 
 /* The number of calls of one predicate, by the stage of the arithmetic that decided the call. */
 typedef struct ww_stage_counts {
-  uint64_t doubles;
-  uint64_t lattice;
-  uint64_t integers;
+  uint64_t doubles;  /* doubles with a proven error bound */
+  uint64_t lattice;  /* integers of a fixed width */
+  uint64_t integers; /* integers of any size */
 } ww_stage_counts;
 typedef struct ww_predicate_counts {
   uint32_t struct_size;
-  ww_stage_counts orientation;
-  ww_stage_counts in_circle;
-  ww_stage_counts order;
-  ww_stage_counts crossing;
+  ww_stage_counts orientation; /* whether a point lies left of, on or right of a line */
+  ww_stage_counts in_circle;   /* whether a point lies inside a circle */
+  ww_stage_counts order;       /* which of two points comes first */
+  ww_stage_counts crossing;    /* where two lines cross */
 } ww_predicate_counts;
 
-/* The counts of the calling thread since its start. */
+/* Gives the counts of the calling thread since its start, for all worlds together. */
 WW_API ww_status ww_get_predicate_counts(ww_predicate_counts* counts);
 
 /* ---------------------------------------------------------------------------------------------------------------------
-   Scenes, scripts, scenarios. Texts are pointer and length; names are the names of the texts in error messages. */
+   Saving and loading worlds. docs/formats.md describes the format. A saved world contains the domain, the options
+   keep_abstraction and keep_bridges, the items, and the largest id that the world has seen. It does not contain the
+   version, the history and the new_vertex_limit. Equal worlds give equal bytes on every machine. Every later version of
+   the library reads the files of this version. */
+
+/* Something that takes bytes: a file, a socket, memory. */
+typedef struct ww_output {
+  uint32_t struct_size;
+  /* Takes `size` bytes, 1 or more. Returns 1, or 0 if it cannot take all of them. */
+  ww_bool (*write)(const void* bytes, size_t size, void* user_data);
+  /* Null, or a function that brings the bytes to their destination. Returns 1, or 0 if it cannot do this. */
+  ww_bool (*flush)(void* user_data);
+  void* user_data;
+} ww_output;
+
+/* Something that provides bytes. */
+typedef struct ww_input {
+  uint32_t struct_size;
+  /* Writes 1 to `size` bytes to `buffer` and returns their number. Returns 0 at the end of the input, and SIZE_MAX if
+     the input cannot be read. The library asks for few bytes at a time and never for more than it needs: if a call is
+     expensive, keep a buffer. */
+  size_t (*read)(void* buffer, size_t size, void* user_data);
+  void* user_data;
+} ww_input;
+
+/* Writes a world to an output, and flushes it. Errors: WW_UNWRITABLE; the output may then have a piece of the world. */
+WW_API ww_status ww_world_save(const ww_world* world, const ww_output* output);
+/* Writes a world to a file: to a temporary file in the same folder, which then takes the name of the file. So at every
+   moment the file is the old one or the new one. Errors: WW_UNWRITABLE; the old file then stays as it is. */
+WW_API ww_status ww_world_save_file(const ww_world* world, const char* file_name);
+/* Sets `bytes` to the bytes of a saved world. ww_text_bytes gives them, and their number. */
+WW_API ww_status ww_world_save_bytes(const ww_world* world, ww_text* bytes);
+
+/* Makes a world from an input, and reads no byte after the last byte of the world. The function checks the form of the
+   bytes, their checksum, and the hash of the items. `options` may be null; progress reports the construction of the
+   mesh, after all bytes have been read. Errors: WW_UNREADABLE, if the input fails; WW_MALFORMED, if the bytes are not a
+   complete, unaltered saved world; WW_NOT_SUPPORTED, if they need a later version of the library. ww_error.index is the
+   number of bytes before the fault. */
+WW_API ww_status ww_world_load(const ww_input* input, const ww_bulk_options* options, ww_world** world);
+/* Makes a world from a file, which must contain nothing else. Errors: those of ww_world_load. */
+WW_API ww_status ww_world_load_file(const char* file_name, const ww_bulk_options* options, ww_world** world);
+/* Makes a world from bytes, which must contain nothing else. Errors: those of ww_world_load. */
+WW_API ww_status ww_world_load_bytes(const void* bytes, size_t size, const ww_bulk_options* options, ww_world** world);
+/* Finds out whether bytes start like a saved world. */
+WW_API ww_status ww_is_saved_world(const void* bytes, size_t size, ww_bool* is_saved_world);
+
+/* ---------------------------------------------------------------------------------------------------------------------
+   Scenes, scripts, scenarios. Their formats are in docs/formats.md. A text that you pass is a pointer and a length in
+   bytes; it needs no zero byte. `name` is the name of the text in error messages: "NAME:LINE: ...". ww_error.index is
+   the number of the line, from 1. Errors of all functions that parse: WW_MALFORMED, and WW_COORDINATE_RANGE for the
+   files of Triangle. */
 
 typedef int32_t ww_scene_format;
-enum { WW_SCENE_SCRIPT = 0, WW_SCENE_MOVINGAI = 1, WW_SCENE_TRIANGLE_POLY = 2, WW_SCENE_TRIANGLE_NODE = 3 };
+enum {
+  WW_SCENE_SCRIPT = 0,        /* .wws, a world script: the items that are left after all changes */
+  WW_SCENE_MOVINGAI = 1,      /* .map of Moving AI: blocked cells become polygons */
+  WW_SCENE_TRIANGLE_POLY = 2, /* .poly of Triangle: segments, and points that lie on no segment */
+  WW_SCENE_TRIANGLE_NODE = 3, /* .node of Triangle: points */
+  WW_SCENE_SAVED_WORLD = 4    /* .wwb, a saved world: its domain and its items */
+};
 
 typedef struct ww_scene_info {
   uint32_t struct_size;
@@ -671,20 +982,28 @@ typedef struct ww_scene_info {
   size_t item_count;
 } ww_scene_info;
 
-/* Finds the format for the ending of a file name. */
+/* Gives the format for the ending of a file name. Errors: WW_NOT_SUPPORTED. */
 WW_API ww_status ww_scene_format_of(const char* file_name, ww_scene_format* format);
+/* Sets a scene to the contents of a file. A file that starts like a saved world is one; otherwise the ending of the
+   file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
 WW_API ww_status ww_scene_read(const char* file_name, ww_scene* scene);
+/* Sets a scene to a map of Moving AI. Cell (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
 WW_API ww_status ww_scene_parse_movingai_map(const char* text, size_t length, const char* name, ww_scene* scene);
-/* `node_text` is null, or the text of the file .node of the same name. */
+/* Sets a scene to a .poly file of Triangle. `node_text` is null, or the text of the .node file of the same name, for a
+   .poly file without vertices. */
 WW_API ww_status ww_scene_parse_triangle_poly(const char* text, size_t length, const char* name, const char* node_text,
                                               size_t node_length, const char* node_name, ww_scene* scene);
+/* Sets a scene to a .node file of Triangle. */
 WW_API ww_status ww_scene_parse_triangle_node(const char* text, size_t length, const char* name, ww_scene* scene);
+/* Sets a scene to the domain and the items of a saved world. To get its options and its next id, too, use
+   ww_world_load_bytes. Errors: WW_MALFORMED, WW_NOT_SUPPORTED. */
+WW_API ww_status ww_scene_parse_saved_world(const void* bytes, size_t size, const char* name, ww_scene* scene);
 /* Sets a scene to a copy of a domain and items. */
 WW_API ww_status ww_scene_set(ww_scene* scene, ww_box domain, const ww_items* items, ww_bool y_down);
 WW_API ww_status ww_scene_get_info(const ww_scene* scene, ww_scene_info* info);
-/* Sets *items to the items of the scene. They belong to the scene, and are valid until it changes. */
+/* Sets *items to the items of the scene. They belong to the scene, and are valid until it changes or is destroyed. */
 WW_API ww_status ww_scene_items(const ww_scene* scene, const ww_items** items);
-/* Writes a scene as a world script. */
+/* Sets `text` to a scene as a world script. */
 WW_API ww_status ww_scene_to_script(const ww_scene* scene, ww_text* text);
 
 typedef int32_t ww_script_line_kind;
@@ -699,53 +1018,135 @@ enum {
   WW_SCRIPT_PATH = 7,
   WW_SCRIPT_CHECK = 8,
   WW_SCRIPT_HASH = 9,
-  WW_SCRIPT_CLEAR = 10
+  WW_SCRIPT_CLEAR = 10,
+  WW_SCRIPT_TICK = 11
 };
 
-/* One line of a world script. ww_script_item gives the shape of an insertion or replacement, and the points of
-   WW_SCRIPT_CLEAR. */
+/* One line of a world script. Members that the line does not have are 0. ww_script_item gives the shape of an insertion
+   or replacement, and the points of WW_SCRIPT_CLEAR. */
 typedef struct ww_script_line {
   uint32_t struct_size;
   ww_script_line_kind kind;
-  const char* word; /* the first word of the line; a text that lives as long as the process */
+  const char* word; /* the first word of the line: "segment"; valid as long as the library is loaded */
   uint32_t line;    /* the line in the text, from 1 */
   ww_bool has_radius;
   ww_bool has_algorithm;
   ww_bool has_end_tolerance;
   ww_bool has_goal;
   ww_path_algorithm algorithm;
-  ww_id id;
-  ww_point from;
-  ww_point to;
+  ww_id id;      /* of an insertion, removal or replacement */
+  ww_point from; /* of WW_SCRIPT_LOCATE, _RAY, _DISC, _NEAREST and _PATH */
+  ww_point to;   /* of WW_SCRIPT_RAY and _PATH; the goal of _NEAREST if has_goal is 1 */
   double radius;
   double end_tolerance;
+  ww_bool has_items_hash;   /* for WW_SCRIPT_TICK */
+  uint64_t tick;            /* the number of WW_SCRIPT_TICK */
+  ww_items_hash items_hash; /* for WW_SCRIPT_TICK */
 } ww_script_line;
 
+/* Sets `script` to the lines of a world script. Points outside the domain are no error here, but of the world. */
 WW_API ww_status ww_script_parse(const char* text, size_t length, const char* name, ww_script* script);
+/* Gives the domain. `line` receives its line in the text, from 1, and may be null. */
 WW_API ww_status ww_script_domain(const ww_script* script, ww_box* domain, uint32_t* line);
 WW_API ww_status ww_script_line_count(const ww_script* script, size_t* count);
+/* Gives the line of an index from 0 to count - 1. */
 WW_API ww_status ww_script_get_line(const ww_script* script, size_t index, ww_script_line* line);
-/* Sets `items` to the item of one line. */
+/* Sets `items` to a copy of the item of one line. */
 WW_API ww_status ww_script_item(const ww_script* script, size_t index, ww_items* items);
-/* Sets a scene to the items that are left after all changes of a script. */
+/* Sets a scene to the items that are left after all changes of a script. Ignores changes that a world would refuse. */
 WW_API ww_status ww_script_scene(const ww_script* script, ww_scene* scene);
 
 typedef struct ww_scenario_query {
   uint32_t struct_size;
-  uint32_t line;
-  uint64_t width;
-  uint64_t height;
+  uint32_t line;   /* in the text, from 1 */
+  uint64_t width;  /* of the map, in cells */
+  uint64_t height; /* of the map, in cells */
   ww_point start;
   ww_point goal;
-  double length;    /* negative if the author found no path */
+  double length;    /* of the path that the author has found; negative if there was none */
   double precision; /* half a unit of the last digit of `length` */
 } ww_scenario_query;
 
+/* Sets `scenario` to the queries of a scenario file. */
 WW_API ww_status ww_scenario_parse(const char* text, size_t length, const char* name, ww_scenario* scenario);
 WW_API ww_status ww_scenario_count(const ww_scenario* scenario, size_t* count);
-/* Gives one query. The list is the file name of the map, a text. */
+/* Gives one query. `map` receives the file name of the map, a text. */
 WW_API ww_status ww_scenario_get(const ww_scenario* scenario, size_t index, ww_scenario_query* query, char* map,
                                  size_t capacity, size_t* count);
+
+/* ---------------------------------------------------------------------------------------------------------------------
+   Replay logs. A log is a world script with the items of a world, each change that you record, and a hash of the items
+   every few ticks. The command `waywright replay` reads it. */
+
+/* Starts a log: writes the domain and the items of the world. Writes a hash at each tick whose number is a multiple of
+   `ticks_per_hash`, 1 or more. The functions of the output must work as long as the writer exists. Errors:
+   WW_UNWRITABLE. */
+WW_API ww_status ww_replay_writer_create(const ww_output* output, const ww_world* world, uint64_t ticks_per_hash,
+                                         ww_replay_writer** writer);
+WW_API void ww_replay_writer_destroy(ww_replay_writer* writer);
+/* Records changes that the world has made. `ids` has the id of each change, for example the answer of ww_world_apply.
+   Null stands for the ids in the changes, which then must not be 0. Errors: WW_BAD_ID; WW_UNWRITABLE: the writer cannot
+   continue then. */
+WW_API ww_status ww_replay_writer_record(ww_replay_writer* writer, const ww_change* changes, size_t change_count,
+                                         const ww_id* ids);
+/* Ends a tick. Ticks count from 1. At a tick with a hash, the function also flushes the output.
+   Errors: WW_UNWRITABLE. */
+WW_API ww_status ww_replay_writer_tick(ww_replay_writer* writer, const ww_world* world);
+/* Gives the number of the last tick, 0 before the first. */
+WW_API ww_status ww_replay_writer_last_tick(const ww_replay_writer* writer, uint64_t* tick);
+
+/* A function that learns how far a call is. */
+typedef void (*ww_progress)(size_t done, size_t total, void* user_data);
+
+/* The answer of a replay. The members from `tick` on have no meaning if is_same is 1. */
+typedef struct ww_replay_result {
+  uint32_t struct_size;
+  ww_bool is_same;        /* whether all changes were made and all hashes are equal */
+  uint64_t ticks;         /* the number of ticks that were replayed */
+  uint64_t tick;          /* the first tick whose hash differs, or during which a change was refused */
+  uint64_t last_same;     /* the last tick before it whose hash is equal, or 0 */
+  uint32_t line;          /* the line of the hash or of the refused change in the script */
+  ww_bool is_refused;     /* whether the world refused a change: ww_replay_refusal says why */
+  ww_items_hash expected; /* the hash in the log */
+  ww_items_hash computed; /* the hash of the replayed world */
+} ww_replay_result;
+
+/* Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at the
+   first difference, which is no error. Ignores queries. `progress` may be null; its unit is a line. Errors:
+   WW_COORDINATE_RANGE, WW_BAD_DOMAIN, for the domain. */
+WW_API ww_status ww_replay_run(ww_replay* replay, const ww_script* log, ww_progress progress, void* user_data);
+/* Gives the answer of the last replay. Before the first one, is_same is 1 and ticks is 0. */
+WW_API ww_status ww_replay_get_result(const ww_replay* replay, ww_replay_result* result);
+/* Writes the items that were changed after tick `last_same`, ascending, or the refused item. */
+WW_API ww_status ww_replay_changed(const ww_replay* replay, ww_id* ids, size_t capacity, size_t* count);
+/* Gives the error of the refused change, and its text. Without one, error->status is WW_OK and the text is empty. */
+WW_API ww_status ww_replay_refusal(const ww_replay* replay, ww_error* error, char* buffer, size_t capacity,
+                                   size_t* count);
+
+typedef int32_t ww_difference_kind;
+enum {
+  WW_DIFFERENCE_DOMAIN = 0, /* the domains differ */
+  WW_DIFFERENCE_CHANGE = 1, /* a change differs, or one log lacks it */
+  WW_DIFFERENCE_HASH = 2,   /* all changes are equal up to this tick, but its hash differs */
+  WW_DIFFERENCE_LENGTH = 3  /* one log ends after this tick, and the other one continues */
+};
+
+/* The first difference between two logs. The members after is_different have no meaning if it is 0. */
+typedef struct ww_replay_difference {
+  uint32_t struct_size;
+  ww_bool is_different;
+  ww_difference_kind kind;
+  uint32_t line;       /* the line in the first log, or 0 if it ends before */
+  uint32_t other_line; /* the same for the second log */
+  uint64_t tick;       /* the tick during which the logs begin to differ */
+  ww_id item;          /* of WW_DIFFERENCE_CHANGE: the item of the first log's change; 0 if it has no change there */
+  ww_id other_item;    /* the same for the second log */
+} ww_replay_difference;
+
+/* Compares two logs, change by change and hash by hash. Ignores queries, and the hash of a tick that has no hash in the
+   other log. The list is the items that were changed since the last equal hash, ascending, if a hash differs. */
+WW_API ww_status ww_find_difference(const ww_script* log, const ww_script* other, ww_replay_difference* difference,
+                                    ww_id* changed, size_t capacity, size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Pictures */
@@ -756,14 +1157,14 @@ enum { WW_SVG_AUTOMATIC = 0, WW_SVG_LIGHT = 1, WW_SVG_DARK = 2 };
 typedef struct ww_svg_options {
   uint32_t struct_size;
   ww_svg_theme theme; /* WW_SVG_AUTOMATIC by default */
-  double width;       /* 1200 pixels by default */
-  ww_bool mesh;       /* 1 by default */
-  ww_bool axes;       /* 1 by default */
-  ww_bool ids;        /* 1 by default */
-  ww_bool y_down;     /* 0 by default */
+  double width;       /* in pixels, 240 to 100,000; 1200 by default; the height follows from the content */
+  ww_bool mesh;       /* 1 by default: draw the free edges */
+  ww_bool axes;       /* 1 by default: draw ticks with coordinates, a scale bar, and the direction of y */
+  ww_bool ids;        /* 1 by default: give each item its id as text on hover */
+  ww_bool y_down;     /* 0 by default: whether the y axis of the world points down */
   ww_bool has_crop;   /* 0 by default: the picture shows the domain */
-  ww_box crop;
-  const char* title; /* null by default */
+  ww_box crop;        /* the box that the picture shows, if has_crop is set; it may extend beyond the domain */
+  const char* title;  /* the text above the map; null by default, for none */
 } ww_svg_options;
 
 /* The transform between a world and its picture. */
@@ -776,28 +1177,43 @@ typedef struct ww_svg_frame {
 } ww_svg_frame;
 
 WW_API ww_status ww_svg_options_init(ww_svg_options* options, size_t struct_size);
-/* Writes a picture of the world as SVG. `overlay` and `options` may be null. */
+/* Sets `text` to a picture of the world as SVG. `overlay` and `options` may be null. docs/pictures.md shows examples.
+   Errors: WW_COORDINATE_RANGE; WW_BAD_DOMAIN, if min of the crop box is not below its max; WW_OUT_OF_DOMAIN, if the
+   crop box has no area in common with the domain. */
 WW_API ww_status ww_world_to_svg(const ww_world* world, const ww_svg_overlay* overlay, const ww_svg_options* options,
                                  ww_text* text);
+/* Gives the transform of the picture of a world over `domain` with these options. Errors: those of ww_world_to_svg. */
 WW_API ww_status ww_svg_get_frame(ww_box domain, const ww_svg_options* options, ww_svg_frame* frame);
+/* Gives the position of a point of the world in the picture, in pixels from the upper left corner, downwards. */
 WW_API ww_status ww_svg_to_picture(const ww_svg_frame* frame, ww_point point, ww_point* pixels);
+/* Gives the point of the world at a position in the picture. */
 WW_API ww_status ww_svg_to_world(const ww_svg_frame* frame, ww_point pixels, ww_point* point);
 
-/* The overlay copies what you add. A colour is any CSS colour; null stands for the colour of the theme. A hint is the
-   text on hover; null for none. */
+/* An overlay is what a picture shows on top of the world. It copies what you add. A colour is any CSS colour; null
+   stands for the colour of the theme. A hint is the text on hover; null for none. */
+
+/* Removes everything from an overlay. */
 WW_API ww_status ww_svg_overlay_clear(ww_svg_overlay* overlay);
+/* Adds the path of a point agent. The picture omits paths without points. */
 WW_API ww_status ww_svg_add_path(ww_svg_overlay* overlay, const ww_path* path);
+/* Adds a query with a radius above 0 and its answer: the path, the area that the disc covers, what stops the disc. */
 WW_API ww_status ww_svg_add_disc_path(ww_svg_overlay* overlay, const ww_path_query* query, const ww_path* path);
+/* Adds a path query without a path: a dashed line between two marks, and the status. */
 WW_API ww_status ww_svg_add_failed_path(ww_svg_overlay* overlay, ww_point start, ww_point goal, ww_path_status status);
+/* Adds a query of ww_world_ray and its answer. */
 WW_API ww_status ww_svg_add_ray(ww_svg_overlay* overlay, ww_point from, ww_point to, const ww_ray_hit* hit,
                                 const ww_id* items, size_t item_count);
+/* Adds a query of ww_world_locate and its answer. */
 WW_API ww_status ww_svg_add_location(ww_svg_overlay* overlay, ww_point at, const ww_location* location,
                                      const ww_id* polygons, size_t polygon_count);
+/* Adds a disc, for example a unit. */
 WW_API ww_status ww_svg_add_disc(ww_svg_overlay* overlay, ww_point centre, double radius, const char* colour,
                                  const char* hint);
+/* Adds a line through several points. `width` is in pixels, 0.1 to 60. */
 WW_API ww_status ww_svg_add_polyline(ww_svg_overlay* overlay, const ww_point* points, size_t point_count, double width,
                                      ww_bool dashed, const char* colour, const char* hint);
-/* Adds a text beside `at`. The text keeps a disc of `radius` around `at` free. `size` is in pixels, 14 is usual. */
+/* Adds a text beside `at`. The text keeps a disc of `radius` (in units of the world) around `at` free. `size` is in
+   pixels, 4 to 200; 14 is usual. */
 WW_API ww_status ww_svg_add_label(ww_svg_overlay* overlay, ww_point at, const char* text, double radius, double size,
                                   const char* colour);
 /* Adds an entry to the legend. */

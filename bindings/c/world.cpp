@@ -8,7 +8,7 @@ namespace waywright::c {
 
 namespace {
 
-constexpr ww_world_options kWorldOptions{sizeof(ww_world_options), 1, 0};
+constexpr ww_world_options kWorldOptions{sizeof(ww_world_options), 1, 0, kNoVertexLimit};
 constexpr ww_bulk_options kBulkOptions{sizeof(ww_bulk_options), nullptr, nullptr, 1, nullptr};
 
 /// Writes the id of a new item, or records why there is none.
@@ -23,31 +23,31 @@ ww_status write_all_ids(const Result<std::vector<ItemId>>& ids, ww_id* out) {
   return status_of(ids);
 }
 
-/// The options of a bulk insertion, with the job system to which they point.
-struct Bulk {
-  explicit Bulk(const ww_bulk_options* given)
-      : Bulk(given != nullptr ? read_struct(given, kBulkOptions) : kBulkOptions, 0) {}
-  Bulk(const ww_bulk_options& given, int) : jobs(given.jobs) {
-    require(given.threads >= 1, "a bulk insertion needs one thread or more");
-    options.threads = given.threads;
-    options.jobs = jobs.get();
-    if (given.progress == nullptr) return;
-    options.progress = [call = given.progress, user_data = given.progress_user_data](
-                           std::size_t done, std::size_t total) { call(done, total, user_data); };
-  }
-  Bulk(const Bulk&) = delete;
-  Bulk& operator=(const Bulk&) = delete;
-
-  Jobs jobs;
-  BulkOptions options;
-};
-
 Change to_change(const ww_change& change) {
   const auto kind = to_enum(change.kind, Change::Kind::replace);
   return {kind, change.id, kind == Change::Kind::remove ? Shape{} : to_shape(change.shape)};
 }
 
 }  // namespace
+
+std::vector<Change> to_changes(const ww_change* changes, std::size_t count) {
+  const std::span<const ww_change> given = to_span(changes, count);
+  std::vector<Change> list;
+  list.reserve(given.size());
+  for (const ww_change& change : given) list.push_back(to_change(change));
+  return list;
+}
+
+Bulk::Bulk(const ww_bulk_options* given) : Bulk(given != nullptr ? read_struct(given, kBulkOptions) : kBulkOptions) {}
+
+Bulk::Bulk(const ww_bulk_options& given) : jobs(given.jobs) {
+  require(given.threads >= 1, "a bulk insertion needs one thread or more");
+  options.threads = given.threads;
+  options.jobs = jobs.get();
+  if (given.progress == nullptr) return;
+  options.progress = [call = given.progress, user_data = given.progress_user_data](
+                         std::size_t done, std::size_t total) { call(done, total, user_data); };
+}
 
 Jobs::Jobs(const ww_job_system* jobs) {
   if (jobs == nullptr) return;
@@ -74,7 +74,7 @@ ww_status ww_world_create(ww_box domain, const ww_world_options* options, ww_wor
   return guarded([&] {
     ww_world*& out = answer(world);
     const ww_world_options given = options != nullptr ? read_struct(options, kWorldOptions) : kWorldOptions;
-    const WorldOptions wanted{is_set(given.keep_abstraction), is_set(given.keep_bridges)};
+    const WorldOptions wanted{is_set(given.keep_abstraction), is_set(given.keep_bridges), given.new_vertex_limit};
     Result<World> made = World::create(to_cpp(domain), wanted);
     if (!made.ok()) return fail(made.error());
     out = opaque<ww_world>(new World(std::move(*made)));
@@ -82,8 +82,13 @@ ww_status ww_world_create(ww_box domain, const ww_world_options* options, ww_wor
   });
 }
 
-void ww_world_destroy(ww_world* world) {
-  if (world != nullptr) delete &object(world);
+void ww_world_destroy(ww_world* world) { destroy_object(world); }
+
+ww_status ww_world_clone(const ww_world* world, ww_world** clone) {
+  return guarded([&] {
+    require_no_question(object(world));
+    return make_object(clone, object(world).clone());
+  });
 }
 
 ww_status ww_world_domain(const ww_world* world, ww_box* domain) {
@@ -93,21 +98,31 @@ ww_status ww_world_domain(const ww_world* world, ww_box* domain) {
   });
 }
 
+ww_status ww_world_get_options(const ww_world* world, ww_world_options* options) {
+  return guarded([&] {
+    const StructOut out(options);
+    const WorldOptions found = object(world).options();
+    out.write({0, to_c(found.keep_abstraction), to_c(found.keep_bridges), found.new_vertex_limit});
+    return WW_OK;
+  });
+}
+
 ww_status ww_world_insert(ww_world* world, const ww_shape* shape, ww_id id, ww_id* inserted) {
-  return guarded([&] { return write_id(object(world).insert(to_shape(shape), id), inserted); });
+  return guarded([&] { return write_id(changing(world).insert(to_shape(shape), id), inserted); });
 }
 
 ww_status ww_world_insert_point(ww_world* world, ww_point point, ww_id id, ww_id* inserted) {
-  return guarded([&] { return write_id(object(world).insert_point(to_cpp(point), id), inserted); });
+  return guarded([&] { return write_id(changing(world).insert_point(to_cpp(point), id), inserted); });
 }
 
 ww_status ww_world_insert_segment(ww_world* world, ww_point a, ww_point b, ww_id id, ww_id* inserted) {
-  return guarded([&] { return write_id(object(world).insert_segment(to_cpp(a), to_cpp(b), id), inserted); });
+  return guarded([&] { return write_id(changing(world).insert_segment(to_cpp(a), to_cpp(b), id), inserted); });
 }
 
 ww_status ww_world_insert_polyline(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
                                    ww_id* inserted) {
-  return guarded([&] { return write_id(object(world).insert_polyline(to_points(points, point_count), id), inserted); });
+  return guarded(
+      [&] { return write_id(changing(world).insert_polyline(to_points(points, point_count), id), inserted); });
 }
 
 ww_status ww_world_insert_polygon(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
@@ -115,16 +130,16 @@ ww_status ww_world_insert_polygon(ww_world* world, const ww_point* points, size_
   return guarded([&] {
     Rings rings;
     rings.push_back(to_points(points, point_count));
-    return write_id(object(world).insert_polygon(std::move(rings), id), inserted);
+    return write_id(changing(world).insert_polygon(std::move(rings), id), inserted);
   });
 }
 
 ww_status ww_world_remove(ww_world* world, ww_id id) {
-  return guarded([&] { return status_of(object(world).remove(id)); });
+  return guarded([&] { return status_of(changing(world).remove(id)); });
 }
 
 ww_status ww_world_replace(ww_world* world, ww_id id, const ww_shape* shape) {
-  return guarded([&] { return status_of(object(world).replace(id, to_shape(shape))); });
+  return guarded([&] { return status_of(changing(world).replace(id, to_shape(shape))); });
 }
 
 ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_size) {
@@ -134,7 +149,7 @@ ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_size) {
 ww_status ww_world_insert_all(ww_world* world, const ww_items* items, const ww_bulk_options* options, ww_id* ids) {
   return guarded([&] {
     const Bulk bulk(options);
-    return write_all_ids(object(world).insert_all(object(items), bulk.options), ids);
+    return write_all_ids(changing(world).insert_all(object(items), bulk.options), ids);
   });
 }
 
@@ -142,19 +157,37 @@ ww_status ww_world_insert_points(ww_world* world, const ww_point* points, size_t
                                  const ww_bulk_options* options, ww_id* first_id) {
   return guarded([&] {
     const Bulk bulk(options);
-    return write_id(object(world).insert_points(to_points(points, point_count), first, bulk.options), first_id);
+    return write_id(changing(world).insert_points(to_points(points, point_count), first, bulk.options), first_id);
   });
 }
 
 ww_status ww_world_apply(ww_world* world, const ww_change* changes, size_t change_count, ww_id* ids) {
+  return guarded([&] { return write_all_ids(changing(world).apply(to_changes(changes, change_count)), ids); });
+}
+
+ww_status ww_world_set_new_vertex_limit(ww_world* world, size_t limit) {
   return guarded([&] {
-    World& changed = object(world);
-    const std::span<const ww_change> given = to_span(changes, change_count);
-    std::vector<Change> list;
-    list.reserve(given.size());
-    for (const ww_change& change : given) list.push_back(to_change(change));
-    return write_all_ids(changed.apply(list), ids);
+    changing(world).set_new_vertex_limit(limit);
+    return WW_OK;
   });
+}
+
+ww_status ww_world_new_vertex_limit(const ww_world* world, size_t* limit) {
+  return guarded([&] {
+    answer(limit) = object(world).new_vertex_limit();
+    return WW_OK;
+  });
+}
+
+ww_status ww_world_largest_id_seen(const ww_world* world, ww_id* id) {
+  return guarded([&] {
+    answer(id) = object(world).largest_id_seen().value;
+    return WW_OK;
+  });
+}
+
+ww_status ww_world_reserve_ids(ww_world* world, ww_id last) {
+  return guarded([&] { return status_of(changing(world).reserve_ids(last)); });
 }
 
 ww_status ww_world_contains(const ww_world* world, ww_id id, ww_bool* contains) {

@@ -286,7 +286,8 @@ void NearestFit::settle(const Piece& piece) {
   const double parameter = piece.curve.nearest(piece.interval);
   const Point from = piece.curve.at(sharpened(piece, parameter));
   const Point at = query_.point + from;
-  step_ = 0x1p-53 * std::max({std::abs(at.x), std::abs(at.y), std::abs(from.x), std::abs(from.y), query_.radius});
+  const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(from.x), std::abs(from.y), query_.radius});
+  step_ = std::max(0x1p-53 * largest, kSmallestCoordinate);
   if (try_at(from)) return;
   if (push_inwards(from, inward(piece, parameter), step_, 0x1p10 * step_)) return;
   if (try_around(from)) return;

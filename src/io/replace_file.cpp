@@ -24,9 +24,9 @@ FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name
   constexpr std::size_t kLongestStem = 200;  // file systems allow names of 255 bytes
   const std::string stem = target_.filename().string().substr(0, kLongestStem);
   for (std::uint64_t attempt = 0; file_ == nullptr; ++attempt) {
-    temporary_ = target_.parent_path() / text::with_number(stem + ".tmp", attempt, "");
+    temporary_ = (target_.parent_path() / text::with_number(stem + ".tmp", attempt, "")).string();
     errno = 0;
-    file_ = std::fopen(temporary_.string().c_str(), "wbx");
+    file_ = std::fopen(temporary_.c_str(), "wbx");
     if (file_ != nullptr || errno == EEXIST) continue;
     static_cast<void>(keep(errno));
     temporary_.clear();
@@ -36,7 +36,7 @@ FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name
 
 FileReplacement::~FileReplacement() {
   static_cast<void>(close());
-  if (!temporary_.empty()) std::remove(temporary_.string().c_str());
+  if (!temporary_.empty()) std::remove(temporary_.c_str());  // allocates nothing
 }
 
 bool FileReplacement::commit() {

@@ -35,7 +35,7 @@ class FileReplacement {
 
   std::string name_;  ///< as the caller gave it
   std::filesystem::path target_;
-  std::filesystem::path temporary_;  ///< empty if there is no temporary file
+  std::string temporary_;  ///< the name of the temporary file; empty if there is none
   std::FILE* file_ = nullptr;
   int fault_ = 0;
 };

@@ -40,11 +40,12 @@ Result<void> ReplayWriter::record(std::span<const Change> changes, std::span<con
 }
 
 Result<void> ReplayWriter::tick(const World& world) {
-  ++tick_;
-  text_ = text::with_number("tick ", tick_, "");
-  const bool has_hash = tick_ % ticks_per_hash_ == 0;
+  const std::uint64_t tick = tick_ + 1;
+  text_ = text::with_number("tick ", tick, "");
+  const bool has_hash = tick % ticks_per_hash_ == 0;
   if (has_hash) text_ += " " + to_string(world.items_hash());
   text_ += '\n';
+  tick_ = tick;  // no memory is needed from here on
   auto written = write();
   if (has_hash) out_->flush();
   return written.ok() && !out_->good() ? write() : written;

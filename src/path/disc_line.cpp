@@ -12,9 +12,9 @@ using mesh::Vertex;
 
 namespace {
 
-/// If a line comes as near as this fraction of the radius to touching a vertex, the test decides exactly whether the
-/// gaps at the vertex are wide enough.
-constexpr double kTouching = 0x1p-30;
+/// If a line comes as near to touching a vertex as this many times the slack of the map, the test decides exactly
+/// whether the gaps at the vertex are wide enough.
+constexpr double kTouching = 16.0;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   start_ = touching_point(from.contact, direction_, map.radius);
   end_ = touching_point(to.contact, direction_, map.radius);
   least_ = map.least_distance() * map.least_distance();
-  const double touched = map.radius * (1.0 + kTouching);
+  const double touched = map.radius + kTouching * map.slack;
   touched_ = touched * touched;
   is_blocked_ = false;
   obstacles_[0].vertex = obstacles_[1].vertex = mesh::kNoVertex;
@@ -199,7 +199,7 @@ bool DiscLine::crosses_foot(HalfEdge corner) const {
   const double other = cross(direction_, *foot - start_);
   if (one * other > 0.0 || one == other) return false;
   const double at = dot(direction_, lerp(from, *foot, one / (one - other)) - start_);
-  const double slack = kTouching * map_->radius;
+  const double slack = kTouching * map_->explicit_slack;
   return at > -slack && at < length_ + slack;
 }
 

@@ -5,6 +5,7 @@
 
 #include "clearance/bridges.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 #include "nav/two_core.hpp"
 
@@ -15,20 +16,28 @@ class DiscMap {
  public:
   /// `two_core` is the two-core of the triangulation, or null. The search uses it to leave out dead ends.
   DiscMap(const constraint::ExactTriangulation& triangulation, const clearance::Bridges& bridges_of_it,
-          double exact_radius, const Point& start, const nav::TwoCore* two_core = nullptr)
-      : walls(triangulation), bridges(bridges_of_it), core(two_core), exact_radius_(exact_radius) {
+          double radius_of_disc, const Point& start, const nav::TwoCore* two_core = nullptr)
+      : walls(triangulation), bridges(bridges_of_it), core(two_core), exact_radius(radius_of_disc) {
     const Box& domain = walls.domain();
     const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
-    if (largest > 1024.0 * extent) origin = start;
-    radius = std::max(exact_radius, kLeastRadius * extent);
-    surely_short = 4.0 * least_distance() * least_distance();
-    surely_long = 4.0 * radius * radius * (1.0 + 0x1p-30);
+    const bool is_far = largest > kFar * extent;
+    if (is_far) origin = start;
+    const double unit = 0x1p-50 * (is_far ? extent : largest);
+    const double rounding = std::max(unit, constraint::largest_rounding(walls));
+    radius = std::max(exact_radius, kLeastRoundings * rounding);
+    explicit_slack = std::max(0x1p-34 * radius, unit);
+    slack = std::max(explicit_slack, rounding);
+    const double shorter = std::max(0.0, exact_radius - slack);
+    const double longer = exact_radius + slack;
+    surely_short = 4.0 * shorter * shorter;
+    surely_long = 4.0 * longer * longer;
   }
 
   const constraint::ExactTriangulation& walls;
   const clearance::Bridges& bridges;
   const nav::TwoCore* core;
+  double exact_radius;
   /// The radius for computations in doubles. It is larger than the exact radius if that one is so small that doubles
   /// cannot tell a position at this distance from a vertex from the vertex itself.
   double radius;
@@ -45,8 +54,11 @@ class DiscMap {
     return walls.triangulation().geometry().rounded(number(v)) - origin;
   }
 
-  /// A wall may be nearer to the path than the radius, by a small share of it, to allow for rounding.
-  [[nodiscard]] double least_distance() const { return radius * (1.0 - 0x1p-34); }
+  /// A wall may be nearer to the path than the radius by this much, to allow for rounding: by a small share of the
+  /// radius, and by some units of the last digit of a coordinate.
+  double slack;
+  double explicit_slack;  ///< the same for walls between explicit vertices
+  [[nodiscard]] double least_distance() const { return radius - slack; }
 
   /// Returns whether no disc passes between the two ends of the edge: the edge is a wall, or a bridge that is shorter
   /// than the disc is wide. The decision is exact.
@@ -56,7 +68,7 @@ class DiscMap {
     const exact::Geometry& geometry = walls.triangulation().geometry();
     const Point& from = geometry.rounded(number(mesh().origin(h)));
     const Point& to = geometry.rounded(number(mesh().target(h)));
-    return exact::compare_to_diameter({from, to, to}, exact_radius_) < 0;
+    return exact::compare_to_diameter({from, to, to}, exact_radius) < 0;
   }
 
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
@@ -65,13 +77,13 @@ class DiscMap {
     const std::uint32_t foot = bridges.foot_at(corner);
     if (foot == clearance::Bridges::kNone) return std::nullopt;
     const exact::Gap gap = foot_gap(corner, foot);
-    if (exact::compare_to_diameter(gap, exact_radius_) >= 0) return std::nullopt;
+    if (exact::compare_to_diameter(gap, exact_radius) >= 0) return std::nullopt;
     return exact::end_of(gap) - origin;
   }
   /// Returns whether there is such a bridge.
   [[nodiscard]] bool has_closed_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
-    return foot != clearance::Bridges::kNone && exact::compare_to_diameter(foot_gap(corner, foot), exact_radius_) < 0;
+    return foot != clearance::Bridges::kNone && exact::compare_to_diameter(foot_gap(corner, foot), exact_radius) < 0;
   }
 
  private:
@@ -82,9 +94,8 @@ class DiscMap {
             geometry.rounded(number(side.to))};
   }
 
-  static constexpr double kLeastRadius = 0x1p-44;
-
-  double exact_radius_;
+  static constexpr double kLeastRoundings = 4.0;
+  static constexpr double kFar = 4.0;
 };
 
 }  // namespace waywright::path

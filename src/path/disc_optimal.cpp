@@ -26,9 +26,10 @@ Point unit(const Point& v) {
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends) {
+void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) {
   map_ = &map;
   ends_ = &ends;
+  limit_ = limit * (1.0 + 0x1p-40);  // allows for rounding
   is_found_ = false;
   roots_.clear();
   windows_.clear();
@@ -194,8 +195,10 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
+  const double least = length + distance(touching, ends_->goal());
+  if (least > limit_) return;
   turns_.push_back({corner, root, v, turn, line, length, then});
-  open_.push(length + distance(touching, ends_->goal()), static_cast<std::uint32_t>(2 * turns_.size() - 1));
+  open_.push(least, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
 DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
@@ -213,6 +216,7 @@ void DiscOptimal::reach_goal(const Window& window) {
 void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
   if (turns_back(roots_[root], line.direction)) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
+  if (length > limit_) return;
   turns_.push_back({ends_->goal_face(), root, mesh::kNoVertex, 0, line, length, kNone});
   open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
@@ -223,6 +227,7 @@ void DiscOptimal::offer(const Window& window) {
     at_once_.push_back(window);
     return;
   }
+  if (least > limit_) return;
   windows_.push_back(window);
   open_.push(least, static_cast<std::uint32_t>(2 * windows_.size() - 2));
 }

@@ -33,8 +33,9 @@ namespace waywright::path {
 /// point on a convex mesh.
 class DiscOptimal {
  public:
-  /// Starts a search. Requires: `ends` belongs to `map`. Neither changes during the search.
-  void begin(const DiscMap& map, const DiscEnds& ends);
+  /// Starts a search for a path that is not longer than `limit`. Requires: `ends` belongs to `map`. Neither changes
+  /// during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends, double limit);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   [[nodiscard]] bool is_found() const { return is_found_; }
@@ -136,6 +137,7 @@ class DiscOptimal {
   const DiscEnds* ends_ = nullptr;
   bool is_found_ = false;
   double length_ = 0.0;
+  double limit_ = 0.0;  ///< the search leaves out what leads only to longer paths
   std::uint32_t last_root_ = kNone;
   Point last_direction_;
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this

@@ -23,11 +23,11 @@ void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, cons
     // A line goes straight on past a contact at which the path does not turn.
     if (i == 0 || direction != stops[i - 1].departure) {
       const Point& touching = i > 0 && !has_arc(i) ? stops[i - 1].departure : direction;
-      pieces.emplace_back().from = touching_point(contact, touching, map.radius) + map.origin;
+      pieces.emplace_back().from = touching_point(contact, touching, map.exact_radius) + map.origin;
     }
     DiscPiece& piece = pieces.back();
     piece.direction = direction;
-    piece.to = (has_next ? touching_point(stops[i + 1].contact, direction, map.radius) : goal) + map.origin;
+    piece.to = (has_next ? touching_point(stops[i + 1].contact, direction, map.exact_radius) : goal) + map.origin;
     if (!has_next) continue;
     piece.centre = stops[i + 1].contact.centre + map.origin;
     piece.turn = has_arc(i + 1) ? stops[i + 1].contact.side : 0;

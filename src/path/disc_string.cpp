@@ -197,6 +197,16 @@ DiscString::Step DiscString::test_arc(std::size_t i) {
   return insert(i + 1, stop_at(limit.limit, contact.side));
 }
 
+double DiscString::length() const {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
+    const Stop& stop = stops_[i];
+    if (i > 0) length += arc_length(stop.end.contact, stops_[i - 1].line.direction, stop.line.direction, map_->radius);
+    length += stop.line.length;
+  }
+  return length;
+}
+
 void DiscString::write_path(std::vector<DiscPiece>& pieces) {
   path_.clear();
   for (const Stop& stop : stops_) path_.push_back({stop.end.contact, stop.line.direction});

@@ -26,6 +26,8 @@ class DiscString {
   /// which it ends. Returns false if it finds no string: there may still be a path. A string that it finds is a path.
   [[nodiscard]] bool find(const DiscMap& map, const DiscEnds& ends, std::span<const mesh::HalfEdge> exits,
                           mesh::HalfEdge goal_face);
+  /// The length of the path. Requires: the last call of find() returned true.
+  [[nodiscard]] double length() const;
   /// Writes the pieces of the path. Requires: the last call of find() returned true.
   void write_path(std::vector<DiscPiece>& pieces);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -20,6 +21,9 @@
 namespace waywright {
 
 namespace {
+
+using Stage = detail::DiscSearch::Stage;
+using Outcome = detail::DiscSearch::Outcome;
 
 /// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends. Leaves out a line
 /// without length, and an arc that turns by less than a double can express.
@@ -50,50 +54,61 @@ void write_path(detail::DiscSearch& disc, Path& path) {
   path.pieces.back().to = disc.goal;
   // The length of the rounded pieces, as Path::at computes it.
   path.length = path::length_of(path.pieces);
-  path.lower_bound = disc.stage == detail::DiscSearch::Stage::shortest
-                         ? path.length
-                         : std::min(path.length, distance(disc.start, disc.goal));
+  path.lower_bound =
+      disc.stage == Stage::shortest ? path.length : std::min(path.length, distance(disc.start, disc.goal));
 }
 
-using Stage = detail::DiscSearch::Stage;
-using Outcome = detail::DiscSearch::Outcome;
+/// Tests the straight line from start to goal. If no wall is near it, writes it as the path and returns true.
+bool find_straight(detail::DiscSearch& disc) {
+  const path::DiscLine::End from{{disc.ends.start(), 0}, mesh::kNoVertex};
+  const path::DiscLine::End to{{disc.ends.goal(), 0}, mesh::kNoVertex};
+  const auto line = path::tangent(from.contact, to.contact, disc.map->radius);
+  if (!line || !disc.line.is_clear(*disc.map, from, to, *line, disc.ends.goal_face())) return false;
+  disc.length = line->length;
+  disc.pieces.assign({{disc.start, disc.goal, {}, 0, line->direction, {}}});
+  disc.outcome = Outcome::found;
+  return true;
+}
 
-/// Starts a stage of the search.
-void begin_stage(detail::DiscSearch& disc, Stage stage) {
-  disc.stage = stage;
-  disc.outcome = Outcome::running;
-  if (stage == Stage::channel) {
-    disc.channel.begin(*disc.map, disc.ends);
-  } else {
-    disc.shortest.begin(*disc.map, disc.ends);
+/// Starts the second stage of the search.
+void begin_shortest(detail::DiscSearch& disc) {
+  disc.stage = Stage::shortest;
+  disc.shortest.begin(*disc.map, disc.ends, disc.length);
+}
+
+/// Continues the stage with the channel. If it finds a string, writes its pieces.
+void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  if (!disc.channel.step(limit, expansions)) return;
+  if (!disc.channel.is_found()) {
+    disc.outcome = Outcome::none;
+    return;
   }
+  if (disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) {
+    disc.string.write_path(disc.pieces);
+    disc.length = disc.string.length();
+    if (!disc.wants_shortest) {
+      disc.outcome = Outcome::found;
+      return;
+    }
+  }
+  begin_shortest(disc);
 }
 
-/// Continues the stage with the channel. If the stage finds a path, writes its pieces.
-Outcome step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  if (!disc.channel.step(limit, expansions)) return Outcome::running;
-  if (!disc.channel.is_found()) return Outcome::none;
-  if (!disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) return Outcome::failed;
-  disc.string.write_path(disc.pieces);
-  return Outcome::found;
-}
-
-/// Continues the stage that finds the shortest path. If the stage finds it, writes its pieces.
-Outcome step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  if (!disc.shortest.step(limit, expansions)) return Outcome::running;
-  if (!disc.shortest.is_found()) return Outcome::failed;
-  disc.shortest.write_path(disc.pieces);
-  return Outcome::found;
+/// Continues the stage that finds the shortest path. If it is shorter than the string, writes its pieces.
+void step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
+  if (!disc.shortest.step(limit, expansions)) return;
+  if (disc.shortest.is_found() && disc.shortest.length() < disc.length) {
+    disc.shortest.write_path(disc.pieces);
+    disc.length = disc.shortest.length();
+  }
+  disc.outcome = std::isinf(disc.length) ? Outcome::none : Outcome::found;
 }
 
 /// Continues the search. Returns whether it has ended.
 bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  const bool is_channel = disc.stage == Stage::channel;
-  disc.outcome = is_channel ? step_channel(disc, limit, expansions) : step_shortest(disc, limit, expansions);
-  if (disc.outcome != Outcome::failed || disc.is_last_stage) return disc.outcome != Outcome::running;
-  disc.is_last_stage = true;
-  begin_stage(disc, is_channel ? Stage::shortest : Stage::channel);
-  return step(disc, limit, expansions);
+  if (disc.stage == Stage::channel) step_channel(disc, limit, expansions);
+  if (disc.stage == Stage::shortest && disc.outcome == Outcome::running) step_shortest(disc, limit, expansions);
+  return disc.outcome != Outcome::running;
 }
 
 /// Writes the time since the start of the search, if the query wants it.
@@ -144,7 +159,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
   return nearest_fit_of_disc(nearest, scratch);
 }
 
-/// Starts the search for a path. Requires: the disc is free at both ends.
+/// Starts the search for a path, or finds the straight line. Requires: the disc is free at both ends.
 void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
@@ -154,8 +169,12 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.map.emplace(walls, clearance->bridges(), query.radius, query.start,
                    has_abstraction ? &abstraction->core() : nullptr);
   disc.ends.begin(*disc.map, query.start, query.goal);
-  disc.is_last_stage = false;
-  begin_stage(disc, query.algorithm == PathAlgorithm::tra ? Stage::channel : Stage::shortest);
+  disc.stage = Stage::channel;
+  disc.outcome = Outcome::running;
+  if (find_straight(disc)) return;
+  disc.wants_shortest = query.algorithm != PathAlgorithm::tra;
+  disc.length = std::numeric_limits<double>::infinity();
+  disc.channel.begin(*disc.map, disc.ends);
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
@@ -171,7 +190,10 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
     return true;
   }
   begin_disc_search(freed, scratch);
-  return false;
+  if (disc.outcome == Outcome::running) return false;
+  write_path(disc, path);
+  write_time(disc, path);
+  return true;
 }
 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
@@ -201,8 +223,9 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
   for (std::size_t i = 0; i < paths.size(); ++i) {
     Path& path = paths[i];
     single.goal = query.goals[i];
-    if (begin_disc_path(single, scratch, path)) continue;
-    step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
+    if (!begin_disc_path(single, scratch, path)) {
+      step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
+    }
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();
   }

@@ -16,6 +16,7 @@
 #include "nav/kept_cover.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"
+#include "path/disc_line.hpp"
 #include "path/disc_optimal.hpp"
 #include "path/disc_string.hpp"
 #include "path/finder.hpp"
@@ -26,15 +27,12 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
-  /// `tra` searches for a channel and a string through it, the other algorithms for the shortest path. If a search does
-  /// not find a path because of rounding, or because no string runs through the channel, the other search comes next.
+  /// If nothing is in the way of the straight line from start to goal, no stage runs. The first stage searches for a
+  /// channel and for a string through it. If there is no channel, there is no path. The second stage searches for the
+  /// shortest path. Its search leaves out everything that is longer than the string. `tra` needs the second stage only
+  /// if the first one finds no string through its channel.
   enum class Stage { channel, shortest };
-  enum class Outcome {
-    running,
-    found,
-    failed,  ///< the stage has ended without a path, but there may be one
-    none,    ///< there is no path
-  };
+  enum class Outcome { running, found, none };
 
   Point start;
   Point goal;
@@ -42,8 +40,10 @@ struct DiscSearch {
   std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
   std::optional<path::DiscMap> map;                            ///< the stages refer to it and to `ends`
   path::DiscEnds ends;
-  Stage stage = Stage::shortest;
-  bool is_last_stage = false;
+  Stage stage = Stage::channel;
+  bool wants_shortest = false;
+  double length = 0.0;  ///< of `pieces`, or infinity as long as the search has found no path
+  path::DiscLine line;
   path::DiscChannel channel;
   path::DiscString string;
   path::DiscOptimal shortest;

@@ -47,6 +47,13 @@ class BulkOptions(ctypes.Structure):
     ]
 
 
+class Change(ctypes.Structure):
+    _fields_ = [("kind", ctypes.c_int32), ("id", ctypes.c_uint64), ("shape", ctypes.c_void_p)]
+
+
+Question = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p)
+
+REMOVE = 1
 OUT_OF_DOMAIN, INVALID_ARGUMENT, BUFFER_TOO_SMALL = 2, -2, -3
 
 
@@ -117,6 +124,33 @@ class Library(unittest.TestCase):
             )
         )
         self.assertEqual(calls[-1][0], calls[-1][1])
+
+    def test_asks_a_question(self):
+        world = self.make_world()
+        self.ok(self.ww.ww_world_insert_segment(world, Point(4, 0), Point(4, 7), ctypes.c_uint64(9), None))
+        change, paths = Change(REMOVE, 9, None), []
+
+        def find(changed, _):
+            paths.append(self.find_path(ctypes.c_void_p(changed), (1, 1), (7, 1)))
+            return self.ww.ww_world_remove(ctypes.c_void_p(changed), ctypes.c_uint64(9))
+
+        status = self.ww.ww_world_attempt(world, ctypes.byref(change), ctypes.c_size_t(1), Question(find), None)
+        self.assertEqual(status, INVALID_ARGUMENT)
+        self.assertEqual(paths, [[(1, 1), (7, 1)]])
+        self.assertEqual(self.find_path(world, (1, 1), (7, 1)), [(1, 1), (4, 7), (7, 1)])
+
+    def test_saves_to_memory(self):
+        world, text = self.make_world(), self.make("text")
+        self.ok(self.ww.ww_world_insert_segment(world, Point(4, 0), Point(4, 7), ctypes.c_uint64(0), None))
+        self.ok(self.ww.ww_world_save_bytes(world, text))
+        data, size = ctypes.c_void_p(), ctypes.c_size_t()
+        self.ok(self.ww.ww_text_bytes(text, ctypes.byref(data), ctypes.byref(size)))
+        saved = ctypes.string_at(data, size.value)
+        self.assertEqual(saved[:6], b"WWORLD")
+        loaded = ctypes.c_void_p()
+        self.ok(self.ww.ww_world_load_bytes(saved, ctypes.c_size_t(len(saved)), None, ctypes.byref(loaded)))
+        self.addCleanup(self.ww.ww_world_destroy, loaded)
+        self.assertEqual(self.find_path(loaded, (1, 1), (7, 1)), [(1, 1), (4, 7), (7, 1)])
 
     def test_each_thread_has_its_own_error(self):
         world = self.make_world()

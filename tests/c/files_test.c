@@ -58,7 +58,7 @@ void test_mesh(void) {
   CHECK_OK(ww_world_memory(world, &use));
   CHECK(use.vertices > 0 && use.faces > 0 && use.bridges == 0);
   CHECK(use.total == use.vertices + use.crossings + use.faces + use.walls + use.items + use.sectors + use.abstraction +
-                         use.bridges + use.spare);
+                         use.bridges + use.history + use.spare);
   count = use.total;
   CHECK_OK(ww_world_shrink_to_fit(world));
   CHECK_OK(ww_world_memory(world, &use));

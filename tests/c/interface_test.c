@@ -17,6 +17,8 @@ static void test_versions_and_names(void) {
   CHECK(strcmp(ww_status_name(WW_OK), "ok") == 0);
   CHECK(strcmp(ww_status_name(WW_OUT_OF_DOMAIN), "out-of-domain") == 0);
   CHECK(strcmp(ww_status_name(WW_MALFORMED), "malformed") == 0);
+  CHECK(strcmp(ww_status_name(WW_UNWRITABLE), "unwritable") == 0);
+  CHECK(strcmp(ww_status_name(WW_UNWRITABLE + 1), "unknown") == 0);
   CHECK(strcmp(ww_status_name(WW_OUT_OF_MEMORY), "out-of-memory") == 0);
   CHECK(strcmp(ww_status_name(1000), "unknown") == 0);
   CHECK(strcmp(ww_item_kind_name(WW_ITEM_POLYLINE), "polyline") == 0);
@@ -25,6 +27,9 @@ static void test_versions_and_names(void) {
   CHECK(strcmp(ww_path_algorithm_name(WW_ALGORITHM_TRA), "tra") == 0);
   CHECK(strcmp(ww_path_status_name(WW_PATH_NO_PATH), "no-path") == 0);
   CHECK(strcmp(ww_path_status_name(-1), "unknown") == 0);
+  CHECK(WW_LARGEST_COORDINATE == ldexp(1, 100) && WW_SMALLEST_COORDINATE == ldexp(1, -100));
+  CHECK(ww_is_in_range(0) == 1 && ww_is_in_range(-WW_LARGEST_COORDINATE) == 1);
+  CHECK(ww_is_in_range(NAN) == 0 && ww_is_in_range(WW_SMALLEST_COORDINATE / 2) == 0);
 }
 
 static void test_shapes(void) {
@@ -372,6 +377,16 @@ int main(void) {
   test_many_paths();
   test_search();
   test_following_changes();
+  test_copies();
+  test_limits();
+  test_going_back();
+  test_trying_out();
+  test_disconnecting();
+  test_changed_regions();
+  test_path_watch();
+  test_saving();
+  test_replaying();
+  test_snippets();
   test_mesh();
   test_scenes();
   test_pictures();

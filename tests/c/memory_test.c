@@ -44,6 +44,8 @@ static void deallocate(void* memory, size_t alignment, void* user_data) {
 
 static const char kMap[] = "type octile\nheight 2\nwidth 3\nmap\n..@\n..@\n";
 static const char kScript[] = "waywright 1\ndomain 0 0 10 10\nsegment 1 4 0 4 7\npath 1 1 7 1 0\n";
+static const char kFile[] = "waywright_c_memory_test.wwb"; /* in the folder of the build */
+static const char kLog[] = "waywright 1\ndomain 0 0 9 9\npoint 1 2 2\ntick 1\nsegment 2 1 1 8 5\ntick 2\nremove 1\n";
 static const char kScenario[] = "version 1\n0 a_long_name_of_a_map_in_a_folder/arena.map 49 40 1 11 2 12 1.41\n";
 
 /* Everything that a call may use. */
@@ -61,9 +63,30 @@ typedef struct State {
   ww_script* script;
   ww_scenario* scenario;
   ww_svg_overlay* overlay;
+  ww_path_watch* watch;
+  ww_replay_writer* writer;
+  ww_replay* replay;
+  ww_text* saved;   /* the bytes of the world */
   ww_world* made;   /* by the call */
   ww_context* more; /* by the call */
 } State;
+
+/* Counts the bytes of a replay log. */
+static size_t log_size = 0;
+static ww_bool count_bytes(const void* bytes, size_t size, void* user_data) {
+  CHECK(bytes != NULL && user_data == &log_size);
+  log_size += size;
+  return 1;
+}
+
+static ww_output counter(void) {
+  ww_output output;
+  memset(&output, 0, sizeof output);
+  output.struct_size = sizeof output;
+  output.write = count_bytes;
+  output.user_data = &log_size;
+  return output;
+}
 
 static const ww_point kBar[] = {{20, 30}, {80, 30}, {80, 33}, {20, 33}};
 
@@ -89,6 +112,7 @@ static ww_path_query query_of(double radius) {
 static void make(State* state) {
   const ww_path_query query = query_of(0);
   const ww_shape shape = bar();
+  const ww_output output = counter();
   ww_world_options options;
   ww_point corners[12];
   size_t count = 0;
@@ -117,10 +141,24 @@ static void make(State* state) {
   CHECK_OK(ww_script_create(&state->script));
   CHECK_OK(ww_scenario_create(&state->scenario));
   CHECK_OK(ww_svg_overlay_create(&state->overlay));
+  CHECK_OK(ww_replay_create(&state->replay));
+  CHECK_OK(ww_text_create(&state->saved));
+  CHECK_OK(ww_world_save_bytes(state->world, state->saved));
+  CHECK_OK(ww_replay_writer_create(&output, state->world, 1, &state->writer));
+  CHECK_OK(ww_path_watch_create(state->world, &state->watch));
+  CHECK_OK(ww_path_watch_add(state->watch, 1, state->other_path));
+  CHECK_OK(ww_world_keep_history(state->world, 4));
+  CHECK_OK(ww_world_mark(state->world, NULL));
+  CHECK_OK(ww_world_remove(state->world, 2));
+  CHECK_OK(ww_world_insert_segment(state->world, at(60, 90), at(70, 40), 4, NULL)); /* across other_path */
 }
 
 static void destroy(State* state) {
   ww_search_destroy(state->search);
+  ww_path_watch_destroy(state->watch);
+  ww_replay_writer_destroy(state->writer);
+  ww_replay_destroy(state->replay);
+  ww_text_destroy(state->saved);
   ww_world_destroy(state->world);
   ww_world_destroy(state->made);
   ww_context_destroy(state->context);
@@ -303,6 +341,108 @@ static ww_status draw(State* s) {
   if (status == WW_OK) status = ww_world_to_svg(s->world, s->overlay, NULL, s->text);
   return status;
 }
+static ww_status clone_world(State* s) { return ww_world_clone(s->world, &s->made); }
+static ww_status mark(State* s) { return ww_world_mark(s->world, NULL); }
+static ww_status go_back(State* s) { return ww_world_rewind(s->world, 1); }
+static ww_status find_path_in(const ww_world* changed, void* user_data) {
+  State* const s = user_data;
+  const ww_path_query query = query_of(2);
+  return ww_world_find_path(changed, &query, s->context, s->path);
+}
+static ww_status attempt(State* s) {
+  const ww_shape shape = bar();
+  ww_change change;
+  memset(&change, 0, sizeof change);
+  change.shape = &shape;
+  return ww_world_attempt(s->world, &change, 1, find_path_in, s);
+}
+static ww_status would_disconnect_with(State* s, double radius) {
+  const ww_shape shape = bar();
+  ww_change change;
+  ww_bool answer = 0;
+  memset(&change, 0, sizeof change);
+  change.shape = &shape;
+  return ww_world_would_disconnect(s->world, &change, 1, kBar, 4, radius, &answer);
+}
+static ww_status would_disconnect(State* s) { return would_disconnect_with(s, 0); }
+static ww_status would_disconnect_discs(State* s) { return would_disconnect_with(s, 2); }
+static ww_status create_watch(State* s) {
+  ww_path_watch* watch = NULL;
+  const ww_status status = ww_path_watch_create(s->world, &watch);
+  ww_path_watch_destroy(watch);
+  return status;
+}
+static ww_status watch_path(State* s) {
+  size_t count = 0;
+  const ww_status status = ww_path_watch_add(s->watch, 2, s->other_path);
+  CHECK_OK(ww_path_watch_count(s->watch, &count));
+  CHECK(count == (status == WW_OK ? 2 : 1));
+  return status;
+}
+static ww_status update_watch(State* s) {
+  size_t count = 0;
+  const ww_status status = ww_path_watch_update(s->watch, s->world);
+  CHECK_OK(ww_path_watch_blocked(s->watch, NULL, 0, &count));
+  CHECK(status != WW_OK || count == 1);
+  return status;
+}
+static ww_status save_to_output(State* s) {
+  const ww_output output = counter();
+  return ww_world_save(s->world, &output);
+}
+static ww_status save_bytes(State* s) { return ww_world_save_bytes(s->world, s->text); }
+static ww_status save_file(State* s) { return ww_world_save_file(s->world, kFile); }
+static ww_status load_bytes(State* s) {
+  const char* bytes = NULL;
+  size_t size = 0;
+  CHECK_OK(ww_text_bytes(s->saved, &bytes, &size));
+  return ww_world_load_bytes(bytes, size, NULL, &s->made);
+}
+static ww_status load_file(State* s) { return ww_world_load_file(kFile, NULL, &s->made); }
+static ww_status parse_saved_world(State* s) {
+  const char* bytes = NULL;
+  size_t size = 0;
+  CHECK_OK(ww_text_bytes(s->saved, &bytes, &size));
+  return ww_scene_parse_saved_world(bytes, size, "a.wwb", s->scene);
+}
+static ww_status create_writer(State* s) {
+  const ww_output output = counter();
+  ww_replay_writer* writer = NULL;
+  const ww_status status = ww_replay_writer_create(&output, s->world, 1, &writer);
+  ww_replay_writer_destroy(writer);
+  return status;
+}
+static ww_status record(State* s) {
+  const ww_shape shape = bar();
+  const size_t before = log_size;
+  ww_change change;
+  ww_status status;
+  memset(&change, 0, sizeof change);
+  change.id = 9;
+  change.shape = &shape;
+  status = ww_replay_writer_record(s->writer, &change, 1, NULL);
+  CHECK((status == WW_OK) == (log_size > before));
+  return status;
+}
+static ww_status end_tick(State* s) {
+  const size_t before = log_size;
+  uint64_t tick = 0;
+  const ww_status status = ww_replay_writer_tick(s->writer, s->world);
+  CHECK_OK(ww_replay_writer_last_tick(s->writer, &tick));
+  CHECK((status == WW_OK) == (log_size > before) && tick == (status == WW_OK ? 1 : 0));
+  return status;
+}
+static ww_status replay(State* s) {
+  const ww_status parsed = ww_script_parse(kLog, sizeof kLog - 1, "log", s->script);
+  return parsed != WW_OK ? parsed : ww_replay_run(s->replay, s->script, NULL, NULL);
+}
+static ww_status find_difference(State* s) {
+  ww_replay_difference difference;
+  const ww_status parsed = ww_script_parse(kLog, sizeof kLog - 1, "log", s->script);
+  difference.struct_size = sizeof difference;
+  return parsed != WW_OK ? parsed : ww_find_difference(s->script, s->script, &difference, NULL, 0, NULL);
+}
+static ww_status copy_path(State* s) { return ww_path_copy(s->other_path, s->path); }
 /* The message of an error may need memory. If there is none, it is the name of the status. */
 static ww_status error_message(State* s) {
   char message[256] = "";
@@ -364,6 +504,27 @@ static const struct Case {
     {"search", search, 0},
     {"is_clear", is_clear, 0},
     {"find_affected", find_affected, 0},
+    {"clone_world", clone_world, 0},
+    {"mark", mark, 0},
+    {"go_back", go_back, 1},
+    {"attempt", attempt, 0},
+    {"would_disconnect", would_disconnect, 0},
+    {"would_disconnect_discs", would_disconnect_discs, 0},
+    {"create_watch", create_watch, 0},
+    {"watch_path", watch_path, 0},
+    {"update_watch", update_watch, 0},
+    {"save_to_output", save_to_output, 0},
+    {"save_bytes", save_bytes, 0},
+    {"save_file", save_file, 0},
+    {"load_file", load_file, 0}, /* the file of the case before */
+    {"load_bytes", load_bytes, 0},
+    {"parse_saved_world", parse_saved_world, 0},
+    {"create_writer", create_writer, 0},
+    {"record", record, 0},
+    {"end_tick", end_tick, 0},
+    {"replay", replay, 0},
+    {"find_difference", find_difference, 0},
+    {"copy_path", copy_path, 0},
     {"snapshot", snapshot, 0},
     {"dump", dump, 0},
     {"mesh_hash", mesh_hash, 0},
@@ -477,6 +638,7 @@ int main(void) {
     if (refused == 0) printf("%s needs no memory that it cannot do without\n", kCases[i].name);
   }
   test_warm_queries();
+  CHECK(remove(kFile) == 0);
   /* The error of a refused text still has its message. The function frees it. */
   CHECK_OK(ww_set_allocator(NULL));
   CHECK(live_blocks == 0);

@@ -148,6 +148,7 @@ void test_many_paths(void) {
   ww_context* context = NULL;
   ww_paths* paths = NULL;
   const ww_path* path = NULL;
+  ww_path* copy = NULL;
   ww_many_goals_query many;
   ww_path_query queries[3];
   ww_path_info info = {0};
@@ -171,6 +172,9 @@ void test_many_paths(void) {
   CHECK_OK(ww_paths_get(paths, 2, &path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_FOUND && info.length == 1);
+  CHECK_OK(ww_path_create(&copy));
+  CHECK_OK(ww_path_copy(path, copy));
+  CHECK_STATUS(ww_path_copy(NULL, copy), WW_INVALID_ARGUMENT);
   CHECK_OK(ww_paths_get(paths, 1, &path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_GOAL_BLOCKED);
@@ -189,6 +193,9 @@ void test_many_paths(void) {
   CHECK_OK(ww_paths_get(paths, 2, &path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_FOUND && info.length == 1 && info.point_count == 0);
+  CHECK_OK(ww_path_get_info(copy, &info)); /* although the list has changed */
+  CHECK(info.status == WW_PATH_FOUND && info.length == 1 && info.point_count == 2);
+  ww_path_destroy(copy);
   many.wants_points = 1;
   CHECK_OK(ww_world_find_paths_from(world, &many, context, paths));
   CHECK_OK(ww_paths_get(paths, 0, &path));

@@ -332,6 +332,18 @@ static void print_hashes(Run* run, const ww_script_line* line) {
   printf(",\"items\":\"%s\",\"mesh\":\"%s\"}\n", items_text, mesh_text);
 }
 
+static void compare_hash(Run* run, const ww_script_line* line) {
+  ww_items_hash computed;
+  char expected_text[33], computed_text[33];
+  must(ww_world_items_hash(run->world, &computed), "ww_world_items_hash");
+  if (!line->has_items_hash || memcmp(&computed, &line->items_hash, sizeof computed) == 0) return;
+  must(ww_items_hash_text(&line->items_hash, expected_text, sizeof expected_text, NULL), "ww_items_hash_text");
+  must(ww_items_hash_text(&computed, computed_text, sizeof computed_text, NULL), "ww_items_hash_text");
+  print_opening(line);
+  printf(",\"tick\":%llu,\"same\":false,\"expected\":\"%s\",\"computed\":\"%s\"}\n", (unsigned long long)line->tick,
+         expected_text, computed_text);
+}
+
 static void carry_out(Run* run, const ww_script_line* line) {
   ww_shape shape;
   switch (line->kind) {
@@ -369,6 +381,9 @@ static void carry_out(Run* run, const ww_script_line* line) {
       break;
     case WW_SCRIPT_HASH:
       print_hashes(run, line);
+      break;
+    case WW_SCRIPT_TICK:
+      compare_hash(run, line);
       break;
     default:
       stop("a line of an unknown kind");

@@ -18,8 +18,25 @@ def exported_by(nm, library):
 
 
 # The classes whose member functions the table must name. The other classes are mostly data.
-CLASSES = {"world.hpp": "World", "path_search.hpp": "PathSearch", "path.hpp": "Path"}
+CLASSES = {
+    "world.hpp": "World",
+    "path_search.hpp": "PathSearch",
+    "path.hpp": "Path",
+    "path_watch.hpp": "PathWatch",
+    "replay.hpp": "ReplayWriter",
+}
 MEMBER = re.compile(r"^  (?:\[\[nodiscard\]\] )?(?:static )?(?:const )?[A-Za-z][\w:<>]*(?:<[\w:, ]+>+)?[&*]? (?P<name>[a-z_]+)\(", re.MULTILINE)
+
+
+# The functions outside of classes. The table has one row for the arithmetic in point.hpp.
+FREE = re.compile(r"^(?:\[\[nodiscard\]\] )?WAYWRIGHT_API [^;{(]*?\b(?P<name>[a-z_]\w*)\(", re.MULTILINE)
+
+
+def free_functions_of(root):
+    """Yields the functions outside of classes that the table must name: `save_world`."""
+    for header in sorted(Path(root, "include/waywright").glob("*.hpp")):
+        if header.name != "point.hpp":
+            yield from sorted({match["name"] for match in FREE.finditer(header.read_text(encoding="utf-8"))})
 
 
 def members_of(root):
@@ -47,12 +64,14 @@ def main(arguments):
     faults += [f"symbols.txt has {name}; not so: {what}" for what, names in named.items() for name in set(listed) - names]
     members = list(members_of(root))
     faults += [f"docs/languages.md does not name {member}" for member in members if f"`{member}`" not in table]
+    functions = list(free_functions_of(root))
+    faults += [f"docs/languages.md does not name {name}()" for name in functions if not re.search(rf"`{name}\b", table)]
     if listed != sorted(set(listed)):
         faults.append("symbols.txt is not sorted")
     dynamic = subprocess.run([readelf, "-d", library], check=True, capture_output=True, text=True).stdout
     if f"[{soname}]" not in dynamic or not re.search(r"\.so\.\d+\.\d+$", soname):
         faults.append(f"the soname is not {soname}, with two numbers:\n{dynamic}")
-    print("\n".join(faults) if faults else f"{len(listed)} functions, {len(members)} in C++")
+    print("\n".join(faults) if faults else f"{len(listed)} functions in C; in C++ {len(members)} members and {len(functions)} others")
     return 1 if faults else 0
 
 

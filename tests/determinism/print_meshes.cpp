@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,26 +69,51 @@ void print_walk(const Path& path, double tolerance) {
   std::cout << '\n';
 }
 
-/// Prints whether discs fit at an end, and the widest disc between two ends.
-void print_discs(const World& world, const Point& start, const Point& goal, double extent) {
-  for (const double radius : {0.0, 0x1p-5 * extent, 0x1p-3 * extent}) {
+void print_point(const Point& point) { std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y); }
+
+/// Prints which items are in the way of discs at a point, and where these discs fit near to it.
+void print_fits(const World& world, const Point& start, const Point& goal, double extent) {
+  for (const double radius : {0.0, 0x1p-8 * extent, 0x1p-5 * extent, 0x1p-3 * extent}) {
     const Result<DiscFit> fit = world.fit_disc(start, radius);
     std::cout << "disc";
     if (!fit) std::cout << ' ' << to_string(fit.error().code);
     if (fit) print_ids(fit->items);
-    std::cout << '\n';
-  }
-  for (const double radius : {0x1p-10 * extent, 0x1p-6 * extent, 0x1p-4 * extent}) {
-    const Result<Path> path = world.find_path({.start = start, .goal = goal, .radius = radius});
-    if (!path) continue;
-    std::cout << "disc path " << to_string(path->status) << ' ' << bits_of(path->length);
-    for (const PathPiece& piece : path->pieces) {
-      for (const double number :
-           {piece.from.x, piece.from.y, piece.to.x, piece.to.y, piece.start_angle, piece.end_angle})
-        std::cout << ' ' << bits_of(number);
+    for (const std::optional<Point>& wanted : {std::optional<Point>(), std::optional(goal)}) {
+      const Result<NearestFit> nearest = world.nearest_fit({.point = start, .radius = radius, .goal = wanted});
+      if (!nearest) continue;
+      std::cout << ' ' << nearest->is_found << ' ' << bits_of(nearest->distance);
+      print_point(nearest->at);
     }
     std::cout << '\n';
-    print_walk(*path, 0x1p-9 * extent);
+  }
+}
+
+/// Prints the path of a disc, and what a disc touches that moves along a segment.
+void print_disc_path(const World& world, const PathQuery& query, double extent) {
+  const Result<Path> path = world.find_path(query);
+  if (!path) return;
+  std::cout << "disc path " << to_string(path->status) << ' ' << path->expansions << ' ' << bits_of(path->length);
+  for (const PathPiece& piece : path->pieces) {
+    for (const double number : {piece.from.x, piece.from.y, piece.to.x, piece.to.y, piece.start_angle, piece.end_angle})
+      std::cout << ' ' << bits_of(number);
+  }
+  std::cout << '\n';
+  print_walk(*path, 0x1p-9 * extent);
+  const Result<RayHit> touched = world.sweep_disc(query.start, query.goal, query.radius);
+  if (!touched) return;
+  std::cout << "sweep " << touched->hit;
+  for (const Point& point : {touched->at, touched->contact}) print_point(point);
+  print_ids(touched->items);
+  std::cout << '\n';
+}
+
+/// Prints the answers of the queries about discs.
+void print_discs(const World& world, const Point& start, const Point& goal, double extent) {
+  print_fits(world, start, goal, extent);
+  for (const double radius : {0x1p-10 * extent, 0x1p-6 * extent, 0x1p-4 * extent}) {
+    for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
+      print_disc_path(world, {.start = start, .goal = goal, .radius = radius, .algorithm = algorithm}, extent);
+    }
   }
   const Result<WidestPath> widest = world.widest_path(start, goal);
   std::cout << "widest ";
@@ -96,7 +122,7 @@ void print_discs(const World& world, const Point& start, const Point& goal, doub
     return;
   }
   std::cout << widest->is_connected << ' ' << widest->is_limited << ' ' << bits_of(widest->radius);
-  for (const Point& point : {widest->from, widest->to}) std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y);
+  for (const Point& point : {widest->from, widest->to}) print_point(point);
   print_ids(widest->from_items);
   print_ids(widest->to_items);
   std::cout << '\n';

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,7 @@ class Map {
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
     const path::DiscMap map(walls_, *bridges_, radius, start);
     ends_.begin(map, start, goal);
-    search_.begin(map, ends_);
+    search_.begin(map, ends_, std::numeric_limits<double>::infinity());
     std::size_t expansions = 0;
     EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;

@@ -168,5 +168,30 @@ TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
   }
 }
 
+// The last digits of these coordinates are worth 2^-33, about a tenth of the radius. Rounding must not make the search
+// take a wall beside its path for one in the way: the reverse path then was three times as long.
+TEST(DiscPaths, AreAsLongInTheOtherDirectionFarFromTheOrigin) {
+  World world = World::create({{1000000, -1000000}, {1000037, -999963}}, {.keep_bridges = true}).value();
+  const Point hub{1000004.7578321772, -999983.11326095706};
+  const Point rim[] = {{1000014.5438500382, -999977.54028188449}, {1000016.0650284011, -999985.2118008571},
+                       {1000024.7855980641, -999969.26652659266}, {1000031.982693447, -999987.75430667365},
+                       {1000001.9057568077, -999965.53287352377}, {1000010.9893986493, -999982.29252512718},
+                       {1000032.8734998998, -999987.57315376482}, {1000031.5259393362, -999974.92124571605},
+                       {1000005.8764557497, -999980.8618856041},  {1000026.7730222761, -999999.1721696452}};
+  for (const Point& end : rim) world.insert_segment(hub, end).value();
+  const Point start{1000004, -999968};
+  const Point goal{1000009, -999988};
+  for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
+    const Path path = world.find_path({.start = start, .goal = goal, .radius = 1e-9, .algorithm = algorithm}).value();
+    const Path back = world.find_path({.start = goal, .goal = start, .radius = 1e-9, .algorithm = algorithm}).value();
+    ASSERT_EQ(path.status, PathStatus::found);
+    ASSERT_EQ(back.status, PathStatus::found);
+    // The shortest path is that of a point, up to arcs of this radius.
+    const double length = world.find_path({.start = start, .goal = goal}).value().length;
+    EXPECT_NEAR(path.length, length, 1e-7);
+    EXPECT_NEAR(back.length, length, 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace waywright::test

@@ -288,5 +288,15 @@ TEST(NearestFit, WorksWithRadiiOfAnySize) {
   EXPECT_NEAR(std::abs(fit.at.y) / 0x1p90, 1, 1e-12);
 }
 
+// Near (0, 0), doubles are much closer to each other than the smallest coordinate that a world accepts. The search must
+// not halve its steps down to 0.
+TEST(NearestFit, EndsNearTheOriginForTheSmallestRadius) {
+  const World world = World::create({{0, 0}, {0x1p-35, 0x1p-35}}, {.keep_bridges = true}).value();
+  const NearestFit fit = world.nearest_fit({.point = {0, 0}, .radius = 5e-324}).value();
+  ASSERT_TRUE(fit.is_found);
+  EXPECT_TRUE(world.fit_disc(fit.at, 5e-324).value().fits);
+  EXPECT_LE(fit.distance, 0x1p-96);
+}
+
 }  // namespace
 }  // namespace waywright::test
