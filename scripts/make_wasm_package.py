@@ -55,7 +55,9 @@ def build_wrapper():
     for old in (PACKAGE / "dist").rglob("*"):
         if old.suffix in (".js", ".ts"):
             old.unlink()
-    run("npx", "--no-install", "tsc", cwd=PACKAGE)
+    # The comments are in the types. The programs need none.
+    run("npx", "--no-install", "tsc", "--declaration", "false", "--removeComments", cwd=PACKAGE)
+    run("npx", "--no-install", "tsc", "--emitDeclarationOnly", cwd=PACKAGE)
 
 
 def compressed_size():
