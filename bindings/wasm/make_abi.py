@@ -106,8 +106,8 @@ def write_abi(header):
     lines += ["}", "", "/** Returns the functions with each trap given to `trapped`, which throws. */"]
     lines += ["export function guarded(raw: Functions, trapped: (reason: unknown) => never): Functions {", "  return {"]
     for name, _, parameters in header.functions:
-        names = ", ".join(each for each, _ in parameters_of(header, parameters))
-        lines.append(f"    {name}: ({names}) => {{ try {{ return raw.{name}({names}); }} catch (e) {{ return trapped(e); }} }},")
+        names = ", ".join("abcdefghijklm"[: len(parameters_of(header, parameters))])
+        lines.append(f"    {name}: ({names}) => {{ try {{ return raw.{name}({names}); }} catch (x) {{ return trapped(x); }} }},")
     return "\n".join([*lines, "  };", "}", ""])
 
 

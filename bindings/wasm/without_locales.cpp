@@ -1,5 +1,5 @@
 // The library writes and reads saved worlds through streams, as bytes. A stream contains a locale, and a locale refers
-// to all the code for dates, money and wide characters: 80 kB of the compressed module. Bytes need no locale. So the
+// to all the code for dates, money and wide characters: 30 kB of the compressed module. Bytes need no locale. So the
 // linker replaces the functions of std::locale that streams call by the functions below (--wrap). A stream that would
 // write a number or pad a text needs a facet, and throws std::bad_cast: the library writes such texts itself.
 //

@@ -83,9 +83,10 @@ test('saving and loading', () => {
   }
   const load = () => refuses('malformed', () => World.load(new Uint8Array(1e5)));
   load();
+  for (let i = 0; i < 5; ++i) load();
   const before = usedBytes();
-  load();
-  assert.equal(usedBytes(), before);
+  for (let i = 0; i < 100; ++i) load();
+  assert.ok(usedBytes() - before < 10000);
 });
 
 test('the regions that changed', () => {
