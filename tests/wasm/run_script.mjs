@@ -40,7 +40,7 @@ function widest() {
 }
 
 function findPath(world, line) {
-  const query = { start: line.from, goal: line.to, radius: line.radius ?? 0 };
+  const query = { start: line.from, goal: line.to, radius: line.radius };
   if (line.algorithm !== null) query.algorithm = line.algorithm;
   if (line.endTolerance !== null) query.endTolerance = line.endTolerance;
   const path = world.findPath(query, used.path, used.context);
@@ -58,7 +58,7 @@ function locate(world, line) {
 }
 
 function castRay(world, line) {
-  const isDisc = line.radius !== null;
+  const isDisc = line.hasRadius;
   const found = isDisc
     ? world.sweepDisc(line.from, line.to, line.radius, used.context)
     : world.ray(line.from, line.to, used.context);
@@ -67,7 +67,7 @@ function castRay(world, line) {
 }
 
 function findNearestFit(world, line) {
-  const query = { point: line.from, radius: line.radius ?? 0 };
+  const query = { point: line.from, radius: line.radius };
   if (line.hasGoal) query.goal = line.to;
   const found = world.nearestFit(query, used.context);
   return found.isFound ? { found: true, at: pair(found.at) } : { found: false };
@@ -93,6 +93,11 @@ const actions = {
   path: findPath,
   clear: (world) => ({ clear: world.isClear(used.items.points(0), used.context) }),
   check: checkWorld,
+  tick: (world, { tick, itemsHash }) => {
+    const computed = world.itemsHash();
+    if (itemsHash === null || itemsHash === computed) return undefined;
+    return { tick, same: false, expected: itemsHash, computed };
+  },
   hash: (world) => ({ items: world.itemsHash(), mesh: world.meshHash() }),
 };
 
@@ -115,7 +120,7 @@ export function runScript(text, name) {
   used.context = new QueryContext();
   const script = new Script().parse(text, name);
   const lines = Array.from({ length: script.length }, (_, i) => script.line(i));
-  const needsBridges = lines.some((line) => (line.kind === 'path' || line.hasGoal) && (line.radius ?? 0) > 0);
+  const needsBridges = lines.some((line) => (line.kind === 'path' || line.hasGoal) && line.radius > 0);
   const world = new World(script.domain, { keepBridges: needsBridges });
   const answers = [];
   lines.forEach((line, i) => {

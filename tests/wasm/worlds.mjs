@@ -84,18 +84,28 @@ function walkText(path, tolerance) {
   return `${text}${bitsOfAll(path.polyline(tolerance))}\n`;
 }
 
+const flag = (value) => (value ? 1 : 0);
+
+/** The path of a disc, and what a disc touches that moves along a segment. */
 function discPathText(world, query, path, tolerance) {
-  return codeOr(() => {
+  const { start, goal, radius } = query;
+  const found = codeOr(() => {
     world.findPath(query, path);
+    const { status, expansions, length } = path.info;
     const pieces = path.pieces().map(({ from, to, startAngle, endAngle }) =>
       bitsOfAll([from.x, from.y, to.x, to.y, startAngle, endAngle]),
     );
-    return { text: `disc path ${path.status} ${bitsOf(path.length)}${pieces.join('')}\n${walkText(path, tolerance)}` };
-  }).text ?? '';
+    return { text: `disc path ${status} ${expansions} ${bitsOf(length)}${pieces.join('')}\n${walkText(path, tolerance)}` };
+  });
+  if (typeof found === 'string') return '';
+  const swept = codeOr(() => {
+    const { hit, at, contact, items } = world.sweepDisc(start, goal, radius);
+    return { text: `sweep ${flag(hit)}${bitsOfPoint(at)}${bitsOfPoint(contact)}${idsText(items)}\n` };
+  });
+  return found.text + (swept.text ?? '');
 }
 
 function widestText(world, start, goal) {
-  const flag = (value) => (value ? 1 : 0);
   const text = codeOr(() => {
     const { isConnected, isLimited, radius, from, to, fromItems, toItems } = world.widestPath(start, goal);
     const ends = bitsOfPoint(from) + bitsOfPoint(to) + idsText(fromItems) + idsText(toItems);
@@ -104,14 +114,28 @@ function widestText(world, start, goal) {
   return `widest ${text}\n`;
 }
 
-function discsText(world, start, goal, extent, path) {
+/** Which items are in the way of discs at a point, and where these discs fit near to it. */
+function fitsText(world, start, goal, extent) {
   let text = '';
-  for (const radius of [0, 2 ** -5 * extent, 2 ** -3 * extent]) {
+  for (const radius of [0, 2 ** -8 * extent, 2 ** -5 * extent, 2 ** -3 * extent]) {
     const fit = codeOr(() => world.fitDisc(start, radius));
-    text += `disc${typeof fit === 'string' ? ` ${fit}` : idsText(fit.items)}\n`;
+    text += `disc${typeof fit === 'string' ? ` ${fit}` : idsText(fit.items)}`;
+    for (const wanted of [{}, { goal }]) {
+      const nearest = codeOr(() => world.nearestFit({ point: start, radius, ...wanted }));
+      if (typeof nearest === 'string') continue;
+      text += ` ${flag(nearest.isFound)} ${bitsOf(nearest.distance)}${bitsOfPoint(nearest.at)}`;
+    }
+    text += '\n';
   }
+  return text;
+}
+
+function discsText(world, start, goal, extent, path) {
+  let text = fitsText(world, start, goal, extent);
   for (const radius of [2 ** -10 * extent, 2 ** -6 * extent, 2 ** -4 * extent]) {
-    text += discPathText(world, { start, goal, radius }, path, 2 ** -9 * extent);
+    for (const algorithm of ['optimal', 'tra']) {
+      text += discPathText(world, { start, goal, radius, algorithm }, path, 2 ** -9 * extent);
+    }
   }
   return text + widestText(world, start, goal);
 }

@@ -122,8 +122,11 @@ export interface ScriptLine {
   readonly id: ItemId;
   readonly from: Point;
   readonly to: Point;
+  /** Whether a line `ray` has a radius. */
+  readonly hasRadius: boolean;
+  /** 0 if the line has none. */
+  readonly radius: number;
   /** Null if the line has none. */
-  readonly radius: number | null;
   readonly algorithm: PathAlgorithm | null;
   readonly endTolerance: number | null;
   readonly hasGoal: boolean;
@@ -167,7 +170,8 @@ export class Script extends Handle {
       id: idAt(struct + layout.id),
       from: readPoint(struct + layout.from),
       to: readPoint(struct + layout.to),
-      radius: has(layout.hasRadius) ? get.float(struct + layout.radius) : null,
+      hasRadius: has(layout.hasRadius),
+      radius: get.float(struct + layout.radius),
       algorithm: has(layout.hasAlgorithm) ? fromEnum(PATH_ALGORITHMS, algorithm) : null,
       endTolerance: has(layout.hasEndTolerance) ? get.float(struct + layout.endTolerance) : null,
       hasGoal: has(layout.hasGoal),
