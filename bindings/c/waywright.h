@@ -1022,8 +1022,8 @@ enum {
   WW_SCRIPT_TICK = 11
 };
 
-/* One line of a world script. Members that the line does not have are 0. ww_script_item gives the shape of an insertion
-   or replacement, and the points of WW_SCRIPT_CLEAR. */
+/* One line of a world script. Numbers that the line does not have are 0, and its algorithm is WW_ALGORITHM_OPTIMAL.
+   ww_script_item gives the shape of an insertion or replacement, and the points of WW_SCRIPT_CLEAR. */
 typedef struct ww_script_line {
   uint32_t struct_size;
   ww_script_line_kind kind;
