@@ -3,8 +3,8 @@
 
 usage: check_docs.py [ROOT]
 
-- Each ```cpp block in docs/guides must be in one of the examples (examples/*.cpp), and each ```text block in the expected
-  output of an example (examples/*.txt): the same lines in the same order, apart from their common indentation.
+- Each ```cpp block in docs/guides must be in one of the examples (a .cpp or .hpp file in examples or its folders), and each
+  ```text block in the expected output of an example (a .txt file there): the same lines in the same order, apart from their common indentation.
 - Each link to a file of the project must lead to an existing file or folder.
 
 Prints `FILE:LINE: what is wrong` for each fault and exits 1; exits 0 when there is none.
@@ -16,7 +16,7 @@ import textwrap
 from pathlib import Path
 
 # The files that the blocks of each language quote.
-SOURCES = {"cpp": "*.cpp", "text": "*.txt"}
+SOURCES = {"cpp": "*.[ch]pp", "text": "*.txt"}
 FENCE = re.compile(r"^```(\w*)$")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s#]+)(?:#[^)]*)?\)")
 
@@ -47,9 +47,9 @@ def quote_faults(page, examples):
     for first, language, lines in blocks_of(page.read_text(encoding="utf-8")):
         if language not in SOURCES:
             continue
-        sources = sorted(examples.glob(SOURCES[language]))
+        sources = sorted(examples.rglob(SOURCES[language]))
         if not any(is_quoted(lines, source.read_text(encoding="utf-8")) for source in sources):
-            yield first, f"these lines are in no file examples/{SOURCES[language]}; quote an example as it is"
+            yield first, f"these lines are in no file {SOURCES[language]} of examples; quote an example as it is"
 
 
 def link_faults(page):

@@ -55,6 +55,7 @@ ROOMS = {
     "bindings/wasm": room(["c"], ALL, ("malloc.h",)),
     "tools": room(["base"], ALL, ALL),
     "examples": room([], ALL),
+    "examples/lockstep": room([], ALL, BOOST),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
     "tests": room(WORLD | {"world", "io", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),

@@ -31,13 +31,13 @@ SITE = "build/docs/html"
 FRONT_PAGE = "README.md"
 # The pages whose links make the tree of pages.
 LISTS = {"docs/README.md", "docs/benchmarks.md"}
-FOLDERS = {"include/waywright": "modules.html", "examples": "examples.html"}
+FOLDERS = {"include/waywright": "modules.html", "examples": "examples.html", "examples/lockstep": "examples.html"}
 
 LABELLED = re.compile(r"^(\s*///) (Requires|Errors|Cost|Source|Threads|Exceptions): ", re.MULTILINE)
 FENCE = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^(#+) (.+)$", re.MULTILINE)
 PAGE_NAME = re.compile(r"\b(docs/[\w/]+|ARCHITECTURE)\.md\b")
-CLASS = re.compile(r"^(?:enum )?(?:class|struct) (?:\[\[nodiscard\]\] )?(?:WAYWRIGHT_API\w* )?(\w+)\b(?!::)", re.MULTILINE)
+CLASS = re.compile(r"^(?:enum )?(?:class|struct) (?:\[\[nodiscard\]\] )?(?:WAYWRIGHT_API\w* )?(\w+)\b(?!::|;)", re.MULTILINE)
 MEMBER = re.compile(r"`(\w+)(?:::(\w+))?`")
 BOLD_CODE = re.compile(r"\*\*`([^`*]+)`\*\*")
 LINK = re.compile(r"(!?)\[([^\]]+)\]\(([^)\s#]*)(?:#([^)\s]+))?\)")

@@ -114,6 +114,10 @@ struct ObjectOf<ww_path_watch> {
   using Type = Watch;
 };
 template <>
+struct ObjectOf<ww_snapshot> {
+  using Type = WorldSnapshot;
+};
+template <>
 struct ObjectOf<ww_mesh> {
   using Type = MeshSnapshot;
 };

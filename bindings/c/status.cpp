@@ -64,7 +64,8 @@ static_assert(equal(WW_SCRIPT_INSERT, ScriptLineKind::insert) && equal(WW_SCRIPT
               equal(WW_SCRIPT_RAY, ScriptLineKind::ray) && equal(WW_SCRIPT_DISC, ScriptLineKind::disc) &&
               equal(WW_SCRIPT_NEAREST, ScriptLineKind::nearest) && equal(WW_SCRIPT_PATH, ScriptLineKind::path) &&
               equal(WW_SCRIPT_CHECK, ScriptLineKind::check) && equal(WW_SCRIPT_HASH, ScriptLineKind::hash) &&
-              equal(WW_SCRIPT_CLEAR, ScriptLineKind::clear) && equal(WW_SCRIPT_TICK, ScriptLineKind::tick));
+              equal(WW_SCRIPT_CLEAR, ScriptLineKind::clear) && equal(WW_SCRIPT_TICK, ScriptLineKind::tick) &&
+              equal(WW_SCRIPT_MARK, ScriptLineKind::mark) && equal(WW_SCRIPT_REWIND, ScriptLineKind::rewind));
 static_assert(equal(WW_DIFFERENCE_DOMAIN, ReplayDifference::Kind::domain) &&
               equal(WW_DIFFERENCE_CHANGE, ReplayDifference::Kind::change) &&
               equal(WW_DIFFERENCE_HASH, ReplayDifference::Kind::hash) &&

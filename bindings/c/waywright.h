@@ -163,13 +163,14 @@ WW_API ww_status ww_set_allocator(const ww_allocator* allocator);
 /* ---------------------------------------------------------------------------------------------------------------------
    Objects */
 
-typedef struct ww_world ww_world;                 /* obstacles, and their mesh */
-typedef struct ww_context ww_context;             /* the memory that queries keep between calls; one for each thread */
-typedef struct ww_items ww_items;                 /* a list of items: ids and shapes */
-typedef struct ww_path ww_path;                   /* the answer to a path query */
-typedef struct ww_paths ww_paths;                 /* the answers to several path queries */
-typedef struct ww_search ww_search;               /* a path search in slices */
-typedef struct ww_path_watch ww_path_watch;       /* the paths of many agents, which changes of a world may concern */
+typedef struct ww_world ww_world;           /* obstacles, and their mesh */
+typedef struct ww_context ww_context;       /* the memory that queries keep between calls; one for each thread */
+typedef struct ww_items ww_items;           /* a list of items: ids and shapes */
+typedef struct ww_path ww_path;             /* the answer to a path query */
+typedef struct ww_paths ww_paths;           /* the answers to several path queries */
+typedef struct ww_search ww_search;         /* a path search in slices */
+typedef struct ww_path_watch ww_path_watch; /* the paths of many agents, which changes of a world may concern */
+typedef struct ww_snapshot ww_snapshot;
 typedef struct ww_mesh ww_mesh;                   /* a copy of the mesh of a world */
 typedef struct ww_text ww_text;                   /* text or bytes that the library has written */
 typedef struct ww_scene ww_scene;                 /* a domain and items, as a file gives them */
@@ -799,6 +800,20 @@ typedef struct ww_changed_box {
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
 
+/* A snapshot is an immutable world with the state that a world had when ww_world_publish was called. Other threads
+   query it while one thread changes the world, and neither waits for the other. The first snapshot costs as much as
+   ww_world_clone; later ones cost time for the items that have changed, if the snapshots before have been destroyed.
+   Threads: each handle belongs to one thread at a time; give each thread a handle of its own by ww_snapshot_copy.
+   Threads may copy and destroy their handles while another thread calls any function on the world. */
+WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
+/* Makes another handle of the same immutable world, at a cost that does not depend on the world. */
+WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy);
+/* The last handle of an immutable world gives its memory back. A snapshot may outlive its world. */
+WW_API void ww_snapshot_destroy(ww_snapshot* snapshot);
+/* Sets `world` to the immutable world. All functions that take a `const ww_world*` work, from several threads at once,
+   each with its own context. It is valid until this handle is destroyed. Do not destroy it. */
+WW_API ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world** world);
+
 /* A path watch holds copies of the paths of many agents under keys that you choose. After operations, it says which
    agents should search again. It looks only at paths near the changes, so its cost depends on what has changed.
    Threads: a watch belongs to one thread at a time; making and updating it reads the world. */
@@ -1019,7 +1034,9 @@ enum {
   WW_SCRIPT_CHECK = 8,
   WW_SCRIPT_HASH = 9,
   WW_SCRIPT_CLEAR = 10,
-  WW_SCRIPT_TICK = 11
+  WW_SCRIPT_TICK = 11,
+  WW_SCRIPT_MARK = 12,
+  WW_SCRIPT_REWIND = 13
 };
 
 /* One line of a world script. Numbers that the line does not have are 0, and its algorithm is WW_ALGORITHM_OPTIMAL.
@@ -1040,7 +1057,7 @@ typedef struct ww_script_line {
   double radius;
   double end_tolerance;
   ww_bool has_items_hash;   /* for WW_SCRIPT_TICK */
-  uint64_t tick;            /* the number of WW_SCRIPT_TICK */
+  uint64_t tick;            /* the number of WW_SCRIPT_TICK; for _MARK and _REWIND the tick of ww_world_mark */
   ww_items_hash items_hash; /* for WW_SCRIPT_TICK */
 } ww_script_line;
 

@@ -55,6 +55,9 @@ class WAYWRIGHT_API ReplayWriter {
   /// Ends a tick. Ticks count from 1. If the log gets a hash at this tick, the function also flushes the stream, so
   /// that the log is complete up to this tick even if the program crashes later. Errors: unwritable. Cost: O(1).
   Result<void> tick(const World& world);
+  /// Does the same for a game with rollback, which knows only later that a tick is final: `hash` is World::items_hash()
+  /// at the end of this tick.
+  Result<void> tick(const ItemsHash& hash);
 
   /// Returns the number of the last tick, 0 before the first.
   [[nodiscard]] std::uint64_t last_tick() const { return tick_; }

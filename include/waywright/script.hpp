@@ -30,7 +30,9 @@ enum class ScriptLineKind : std::uint8_t {
   check,
   hash,
   clear,
-  tick
+  tick,
+  mark,
+  rewind
 };
 
 /// One line of a world script. The parser does not check whether numbers are in range or points lie in the domain. A
@@ -46,7 +48,7 @@ struct ScriptLine {
   std::optional<PathAlgorithm> algorithm;  ///< for path, if the line names one
   std::optional<double> end_tolerance;     ///< for path, if the line gives one
   bool has_goal = false;                   ///< for nearest: whether the line gives a goal
-  std::uint64_t tick = 0;                  ///< for tick: its number
+  std::uint64_t tick = 0;                  ///< for tick: its number; for mark and rewind: the tick of World::mark()
   std::optional<ItemsHash> items_hash;     ///< for tick, if the line gives one
 };
 
@@ -74,10 +76,10 @@ struct Script {
 /// Errors: malformed.
 [[nodiscard]] WAYWRIGHT_API Result<Script> parse_script(std::string_view text, std::string_view name);
 
-/// Returns the items that are left after all insertions, replacements and removals of a script, in the order of the
-/// insertions. The function ignores each operation that a world would refuse: an insertion with an id that is in use, a
-/// replacement or removal with an id that is not in use, and an operation with a coordinate that is out of range or
-/// outside the domain.
+/// Returns the items that are left after all insertions, replacements, removals and rewinds of a script, in the order
+/// of the insertions. The function ignores each operation that a world would refuse: an insertion with an id that is in
+/// use, a replacement or removal with an id that is not in use, and an operation with a coordinate that is out of range
+/// or outside the domain.
 [[nodiscard]] WAYWRIGHT_API Scene scene_of(const Script& script);
 
 /// @}

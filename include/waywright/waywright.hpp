@@ -32,3 +32,4 @@
 #include "waywright/version.hpp"
 #include "waywright/world.hpp"
 #include "waywright/world_options.hpp"
+#include "waywright/world_snapshot.hpp"

@@ -32,6 +32,7 @@
 #include "waywright/ray.hpp"
 #include "waywright/validation.hpp"
 #include "waywright/world_options.hpp"
+#include "waywright/world_snapshot.hpp"
 
 namespace waywright {
 
@@ -303,6 +304,34 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
   /// Does the same for the insertion of one shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
+
+  /// @}
+
+  /// @name Snapshots for readers on other threads
+  /// You need this group if some threads find paths while another thread changes the world.
+  ///
+  /// @code{.cpp}
+  /// const WorldSnapshot snapshot = world.publish();  // give each reader a copy
+  /// world.insert(house).value();                     // no reader waits for this, nor the other way round
+  /// const std::size_t then = snapshot->item_count();  // == 2
+  /// const std::size_t now = world.item_count();       // == 3
+  /// @endcode
+  /// @{
+
+  /// Returns an immutable world with the current state of this world. Other threads can query it while this world
+  /// changes: see WorldSnapshot. If nothing has changed since the last call and a reader still has that snapshot,
+  /// returns the same snapshot.
+  ///
+  /// The world keeps up to two copies of itself for later snapshots. When the readers have released a snapshot, a later
+  /// call uses its copy again: it repeats in this copy what has changed since. After the first call, each operation
+  /// also records the ids of the items that it changes, 16 bytes for each. If memory runs out, nothing changes.
+  /// Requires: no question of attempt() is running on this world. Cost: for each item that has changed since the reused
+  /// copy was last equal to this world, at most one removal and one insertion, however often the item has changed. If
+  /// each snapshot is released after the next one has been made, these are the changes since the second last call. If
+  /// no copy is free, the cost of clone(): in the first call, and whenever readers hold more snapshots at once than
+  /// ever before. The same holds if more than a 32nd of all items, and more than 64, have changed. Memory: each
+  /// snapshot that readers hold takes as much as a clone(). shrink_to_fit() frees the copies that no reader holds.
+  [[nodiscard]] WorldSnapshot publish();
 
   /// @}
 
@@ -772,6 +801,7 @@ class WAYWRIGHT_API World {
   friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;
+  /// @cond
   /// Ends an attempt when it is destroyed, unless release() was called.
   class AttemptGuard {
    public:
@@ -787,6 +817,7 @@ class WAYWRIGHT_API World {
    private:
     World* world_;
   };
+  /// @endcond
 
   explicit World(std::unique_ptr<Impl> impl);
   /// Makes changes and leaves their operation open. Requires: no attempt is under way.

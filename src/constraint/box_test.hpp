@@ -30,6 +30,7 @@ class BoxTest {
   [[nodiscard]] bool meets(const exact::ExactPoint& p, const exact::ExactPoint& q) const {
     if (std::max(p.x, q.x) < box_.min.x || std::min(p.x, q.x) > box_.max.x) return false;
     if (std::max(p.y, q.y) < box_.min.y || std::min(p.y, q.y) > box_.max.y) return false;
+    if (is_inside(p) || is_inside(q)) return true;  // the common case of a box around a vertex
     int left = 0;
     int right = 0;
     for (const exact::ExactPoint& corner : corners_) {
@@ -41,6 +42,11 @@ class BoxTest {
   }
 
  private:
+  /// Returns true only if the exact position lies strictly inside the box: rounding to nearest is monotone.
+  [[nodiscard]] bool is_inside(const exact::ExactPoint& p) const {
+    return p.x > box_.min.x && p.x < box_.max.x && p.y > box_.min.y && p.y < box_.max.y;
+  }
+
   Box box_;
   std::array<exact::ExactPoint, 4> corners_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
 #include "constraint/constrained_triangulation.hpp"
@@ -11,6 +12,11 @@
 // Inserts many items at once. First it inserts the corners along a curve, so that each is near the previous corner, and
 // its neighbours are near it in memory. Then it inserts the sides, whose ends are known, in the order of their items'
 // first corners.
+//
+// In an empty world, all threads insert sides. The vertices are numbered along the curve, so a range of numbers is a
+// region of the domain. Each region is a task of one thread, which inserts the sides that concern only vertices of the
+// region (delaunay::LocalEdges). Then one thread inserts the other sides. The regions do not depend on the number of
+// threads, so neither does the mesh, including the numbers of its faces.
 
 namespace waywright::constraint {
 
@@ -87,7 +93,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
     return;
   }
   corner_uses_.grow_to(sorted.points.size() + 1, UseLists::kNone);
-  std::vector<std::uint32_t> with_sides;
+  std::vector<RankedItem> with_sides;
   ItemHash::Words hash{};
   const std::array<threads::Job, 2> jobs = {
       [&] {
@@ -101,11 +107,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
   items_.outline(ItemTable::kDomain, outline_);
   items_.add_hash(hash_of(ItemTable::kDomain, outline_));
   items_.add_hash(hash);
-  insert_sides(batch, with_sides, [&](std::size_t items) {
-    if (items % kItemsBetweenReports != 0) return;
-    begin();
-    team.report(ranks.size() - 4 + items);
-  });
+  insert_sides_by_region(batch, with_sides, ranks.size(), team);
   begin();
 }
 
@@ -128,10 +130,12 @@ void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const th
   }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
   items_.add_hash(hash_of_batch(batch));
-  const std::vector<std::uint32_t> with_sides = add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {});
-  insert_sides(batch, with_sides, [&](std::size_t items) {
-    if (items % kItemsBetweenReports == 0) team.report(sorted.ranks.size() + items);
-  });
+  std::size_t done = 0;
+  for (const RankedItem& item : add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {})) {
+    items_.for_each_side(item.slot, [&](std::uint32_t side) { insert_side(side); });
+    if (is_refused_at(batch, item.slot)) return;
+    if (++done % kItemsBetweenReports == 0) team.report(sorted.ranks.size() + done);
+  }
 }
 
 /// Makes a vertex at each point, first in their order. If this is costly, it inserts the others in scattered order.
@@ -163,11 +167,10 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::insert_sorted(s
 
 template <class Geometry>
 template <class Batch, class VertexOf, class AfterRecord>
-std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const Batch& batch,
-                                                                           std::span<const std::uint32_t> ranks,
-                                                                           VertexOf&& vertex_of,
-                                                                           AfterRecord&& after_record) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> rank_and_slot;
+auto ConstrainedTriangulation<Geometry>::add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
+                                                     VertexOf&& vertex_of, AfterRecord&& after_record)
+    -> std::vector<RankedItem> {
+  std::vector<RankedItem> with_sides;
   std::size_t corner = 0;
   items_.reserve(batch.size(), [&](std::size_t i) { return batch.id(i); });
   for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -185,29 +188,86 @@ std::vector<std::uint32_t> ConstrainedTriangulation<Geometry>::add_records(const
       end_ring();
     }
     items_.set_outline(slot, outline_);
-    if (kind != ItemKind::point) rank_and_slot.emplace_back(first_rank, slot);
+    if (kind != ItemKind::point) with_sides.push_back({first_rank, slot});
     after_record(i + 1);
   }
-  std::sort(rank_and_slot.begin(), rank_and_slot.end());
-  std::vector<std::uint32_t> slots;
-  slots.reserve(rank_and_slot.size());
-  for (const auto& [rank, slot] : rank_and_slot) slots.push_back(slot);
-  return slots;
+  std::sort(with_sides.begin(), with_sides.end());
+  return with_sides;
+}
+
+/// Whether an item passed a limit. Then sets `refused_index_`.
+template <class Geometry>
+template <class Batch>
+bool ConstrainedTriangulation<Geometry>::is_refused_at(const Batch& batch, std::uint32_t slot) {
+  if (!has_too_many_vertices()) return false;
+  refused_index_ = 0;
+  while (batch.id(refused_index_) != items_.id(slot)) ++refused_index_;
+  return true;
 }
 
 template <class Geometry>
-template <class Batch, class AfterItem>
-void ConstrainedTriangulation<Geometry>::insert_sides(const Batch& batch, const std::vector<std::uint32_t>& items,
-                                                      AfterItem&& after_item) {
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    items_.for_each_side(items[i], [&](std::uint32_t side) { insert_side(side); });
-    if (has_too_many_vertices()) {
-      refused_index_ = 0;
-      while (batch.id(refused_index_) != items_.id(items[i])) ++refused_index_;
-      return;
-    }
-    after_item(i + 1);
+template <class Batch>
+void ConstrainedTriangulation<Geometry>::insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items,
+                                                                std::size_t corners, const threads::ThreadTeam& team) {
+  const std::vector<LateSide> late = insert_local_sides(items, corners, team);
+  std::size_t done = items.size();
+  for (std::size_t i = 0; i < late.size(); ++i) done -= i == 0 || late[i].item != late[i - 1].item ? 1 : 0;
+  for (std::size_t i = 0; i < late.size(); ++i) {
+    insert_side(late[i].side);
+    if (is_refused_at(batch, items[late[i].item].slot)) return;
+    if (i + 1 < late.size() && late[i].item == late[i + 1].item) continue;
+    if (++done % kItemsBetweenReports != 0) continue;
+    begin();
+    team.report(corners + done);
   }
+}
+
+/// Inserts the sides that concern only the vertices of one region. Returns the others, in the order of the items.
+template <class Geometry>
+auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
+                                                            const threads::ThreadTeam& team) -> std::vector<LateSide> {
+  const std::size_t ranks = topology().vertex_count() - 1;  // without the ghost
+  const std::size_t size = std::clamp(ranks / kUsualRegions, kSmallestRegion, kLargestRegion);
+  // The labels of all edges need memory, so one thread inserts a few sides among many points.
+  const std::size_t regions = items.size() < ranks / kPointsPerItem ? 1 : std::max<std::size_t>(ranks / size, 1);
+  if (regions > 1) triangulation_.make_room_for_labels();
+  std::vector<std::vector<LateSide>> late(regions);
+  std::atomic<std::size_t> done{0};
+  team.for_each_index(regions, [&](std::size_t /*thread*/, std::size_t i) {
+    const std::size_t end = i + 1 == regions ? ranks : (i + 1) * size;
+    done += insert_local_sides(items, i * size, end, regions == 1, late[i]);
+    team.report(corners + done);
+  });
+  for (std::size_t i = 1; i < regions; ++i) {
+    late[0].insert(late[0].end(), late[i].begin(), late[i].end());
+    late[i] = std::vector<LateSide>();  // assigning {} would keep the memory
+  }
+  return std::move(late[0]);
+}
+
+/// Does so for the items whose first corner has one of the ranks [begin, end), or leaves all sides if `leaves_all` is
+/// true. Returns how many items it has completed.
+template <class Geometry>
+std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
+                                                                   std::size_t end, bool leaves_all,
+                                                                   std::vector<LateSide>& late) {
+  const auto at = [&](std::size_t rank) {
+    const auto found = std::lower_bound(items.begin(), items.end(), rank,
+                                        [](const RankedItem& item, std::size_t r) { return item.rank < r; });
+    return static_cast<std::uint32_t>(found - items.begin());
+  };
+  const auto vertex = [](std::size_t rank) { return Triangulation::vertex_of_rank(static_cast<std::uint32_t>(rank)); };
+  auto edges = triangulation_.local_edges(vertex(begin), vertex(end));
+  std::size_t completed = 0;
+  for (std::uint32_t i = at(begin); i < at(end); ++i) {
+    const std::size_t late_before = late.size();
+    items_.for_each_side(items[i].slot, [&](std::uint32_t slot) {
+      const Side& side = items_.side(slot);
+      if (leaves_all || !edges.force_edge(side.from, side.to, UseLists::single(slot))) late.push_back({i, slot});
+    });
+    completed += late.size() == late_before ? 1 : 0;
+  }
+  return completed;
 }
 
 }  // namespace waywright::constraint

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -122,6 +123,10 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kUsualDegree = 18;
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
+  static constexpr std::size_t kUsualRegions = 64;
+  static constexpr std::size_t kSmallestRegion = 2048;  ///< vertices
+  static constexpr std::size_t kLargestRegion = 65536;
+  static constexpr std::size_t kPointsPerItem = 64;
   /// The first four sides are those of the domain.
   static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
                                                                 UseLists::single(2), UseLists::single(3)};
@@ -132,6 +137,16 @@ class ConstrainedTriangulation {
     mesh::Vertex vertex{};
     mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, if it exists already
     mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge that the side meets, from its right to its left
+  };
+
+  /// An item with sides: the rank of its first corner, and its slot.
+  struct RankedItem {
+    std::uint32_t rank, slot;
+    friend auto operator<=>(const RankedItem&, const RankedItem&) = default;
+  };
+  /// A side that no region contains: the index of its item in the list of RankedItem, and its slot.
+  struct LateSide {
+    std::uint32_t item, side;
   };
 
   void begin();
@@ -149,18 +164,26 @@ class ConstrainedTriangulation {
   /// Makes the record of the domain. Its corners are the vertices of these ranks.
   void add_domain(std::span<const std::uint32_t> ranks);
   /// Makes the records of a batch's items. The corners of the items, one after the other, lie at the vertices of these
-  /// ranks. insert_sides() must insert their sides afterwards. Does not add their hashes. Returns the slots of the
-  /// items with sides, in the order of the items' first corners.
+  /// ranks. The caller must insert their sides afterwards. Does not add their hashes. Returns the items with
+  /// sides, in the order of the items' first corners.
   template <class Batch, class VertexOf, class AfterRecord>
-  [[nodiscard]] std::vector<std::uint32_t> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
-                                                       VertexOf&& vertex_of, AfterRecord&& after_record);
+  [[nodiscard]] std::vector<RankedItem> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
+                                                    VertexOf&& vertex_of, AfterRecord&& after_record);
   /// Makes a vertex at each point. If this passes a limit, stops and returns the index of the point.
   [[nodiscard]] std::optional<std::uint32_t> insert_sorted(std::span<const Point> points,
                                                            const threads::ThreadTeam& team,
                                                            std::vector<mesh::Vertex>& vertices);
-  /// Inserts the sides of these items of a batch. If this passes a limit, stops and sets `refused_index_`.
-  template <class Batch, class AfterItem>
-  void insert_sides(const Batch& batch, const std::vector<std::uint32_t>& items, AfterItem&& after_item);
+  /// Inserts the sides of these items of a batch into a triangulation that has no other items. The report counts
+  /// `corners` corners as done. If this passes a limit, stops and sets `refused_index_`.
+  template <class Batch>
+  void insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items, std::size_t corners,
+                              const threads::ThreadTeam& team);
+  [[nodiscard]] std::vector<LateSide> insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
+                                                         const threads::ThreadTeam& team);
+  std::size_t insert_local_sides(std::span<const RankedItem> items, std::size_t begin, std::size_t end, bool leaves_all,
+                                 std::vector<LateSide>& late);
+  template <class Batch>
+  [[nodiscard]] bool is_refused_at(const Batch& batch, std::uint32_t slot);
 
   [[nodiscard]] ItemHash::Words hash_of(std::uint32_t slot, const Outline& outline) const;
   void insert_corners(const Rings& rings, std::uint32_t slot);

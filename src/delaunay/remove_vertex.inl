@@ -14,18 +14,9 @@ void Triangulation<Geometry>::free_edge(mesh::HalfEdge h) {
   freed_.push_back(h);
 }
 
-// A flip rebuilds two faces. Afterwards, half-edges on the stack may represent other edges. The function pushes all
-// edges of the rebuilt faces again and therefore misses none.
 template <class Geometry>
 void Triangulation<Geometry>::legalise_freed() {
-  while (!freed_.empty()) {
-    const mesh::HalfEdge h = freed_.back();
-    freed_.pop_back();
-    if (mesh_.is_fixed(h) || is_legal(h)) continue;
-    const mesh::HalfEdge t = mesh_.twin(h);
-    mesh_.flip(h);
-    for (const mesh::HalfEdge side : {h, previous(h), t, previous(t)}) freed_.push_back(side);
-  }
+  legalise(geometry_, mesh_, freed_);
 }
 
 // Each step around the vertex waits for the memory that the step before has asked for, so the function goes around in

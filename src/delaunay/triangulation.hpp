@@ -8,7 +8,10 @@
 #include "waywright/point.hpp"
 
 #include "base/compiler.hpp"
+#include "delaunay/cavity_filler.hpp"
 #include "delaunay/large_hole.hpp"
+#include "delaunay/legality.hpp"
+#include "delaunay/local_edges.hpp"
 #include "exact/any_geometry.hpp"
 #include "locate/curve.hpp"
 #include "locate/sectors.hpp"
@@ -137,18 +140,20 @@ class Triangulation {
     sectors_.prefetch(geometry_.rounded(number(v)));
   }
 
-  /// Makes u - w an edge, fixes it with `label`, and fills the cavity of the faces that it crosses with new faces.
-  /// Returns the half-edge from u to w. All other faces stay as they are. `crossed` lists the edges that u - w crosses,
-  /// in order from u to w. Each is a half-edge of the face that is nearer to u, so it runs from the right of u - w to
-  /// its left. Requires: all crossed edges are free, and no vertex lies between u and w. Source: for the cavity,
-  /// Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations*, 1997;
-  /// force_edge.inl describes how the cavity is filled.
+  /// Makes u - w an edge with `label`: see CavityFiller::force_edge().
   mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
                             mesh::Label label);
 
+  /// Several threads can fix edges at once, each with a range of vertices of its own: see LocalEdges. Requires:
+  /// make_room_for_labels() has been called, and nobody will call roll_back() before the next begin().
+  [[nodiscard]] LocalEdges<Geometry> local_edges(mesh::Vertex begin, mesh::Vertex end) {
+    return LocalEdges<Geometry>(geometry_, mesh_, ghost_, begin, end);
+  }
+  void make_room_for_labels() { mesh_.make_room_for_labels(); }
+
   /// Whether the edge of `h` has the empty-circle property for its two faces. Requires: the edge is free and lies
   /// inside the domain.
-  [[nodiscard]] bool is_legal(mesh::HalfEdge h) const;
+  [[nodiscard]] bool is_legal(mesh::HalfEdge h) const { return delaunay::is_legal(geometry_, mesh_, h); }
 
   void count_memory(MemoryUse& use) const;
   /// Frees spare memory. Requires: nothing has changed since begin().
@@ -160,26 +165,6 @@ class Triangulation {
   static constexpr std::size_t kLongWalk = 16;
   static constexpr std::size_t kLargeHole = 32;   ///< sides
   static constexpr std::size_t kManySpokes = 16;  ///< on the left half of a star
-  static constexpr std::uint32_t kNotDangling = 0xffffffff;
-
-  /// An edge on a cavity's border. It runs from the vertex `from` to the vertex `from` of the next edge in the chain.
-  struct ChainEdge {
-    mesh::Vertex from;
-    mesh::HalfEdge inner;  ///< its half-edge in the cavity: first in the old face, later in the new face
-    mesh::HalfEdge outer;  ///< the twin of `inner`
-    mesh::Label label;
-    std::uint32_t partner = kNotDangling;  ///< if `outer` also lies in the cavity: the chain edge of `outer`
-    bool is_rebuilt = false;
-  };
-  using Chain = std::vector<ChainEdge>;
-
-  /// A vertex of a chain at which no ear has been cut off. An edge runs to it from the vertex before it. This edge is
-  /// the chain edge at `position`, or the half-edge `base` of a new triangle.
-  struct ChainCorner {
-    mesh::Vertex vertex;
-    std::uint32_t position;
-    mesh::HalfEdge base;  ///< kNoHalfEdge if the edge is a chain edge
-  };
 
   void set_positions(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
@@ -193,9 +178,6 @@ class Triangulation {
   /// Flips edges until every edge opposite to a new vertex is legal. `in_doubt_` lists the edges to test; the new
   /// vertex is their apex.
   void legalise_around_apex();
-  [[nodiscard]] bool is_legal(mesh::HalfEdge h, const View& apex) const;
-  /// Not inlined: ties are rare, and without this code is_legal() can keep its data in registers.
-  [[nodiscard, gnu::noinline]] bool is_legal_on_circle(mesh::HalfEdge h) const;
   void remember(mesh::HalfEdge h);
   [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
   void divide_sector(const Point& point);
@@ -208,16 +190,6 @@ class Triangulation {
   mesh::HalfEdge refill_hole();
   [[nodiscard]] Triangle triangle_over(std::uint32_t from, std::uint32_t to) const;
   void free_vertex(mesh::Vertex v, mesh::HalfEdge near);
-
-  void collect_chains(const std::vector<mesh::HalfEdge>& crossed);
-  void append_to(Chain& chain, mesh::HalfEdge inner);
-  void pair_dangling_edges(Chain& chain);
-  /// Cuts a polygon into triangles. The polygon lies left of the base, which runs from the chain's first vertex to its
-  /// last one, `end`. Appends the edges between the triangles to `freed_`. Returns the half-edge of the base.
-  mesh::HalfEdge triangulate(Chain& chain, mesh::Vertex end);
-  mesh::HalfEdge cut_ear(Chain& chain, mesh::Vertex a, const ChainCorner& b, const ChainCorner& r);
-  bool legalise_cavity();
-  void close(Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
 
   mesh::TriangleMesh mesh_;
   Geometry geometry_;
@@ -236,10 +208,7 @@ class Triangulation {
   std::vector<View> hole_positions_;
   std::vector<Triangle> triangles_;
   LargeHole<Geometry> large_hole_;
-  Chain left_chain_, right_chain_;
-  std::vector<std::uint32_t> dangling_;
-  std::vector<mesh::Face> cavity_;
-  std::vector<ChainCorner> corners_;
+  CavityFiller<Geometry> cavity_filler_;
 };
 
 }  // namespace waywright::delaunay

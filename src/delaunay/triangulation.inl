@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "delaunay/divide_and_conquer.hpp"
-#include "delaunay/force_edge.inl"
 #include "delaunay/remove_vertex.inl"
 #include "delaunay/triangulation.hpp"
 #include "memory/count.hpp"
@@ -73,8 +72,9 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
   memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_,
-                      triangles_, left_chain_, right_chain_, dangling_, cavity_, corners_);
+                      triangles_);
   large_hole_.count_memory(use);
+  cavity_filler_.count_memory(use);
 }
 
 template <class Geometry>
@@ -82,9 +82,9 @@ void Triangulation<Geometry>::shrink_to_fit() {
   mesh_.shrink_to_fit();
   if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
   sectors_.shrink_to_fit();
-  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_, triangles_,
-                  left_chain_, right_chain_, dangling_, cavity_, corners_);
+  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_sides_, hole_positions_, triangles_);
   large_hole_.release();
+  cavity_filler_.release();
 }
 
 template <class Geometry>
@@ -211,7 +211,7 @@ void Triangulation<Geometry>::legalise_around_apex() {
   for (std::size_t i = 0; i < in_doubt_.size(); ++i) {
     const mesh::HalfEdge h = in_doubt_[i];
     if (i + 1 < in_doubt_.size()) prefetch_apex_beyond(in_doubt_[i + 1]);
-    if (mesh_.is_fixed(h) || is_legal(h, apex)) continue;
+    if (mesh_.is_fixed(h) || delaunay::is_legal(geometry_, mesh_, h, apex)) continue;
     const auto flipped = mesh_.flip(h);
     for (const mesh::HalfEdge side : {h, flipped.opposite}) {
       prefetch_face_beyond(side);
@@ -221,28 +221,11 @@ void Triangulation<Geometry>::legalise_around_apex() {
 }
 
 template <class Geometry>
-bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h) const {
-  return is_legal(h, view(mesh_.apex(h)));
-}
-
-//        c        The edge a - b is legal if d lies outside the circle through a, b and c.
-//      /   \.
-//    a ----- b
-//      \   /
-//        d
-template <class Geometry>
-bool Triangulation<Geometry>::is_legal(mesh::HalfEdge h, const View& c) const {
-  const mesh::HalfEdge t = mesh_.twin(h);
-  const exact::Sign sign = geometry_.in_circle(view(mesh_.origin(h)), view(mesh_.origin(t)), c, view(mesh_.apex(t)));
-  return sign == exact::Sign::zero ? is_legal_on_circle(h) : sign == exact::Sign::negative;
-}
-
-// If all four vertices lie on a circle, the edge is legal if the first of them in (x, y) order is a or b.
-template <class Geometry>
-bool Triangulation<Geometry>::is_legal_on_circle(mesh::HalfEdge h) const {
-  const mesh::HalfEdge t = mesh_.twin(h);
-  const auto first_of = [&](mesh::Vertex p, mesh::Vertex q) { return comes_before(p, q) ? p : q; };
-  return comes_before(first_of(mesh_.origin(h), mesh_.origin(t)), first_of(mesh_.apex(h), mesh_.apex(t)));
+mesh::HalfEdge Triangulation<Geometry>::force_edge(mesh::Vertex u, mesh::Vertex w,
+                                                   const std::vector<mesh::HalfEdge>& crossed, mesh::Label label) {
+  const mesh::HalfEdge edge = cavity_filler_.force_edge(geometry_, mesh_, u, w, crossed, label);
+  remember(edge);
+  return edge;
 }
 
 template <class Geometry>

@@ -12,6 +12,11 @@ bool is_change(const ScriptLine& line) {
          line.kind == ScriptLineKind::replace;
 }
 
+/// Whether a line names a state or brings one back.
+bool is_of_history(const ScriptLine& line) {
+  return line.kind == ScriptLineKind::mark || line.kind == ScriptLineKind::rewind;
+}
+
 Change change_of(const ScriptLine& line) {
   if (line.kind == ScriptLineKind::remove) return Change::remove(line.item.id);
   if (line.kind == ScriptLineKind::replace) return Change::replace(line.item.id, line.item.shape);
@@ -36,6 +41,7 @@ class Replayer {
       changed_.push_back(line.item.id);
       return true;
     }
+    if (is_of_history(line)) return go(line);
     return line.kind != ScriptLineKind::tick || end_tick(line);
   }
   /// Makes the changes after the last tick.
@@ -43,6 +49,13 @@ class Replayer {
   ReplayResult take_result() { return std::move(result_); }
 
  private:
+  /// Marks the present state, or goes back to a marked one.
+  bool go(const ScriptLine& line) {
+    if (!apply_changes(result_.tick + 1)) return false;
+    if (line.kind == ScriptLineKind::mark) return world_.mark() != 0;
+    return world_.rewind(line.tick).ok();
+  }
+
   bool end_tick(const ScriptLine& line) {
     if (!apply_changes(line.tick)) return false;
     ++result_.ticks;
@@ -106,18 +119,24 @@ class Comparison {
 
  private:
   static void skip_queries(const Script& log, std::size_t& i) {
-    while (i < log.lines.size() && !is_change(log.lines[i]) && log.lines[i].kind != ScriptLineKind::tick) ++i;
+    while (i < log.lines.size() && !is_change(log.lines[i]) && !is_of_history(log.lines[i]) &&
+           log.lines[i].kind != ScriptLineKind::tick) {
+      ++i;
+    }
   }
   static const ScriptLine* line_at(const Script& log, std::size_t i) {
     return i < log.lines.size() ? &log.lines[i] : nullptr;
   }
-  static bool is_a_change(const ScriptLine* line) { return line != nullptr && is_change(*line); }
+  /// Lines of the history count as changes of no item.
+  static bool is_a_change(const ScriptLine* line) {
+    return line != nullptr && (is_change(*line) || is_of_history(*line));
+  }
 
   /// Compares two lines, which are changes or ticks; null is the end of a log. Stores the difference.
   bool differ(const ScriptLine* a, const ScriptLine* b) {
     if (is_a_change(a) || is_a_change(b)) {
-      if (a != nullptr && b != nullptr && a->kind == b->kind && a->item == b->item) {
-        changed_.push_back(a->item.id);
+      if (a != nullptr && b != nullptr && a->kind == b->kind && a->item == b->item && a->tick == b->tick) {
+        if (is_change(*a)) changed_.push_back(a->item.id);
         return false;
       }
       return store(ReplayDifference::Kind::change, tick_ + 1, a, b);
@@ -157,6 +176,9 @@ Result<ReplayResult> replay(const Script& log,
                             const std::function<void(std::size_t done, std::size_t total)>& progress) {
   Result<World> world = World::create(log.domain);
   if (!world.ok()) return world.error();
+  const auto marks = std::count_if(log.lines.begin(), log.lines.end(),
+                                   [](const ScriptLine& line) { return line.kind == ScriptLineKind::mark; });
+  world->keep_history(static_cast<std::size_t>(marks));
   Replayer replayer(*world);
   for (std::size_t i = 0; i < log.lines.size(); ++i) {
     if (progress) progress(i, log.lines.size());

@@ -39,11 +39,13 @@ Result<void> ReplayWriter::record(std::span<const Change> changes, std::span<con
   return write();
 }
 
-Result<void> ReplayWriter::tick(const World& world) {
+Result<void> ReplayWriter::tick(const World& world) { return tick(world.items_hash()); }
+
+Result<void> ReplayWriter::tick(const ItemsHash& hash) {
   const std::uint64_t tick = tick_ + 1;
   text_ = text::with_number("tick ", tick, "");
   const bool has_hash = tick % ticks_per_hash_ == 0;
-  if (has_hash) text_ += " " + to_string(world.items_hash());
+  if (has_hash) text_ += " " + to_string(hash);
   text_ += '\n';
   tick_ = tick;  // no memory is needed from here on
   auto written = write();

@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "base/float_environment.hpp"
 #include "text/text.hpp"
@@ -38,6 +39,8 @@ constexpr std::array kGrammars{
     Grammar{"check", "check", ScriptLineKind::check},
     Grammar{"hash", "hash", ScriptLineKind::hash},
     Grammar{"tick", "tick N [HASH]", ScriptLineKind::tick},
+    Grammar{"mark", "mark TICK", ScriptLineKind::mark},
+    Grammar{"rewind", "rewind TICK", ScriptLineKind::rewind},
 };
 
 constexpr std::string_view kHeaderUsage = "waywright 1";
@@ -72,6 +75,8 @@ class ScriptParser {
   bool read_path_options(ScriptLine& line);
   bool read_goal(ScriptLine& line);
   bool read_tick(ScriptLine& line);
+  bool read_mark(ScriptLine& line);
+  bool read_rewind(ScriptLine& line);
 
   /// Moves to the next line that contains a word. Returns false at the end of the text, which is not an error.
   bool next_line(std::string_view& word);
@@ -92,6 +97,7 @@ class ScriptParser {
   text::WordReader words_;
   std::string_view usage_;  ///< of the current line
   Script script_;
+  std::uint64_t last_mark_ = 0;  ///< the tick of the last mark, or of the last rewind after it
   Error error_;
 };
 
@@ -232,6 +238,10 @@ bool ScriptParser::read_rest(ScriptLine& line, const Grammar& grammar) {
       return read_ring(line.item.shape.rings);
     case ScriptLineKind::tick:
       return read_tick(line);
+    case ScriptLineKind::mark:
+      return read_mark(line);
+    case ScriptLineKind::rewind:
+      return read_rewind(line);
     case ScriptLineKind::check:
     case ScriptLineKind::hash:
       break;
@@ -350,6 +360,27 @@ bool ScriptParser::read_tick(ScriptLine& line) {
   return true;
 }
 
+/// Reads the tick that World::mark() returns here. The script contains it so that the reader of a script need not
+/// count.
+bool ScriptParser::read_mark(ScriptLine& line) {
+  line.tick = ++last_mark_;
+  const std::string expected = "tick " + std::to_string(line.tick) + ", the one after the last mark,";
+  std::string_view word;
+  if (!words_.next(word)) return fail(expected, {});
+  return text::read_unsigned(word) == line.tick || fail(expected, word);
+}
+
+bool ScriptParser::read_rewind(ScriptLine& line) {
+  const std::string expected =
+      last_mark_ == 0 ? "a mark before" : "a tick from 1 to " + std::to_string(last_mark_) + ", the last mark,";
+  std::string_view word;
+  if (!words_.next(word)) return fail(expected, {});
+  const std::optional<std::uint64_t> tick = text::read_unsigned(word);
+  if (!tick || *tick == 0 || *tick > last_mark_) return fail(expected, word);
+  line.tick = last_mark_ = *tick;
+  return true;
+}
+
 /// Returns whether a world over `domain` accepts the shape.
 bool fits(const Shape& shape, const Box& domain) {
   const auto is_accepted = [&](Point p) {
@@ -358,6 +389,72 @@ bool fits(const Shape& shape, const Box& domain) {
   const std::span<const Point> points = shape.rings.points();
   return std::all_of(points.begin(), points.end(), is_accepted);
 }
+
+/// Follows the changes of a script, and finds out which items are left.
+class LiveLines {
+ public:
+  explicit LiveLines(const Box& domain) : domain_(domain) {}
+
+  void read(const ScriptLine& line) {
+    switch (line.kind) {
+      case ScriptLineKind::remove:
+        if (live_.contains(line.item.id)) set(line.item.id, {});
+        break;
+      case ScriptLineKind::insert:
+        if (fits(line.item.shape, domain_) && !live_.contains(line.item.id)) set(line.item.id, {&line, &line});
+        break;
+      case ScriptLineKind::replace:
+        if (const auto found = live_.find(line.item.id); found != live_.end() && fits(line.item.shape, domain_)) {
+          set(line.item.id, {found->second.inserted, &line});
+        }
+        break;
+      case ScriptLineKind::mark:
+        marks_.push_back(undo_.size());
+        break;
+      case ScriptLineKind::rewind:
+        rewind(line.tick);
+        break;
+      default:
+        break;
+    }
+  }
+  [[nodiscard]] std::size_t size() const { return live_.size(); }
+  /// Returns the line that gave an item its shape, if the item is left and `line` inserted it. Otherwise null.
+  [[nodiscard]] const ScriptLine* shaped_after(const ScriptLine& line) const {
+    const auto found = live_.find(line.item.id);
+    return found != live_.end() && found->second.inserted == &line ? found->second.shaped : nullptr;
+  }
+
+ private:
+  struct Live {
+    const ScriptLine* inserted = nullptr;
+    const ScriptLine* shaped = nullptr;  ///< the insertion, or the last replacement since
+  };
+
+  /// Changes an item and records how to take this back. Without `inserted`, there is no such item.
+  void set(ItemId id, const Live& now) {
+    const auto found = live_.find(id);
+    if (!marks_.empty()) undo_.emplace_back(id, found == live_.end() ? Live{} : found->second);
+    put(id, now);
+  }
+  void put(ItemId id, const Live& now) {
+    if (now.inserted == nullptr) {
+      live_.erase(id);
+    } else {
+      live_[id] = now;
+    }
+  }
+  void rewind(std::uint64_t tick) {
+    if (tick == 0 || tick > marks_.size()) return;  // the parser has refused such a line
+    marks_.resize(static_cast<std::size_t>(tick));
+    for (; undo_.size() > marks_.back(); undo_.pop_back()) put(undo_.back().first, undo_.back().second);
+  }
+
+  const Box& domain_;
+  std::unordered_map<ItemId, Live> live_;
+  std::vector<std::pair<ItemId, Live>> undo_;  ///< since the first mark
+  std::vector<std::size_t> marks_;             ///< the length of `undo_` at each mark
+};
 
 }  // namespace
 
@@ -376,29 +473,13 @@ Result<Script> parse_script(std::string_view text, std::string_view name) {
 
 Scene scene_of(const Script& script) {
   const base::FloatEnvironment environment;
-  struct Live {
-    const ScriptLine* inserted = nullptr;
-    const ScriptLine* shaped = nullptr;  ///< the insertion, or the last replacement since
-  };
-  std::unordered_map<ItemId, Live> live;
-  for (const ScriptLine& line : script.lines) {
-    if (line.kind == ScriptLineKind::remove) {
-      live.erase(line.item.id);
-    } else if (line.kind == ScriptLineKind::insert && fits(line.item.shape, script.domain)) {
-      live.try_emplace(line.item.id, Live{&line, &line});
-    } else if (line.kind == ScriptLineKind::replace && fits(line.item.shape, script.domain)) {
-      const auto found = live.find(line.item.id);
-      if (found != live.end()) found->second.shaped = &line;
-    }
-  }
+  LiveLines live(script.domain);
+  for (const ScriptLine& line : script.lines) live.read(line);
   Scene scene{.domain = script.domain, .items = {}, .y_down = false};
   scene.items.reserve(live.size());
   for (const ScriptLine& line : script.lines) {
     if (line.kind != ScriptLineKind::insert) continue;
-    const auto found = live.find(line.item.id);
-    if (found != live.end() && found->second.inserted == &line) {
-      scene.items.push_back(found->second.shaped->item);
-    }
+    if (const ScriptLine* const shaped = live.shaped_after(line)) scene.items.push_back(shaped->item);
   }
   return scene;
 }

@@ -140,6 +140,10 @@ void TriangleMesh::set_label(HalfEdge h, Label new_label) {
   write_label(h, new_label);
 }
 
+void TriangleMesh::make_room_for_labels() {
+  for (std::size_t h = 0; h < corners_.size(); ++h) labels_.make_room(h);
+}
+
 void TriangleMesh::make_room_for_label(HalfEdge g, HalfEdge h) {
   labels_.make_room(number(g));
   labels_.make_room(number(h));
@@ -244,6 +248,12 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   make_room_to_take_over(h, next(t));
   make_room_to_take_over(t, next(h));
   log(ChangeKind::flip, number(h), number(t));
+  return flip_unlogged(h);
+}
+
+/// Flips an edge without a record in the undo log. Requires: there is room for the labels.
+TriangleMesh::Flipped TriangleMesh::flip_unlogged(HalfEdge h) {
+  const HalfEdge t = twin(h);
   const Vertex a = origin(h);
   const Vertex b = origin(t);
   const Vertex c = apex(h);

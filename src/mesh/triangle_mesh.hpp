@@ -149,6 +149,9 @@ class TriangleMesh {
   /// refill(), replaces `old`. Frees the face of `old`.
   void close(HalfEdge base, HalfEdge old);
 
+  /// Allocates the memory for the label of every edge. Cost: linear.
+  void make_room_for_labels();
+
   /// Empties the undo log.
   void begin();
   /// Undoes all changes since begin(), the last change first. Allocates nothing. Afterwards the undo log is empty.
@@ -215,6 +218,8 @@ class TriangleMesh {
   }
 
  private:
+  friend class UnloggedMesh;
+
   static constexpr std::size_t kFewEdges = 16;
 
   [[nodiscard]] HalfEdge find_in_turn(Vertex from, Vertex to) const;
@@ -263,6 +268,7 @@ class TriangleMesh {
   [[nodiscard]] Vertex pop_free_vertex();
   void write_label(HalfEdge h, Label label);
   void make_room_for_label(HalfEdge g, HalfEdge h);
+  Flipped flip_unlogged(HalfEdge h);
   void make_room_to_take_over(HalfEdge to, HalfEdge from);
 
   /// Moves the twin and label of `from` to `to`. Both half-edges represent the same edge, before and after a face is

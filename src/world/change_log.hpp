@@ -50,12 +50,24 @@ class ChangeLog {
     }
   }
 
+  /// Allocates the memory that follow() needs.
+  void reserve_to_follow(const ChangeLog& other) {
+    if (entries_.capacity() < other.entries_.size()) entries_.reserve(other.entries_.capacity());
+  }
+  /// Makes the log equal to `other`. Allocates nothing. Requires: reserve_to_follow() was called, and the logs were
+  /// equal when the world of `other` had the version `since`.
+  void follow(const ChangeLog& other, std::uint64_t since) {
+    const std::span<const ChangedBox> added = other.after(since);
+    const std::size_t common = other.entries_.size() - added.size();
+    entries_.erase(entries_.begin(), entries_.end() - static_cast<std::ptrdiff_t>(common));
+    entries_.insert(entries_.end(), added.begin(), added.end());
+    complete_since_ = other.complete_since_;
+  }
+
   /// Returns the boxes of the operations after version `since`, or nothing if the log no longer has all of them.
   [[nodiscard]] std::optional<std::span<const ChangedBox>> since(std::uint64_t since) const {
     if (since < complete_since_) return std::nullopt;
-    const auto after = [](std::uint64_t version, const ChangedBox& entry) { return version < entry.version; };
-    const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, after);
-    return std::span<const ChangedBox>(entries_).subspan(static_cast<std::size_t>(first - entries_.begin()));
+    return after(since);
   }
 
   /// Returns whether `concerns(box)` is true for the box of an item that was inserted or removed after version `since`
@@ -79,6 +91,13 @@ class ChangeLog {
   /// share the last box.
   static constexpr std::size_t kBoxesOfOperation = 256;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  /// Returns the boxes that the log has of the operations after version `since`.
+  [[nodiscard]] std::span<const ChangedBox> after(std::uint64_t since) const {
+    const auto is_later = [](std::uint64_t version, const ChangedBox& entry) { return version < entry.version; };
+    const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, is_later);
+    return std::span<const ChangedBox>(entries_).subspan(static_cast<std::size_t>(first - entries_.begin()));
+  }
 
   ChangedBox& add_item() {
     if (boxes_.size() < kBoxesOfOperation) boxes_.push_back({0, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}}});

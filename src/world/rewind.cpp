@@ -106,6 +106,8 @@ void World::Impl::rewind(History::Tick tick) {
     change_log.begin();
     for (const ItemId id : changes.removed) note_removal(triangulation.items().slot(id));
     note_changes(Batch{changes.inserted, changes.inserted_ids});
+    for (const ItemId id : changes.removed) note_for_snapshots(id);
+    for (const ItemId id : changes.inserted_ids) note_for_snapshots(id);
     add_items_that_stay(changes, triangulation);
     error = replace_all(Batch{changes.inserted, changes.inserted_ids}, history.largest_id(tick), {});
   } else {

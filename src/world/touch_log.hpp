@@ -46,6 +46,13 @@ class TouchLog {
   /// Ends an operation that has succeeded.
   void commit() { ++version_; }
 
+  /// Starts again at a version, without records of earlier versions. Allocates nothing.
+  void restart(std::uint64_t version) {
+    entries_.clear();
+    version_ = version;
+    complete_since_ = version;
+  }
+
   /// Returns whether an operation after version `since` has touched a face at which the search has looked.
   [[nodiscard]] bool has_touched(const path::LookedAt& looked_at, std::uint64_t since) const;
 

@@ -73,6 +73,7 @@ MemoryUse World::memory() const {
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
   if (impl_->clearance) impl_->clearance->count_memory(use);
+  if (impl_->snapshots) impl_->snapshots->count_memory(use);
   return use;
 }
 
@@ -85,6 +86,7 @@ void World::shrink_to_fit() {
   impl_->history.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
   impl_->spare_context.release();
+  impl_->snapshots.reset();
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);
 }
 

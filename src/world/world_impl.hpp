@@ -17,6 +17,7 @@
 #include "world/history.hpp"
 #include "world/limit_error.hpp"
 #include "world/path_query_error.hpp"
+#include "world/snapshot_pool.hpp"
 #include "world/spare_context.hpp"
 #include "world/touch_log.hpp"
 
@@ -33,6 +34,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
     change,   ///< the history records the changes
     rewind,   ///< the history does not record the changes, and no limit holds: the world had these items before
     attempt,  ///< update() instead of commit(): the changes are always taken back
+    follow,   ///< a replica repeats a change of its world: no log records it, the version stays, and no limit holds
   };
 
   explicit Operation(Impl& impl, Kind kind = Kind::change);
@@ -55,6 +57,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
  private:
   void note_inserted(ItemKind kind, ItemId id);
   void note_changed(ItemId id);
+  [[nodiscard]] bool is_limited() const { return kind_ == Kind::change || kind_ == Kind::attempt; }
 
   Impl& impl_;
   Kind kind_;
@@ -99,6 +102,17 @@ struct WAYWRIGHT_INTERNAL World::Impl {
                                                  std::span<const ItemId> ids);
   /// Brings back the items of a tick as one operation. Requires: the history has the tick.
   void rewind(History::Tick tick);
+  /// Makes this world equal to `other`, except for the history. `changed` are the items that may differ. If memory runs
+  /// out, some of these may be as in `other` already; the function can then be called again. Returns whether all is
+  /// well: if not, the world has too many vertices in between, and must not be used any more. Requires: this world is a
+  /// replica of `other`, and nobody reads it.
+  [[nodiscard]] bool follow(const Impl& other, std::span<const ItemId> changed, ReplicaScratch& scratch);
+  /// Makes one item as it is in `other`. Returns whether it could.
+  [[nodiscard]] bool follow_item(const Impl& other, ItemId id, ReplicaScratch& scratch);
+  /// Records in `snapshots` an item that the operation in progress inserts or removes.
+  void note_for_snapshots(ItemId id) {
+    if (snapshots) snapshots->note_changed(id, version() + 1);
+  }
   // The next three functions record items in `change_log`: all items of a batch, one item that an operation inserts, or
   // one item that it removes.
   template <class Batch>
@@ -151,13 +165,14 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   History history;
   constraint::Outline outline;  ///< scratch
   SpareContext spare_context;
-  std::optional<Operation> attempt;  ///< the operation of World::attempt(), while its question runs
+  std::unique_ptr<SnapshotPool> snapshots;  ///< null until the first snapshot
+  std::optional<Operation> attempt;         ///< the operation of World::attempt(), while its question runs
 };
 
 inline World::Operation::Operation(Impl& impl, Kind kind)
     : impl_(impl),
       kind_(kind),
-      operation_(impl.triangulation, kind == Kind::rewind ? constraint::VertexLimits{} : impl.limits) {
+      operation_(impl.triangulation, is_limited() ? impl.limits : constraint::VertexLimits{}) {
   if (impl_.abstraction) impl_.abstraction->begin();
   if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);
   impl_.change_log.begin();
@@ -175,7 +190,7 @@ inline std::optional<Error> World::Operation::insert(const Shape& shape, ItemId 
   if (impl_.triangulation.has_too_many_vertices()) return limit_error(impl_.triangulation.budget(), id);
   note_inserted(shape.kind, id);
   note_changed(id);
-  impl_.note_item(shape.kind, shape.rings);
+  if (kind_ != Kind::follow) impl_.note_item(shape.kind, shape.rings);
   return std::nullopt;
 }
 
@@ -190,14 +205,14 @@ std::optional<Error> World::Operation::insert_all(const Batch& batch, const thre
     note_inserted(batch.kind(i), batch.id(i));
     note_changed(batch.id(i));
   }
-  impl_.note_changes(batch);
+  if (kind_ != Kind::follow) impl_.note_changes(batch);
   return std::nullopt;
 }
 
 inline void World::Operation::remove(ItemId id) {
   const std::uint32_t slot = impl_.triangulation.items().slot(id);
   if (kind_ == Kind::change) impl_.record_removal(slot);
-  impl_.note_removal(slot);
+  if (kind_ != Kind::follow) impl_.note_removal(slot);
   note_changed(id);
   if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
   impl_.triangulation.remove(id);
@@ -221,10 +236,11 @@ inline void World::Operation::commit() {
   }
   operation_.commit();
   if (clearance_operation_) clearance_operation_->commit();
+  is_committed_ = true;
+  if (kind_ == Kind::follow) return;
   impl_.touch_log->commit();
   impl_.change_log.commit(impl_.touch_log->version());
   impl_.history.commit();
-  is_committed_ = true;
 }
 
 inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
@@ -234,6 +250,7 @@ inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
 }
 
 inline void World::Operation::note_changed(ItemId id) {
+  if (kind_ != Kind::attempt) impl_.note_for_snapshots(id);
   if (impl_.clearance) impl_.clearance->note_changed(id);
 }
 
@@ -248,7 +265,10 @@ std::optional<Error> World::Impl::insert_all(const Batch& batch, const threads::
   change_log.begin();
   note_changes(batch);
   history.begin();
-  for (std::size_t i = 0; i < batch.size(); ++i) history.add_insertion(batch.id(i));
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    history.add_insertion(batch.id(i));
+    note_for_snapshots(batch.id(i));
+  }
   if (auto error = replace_all(batch, triangulation.items().largest_id_seen(), limits, team)) return error;
   history.commit();
   return std::nullopt;

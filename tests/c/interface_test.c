@@ -384,6 +384,7 @@ int main(void) {
   test_disconnecting();
   test_changed_regions();
   test_path_watch();
+  test_snapshots();
   test_saving();
   test_replaying();
   test_snippets();

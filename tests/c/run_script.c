@@ -385,6 +385,12 @@ static void carry_out(Run* run, const ww_script_line* line) {
     case WW_SCRIPT_TICK:
       compare_hash(run, line);
       break;
+    case WW_SCRIPT_MARK:
+      must(ww_world_mark(run->world, NULL), "ww_world_mark");
+      break;
+    case WW_SCRIPT_REWIND:
+      is_done(line, ww_world_rewind(run->world, line->tick));
+      break;
     default:
       stop("a line of an unknown kind");
   }
@@ -421,6 +427,7 @@ int main(int argc, char** argv) {
     if ((line.kind == WW_SCRIPT_PATH || line.has_goal) && line.radius > 0) options.keep_bridges = 1;
   }
   must(ww_world_create(domain, &options, &run.world), "ww_world_create");
+  must(ww_world_keep_history(run.world, count), "ww_world_keep_history");
   for (i = 0; i < count; ++i) {
     const ww_script_line line = line_at(script, i);
     must(ww_script_item(script, i, run.items), "ww_script_item");

@@ -1,6 +1,7 @@
 /* Tests the regions that operations have changed, and path watches. */
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 #include <waywright.h>
 
 #include "check.h"
@@ -123,4 +124,28 @@ void test_path_watch(void) {
   ww_path_watch_destroy(watch);
   ww_path_watch_destroy(NULL);
   ww_world_destroy(other);
+}
+
+/* A snapshot stays as it is while its world changes, also after the end of the world. */
+void test_snapshots(void) {
+  ww_world* world = make_town(0);
+  ww_snapshot *snapshot = NULL, *copy = NULL;
+  const ww_world *then = NULL, *also_then = NULL;
+  ww_items_hash before, after;
+  size_t count = 0;
+  CHECK_OK(ww_world_items_hash(world, &before));
+  CHECK_OK(ww_world_item_count(world, &count));
+  CHECK_OK(ww_world_publish(world, &snapshot));
+  CHECK_OK(ww_snapshot_copy(snapshot, &copy));
+  CHECK_OK(ww_world_insert_segment(world, at(5, 9), at(7, 8), 2, NULL));
+  CHECK_OK(ww_snapshot_world(snapshot, &then));
+  CHECK_OK(ww_snapshot_world(copy, &also_then));
+  CHECK(then == also_then && then != world);
+  ww_snapshot_destroy(snapshot);
+  ww_world_destroy(world);
+  CHECK_OK(ww_world_items_hash(then, &after));
+  CHECK(memcmp(&before, &after, sizeof before) == 0);
+  CHECK_STATUS(ww_snapshot_world(NULL, &then), WW_INVALID_ARGUMENT);
+  ww_snapshot_destroy(copy);
+  ww_snapshot_destroy(NULL);
 }

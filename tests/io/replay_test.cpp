@@ -31,6 +31,17 @@ std::string hash_in_words(const std::vector<Item>& items) {
 const std::string kOnePoint = hash_in_words({{1, Shape::point({1, 2})}});
 const std::string kNothing = hash_in_words({});
 
+TEST(ReplayWriter, WritesTheHashThatItGets) {
+  World world = World::create(kTen).value();
+  std::ostringstream out;
+  ReplayWriter log(out, world);
+  world.insert_point({1, 2}, 1).value();
+  const ItemsHash hash = world.items_hash();
+  world.remove(1).value();
+  EXPECT_TRUE(log.tick(hash).ok());
+  EXPECT_EQ(out.str(), log_with("tick 1 " + kOnePoint + "\n"));
+}
+
 TEST(ReplayWriter, WritesItemsChangesAndTicks) {
   World world = World::create(kTen).value();
   world.insert_point({1, 2}, 1).value();

@@ -21,20 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs `run` while the n-th allocation from now on fails. Returns whether `run` finished.
-template <class Run>
-bool gets_through(std::size_t n, Run&& run) {
-  bool is_done = true;
-  fail_allocation(allocation_count() + n);
-  try {
-    run();
-  } catch (const std::bad_alloc&) {
-    is_done = false;
-  }
-  fail_allocation(0);
-  return is_done;
-}
-
 /// Returns a world in which the first steps of a script were made, after which it still has journals and free slots.
 World half_done(const ChangeScript& script, const WorldOptions& options) {
   World world = World::create(script.domain, options).value();

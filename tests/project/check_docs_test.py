@@ -24,6 +24,8 @@ class CheckDocs(unittest.TestCase):
             (root / "docs" / "guides").mkdir(parents=True)
             (root / "examples").mkdir()
             (root / "examples" / "game.cpp").write_text(CODE, encoding="utf-8")
+            (root / "examples" / "large").mkdir()
+            (root / "examples" / "large" / "game.hpp").write_text("struct Game {\n  int ticks;\n};\n", encoding="utf-8")
             (root / "examples" / "game.txt").write_text("first\nsecond\nthird\n", encoding="utf-8")
             (root / "README.md").write_text(readme, encoding="utf-8")
             (root / "docs" / "guides" / "guide.md").write_text(guide, encoding="utf-8")
@@ -41,6 +43,9 @@ class CheckDocs(unittest.TestCase):
 
     def test_takes_quotes_of_output_and_other_languages(self):
         self.assertEqual(self.check("```text\nsecond\nthird\n```\n\n```sh\nrm nothing\n```\n"), (0, ""))
+
+    def test_takes_quotes_of_examples_of_several_files(self):
+        self.assertEqual(self.check("```cpp\nstruct Game {\n  int ticks;\n};\n```\n"), (0, ""))
 
     def test_refuses_code_that_no_example_has(self):
         self.refuse("So:\n\n```cpp\nd();\n```\n", 4)

@@ -82,7 +82,7 @@ function(check_exported_names prefix)
     message(FATAL_ERROR "${library} exports nothing")
   endif()
   foreach(name IN LISTS names)
-    if(NOT name MATCHES " [TBD] (vtable for |typeinfo for |typeinfo name for )?waywright::[A-Za-z0-9:_~=]+(\\[abi|\\()"
+    if(NOT name MATCHES " [TBD] (vtable for |typeinfo for |typeinfo name for )?waywright::[A-Za-z0-9:_~=*]+(\\[abi|\\()"
        OR name MATCHES " [TBD] waywright::(base|memory|exact|mesh|locate|delaunay|constraint|path|io)::|Impl::")
       message(FATAL_ERROR "${library} exports ${name}")
     endif()

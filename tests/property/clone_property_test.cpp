@@ -6,7 +6,7 @@
 
 #include "waywright/world.hpp"
 
-#include "support/case_count.hpp"
+#include "support/each_flavour.hpp"
 #include "support/random_changes.hpp"
 
 namespace waywright::test {
@@ -61,14 +61,7 @@ void check_script(Flavour flavour, std::uint64_t seed) {
   ASSERT_NO_FATAL_FAILURE(expect_equal_paths(world, copy, options.keep_bridges));
 }
 
-TEST(CloneProperty, ACopyIsEqualAndIndependent) {
-  for (const Flavour flavour : kFlavours) {
-    for (std::uint64_t seed = 1; seed <= case_count(); ++seed) {
-      SCOPED_TRACE(std::string(to_string(flavour)) + ", seed " + std::to_string(seed));
-      ASSERT_NO_FATAL_FAILURE(check_script(flavour, seed));
-    }
-  }
-}
+TEST(CloneProperty, ACopyIsEqualAndIndependent) { check_each_flavour(check_script); }
 
 }  // namespace
 }  // namespace waywright::test

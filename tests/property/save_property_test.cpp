@@ -9,7 +9,7 @@
 #include "waywright/save.hpp"
 #include "waywright/world.hpp"
 
-#include "support/case_count.hpp"
+#include "support/each_flavour.hpp"
 #include "support/live_items.hpp"
 #include "support/random_changes.hpp"
 #include "support/saved_world_oracle.hpp"
@@ -88,14 +88,7 @@ void check_script(Flavour flavour, std::uint64_t seed) {
   expect_same_future(world, *loaded, script, script.steps.size() / 2);
 }
 
-TEST(SaveProperty, ASavedWorldHasTheBytesOfThePageAndContinuesAsTheWorldDoes) {
-  for (const Flavour flavour : kFlavours) {
-    for (std::uint64_t seed = 1; seed <= case_count(); ++seed) {
-      SCOPED_TRACE(std::string(to_string(flavour)) + ", seed " + std::to_string(seed));
-      ASSERT_NO_FATAL_FAILURE(check_script(flavour, seed));
-    }
-  }
-}
+TEST(SaveProperty, ASavedWorldHasTheBytesOfThePageAndContinuesAsTheWorldDoes) { check_each_flavour(check_script); }
 
 }  // namespace
 }  // namespace waywright::test

@@ -112,5 +112,24 @@ TEST(Threads, ManyBuildTheWorldThatOneBuilds) {
   }
 }
 
+// Made for the thread sanitizer: sides in regions beside each other, and sides that leave their region.
+TEST(Threads, InsertTheSidesOfOneBatch) {
+  Random random(32);
+  std::vector<Item> items;
+  const auto fraction = [&] { return static_cast<double>(random.below(std::size_t{1} << 40)) * 0x1p-40; };
+  for (std::uint64_t i = 1; i <= 9000; ++i) {
+    const Point from{64 * fraction(), 64 * fraction()};
+    const Point to{from.x + fraction() - 0.5, from.y + fraction() - 0.5};
+    items.push_back({{i}, Shape::segment(from, to)});
+  }
+  std::string alone;
+  for (const std::size_t threads : {1U, 2U, 4U}) {
+    World world = World::create({{-1, -1}, {65, 65}}).value();
+    world.insert_all(items, {threads, {}}).value();
+    if (threads == 1) alone = world.dump();
+    EXPECT_EQ(world.dump(), alone) << threads << " threads";
+  }
+}
+
 }  // namespace
 }  // namespace waywright::test

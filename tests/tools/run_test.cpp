@@ -49,6 +49,22 @@ TEST(RunCommand, ListsThePolygonsThatCoverAPointAscending) {
   EXPECT_EQ(lines[3].at("inside"), json::parse("[5,9]"));  // the hole's corner is on the boundary of 5
 }
 
+TEST(RunCommand, GoesBackToAMark) {
+  const std::string start = kHead + "segment 1 4 0 4 7\nmark 1\n";
+  const std::string there = run_script(start + "hash\npath 1 1 7 1 0\n").out;
+  const CommandResult result = run_script(
+      start + "polygon 2 3 5 0 9 0 9 4\nmark 2\nremove 1\nrewind 1\nhash\npath 1 1 7 1 0\ncheck\nremove 2\n");
+  EXPECT_EQ(result.status, 0);
+  const auto lines = json_lines(result.out);
+  const auto before = json_lines(there);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0].at("mesh"), before[0].at("mesh"));
+  EXPECT_EQ(lines[0].at("items"), before[0].at("items"));
+  EXPECT_EQ(lines[1].at("pieces"), before[1].at("pieces"));
+  EXPECT_EQ(lines[2].at("ok"), true);
+  EXPECT_EQ(lines[3].at("error"), "unknown-id");
+}
+
 TEST(RunCommand, PrintsTheFirstWallOfARay) {
   const auto result = run_script(kHead +
                                  "segment 9 3 1 3 4\nsegment 4 3 2 5 3\npoint 2 2 5\n"

@@ -31,6 +31,9 @@ World create_world(const Script& script, const RunOptions& options) {
   });
   Result<World> world = World::create(script.domain, {.keep_bridges = has_discs, .new_vertex_limit = options.limit});
   if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", options.script, script.domain_line, world.error().message()));
+  const auto marks = std::count_if(script.lines.begin(), script.lines.end(),
+                                   [](const ScriptLine& line) { return line.kind == ScriptLineKind::mark; });
+  world->keep_history(static_cast<std::size_t>(marks));
   return std::move(world).value();
 }
 

@@ -41,6 +41,11 @@ Outcome Runner::carry_out(const ScriptLine& operation) {
       return find_nearest_fit(operation);
     case ScriptLineKind::tick:
       return compare_hash(operation);
+    case ScriptLineKind::mark:
+      static_cast<void>(world_.mark());  // the parser has compared its number
+      return Outcome::done;
+    case ScriptLineKind::rewind:
+      return rewind(operation);
   }
   return Outcome::done;
 }
@@ -136,6 +141,13 @@ Outcome Runner::compare_hash(const ScriptLine& operation) {
   if (!operation.items_hash || *operation.items_hash == computed) return Outcome::done;
   output_.write_line(json_line(request_of(operation), operation.tick, *operation.items_hash, computed));
   return Outcome::check_failed;
+}
+
+Outcome Runner::rewind(const ScriptLine& operation) {
+  const Result<void> rewound = world_.rewind(operation.tick);
+  if (!rewound.ok()) return refuse(operation, rewound.error());
+  clear_queries();
+  return Outcome::done;
 }
 
 void Runner::clear_queries() {

@@ -37,6 +37,7 @@ class Runner {
   Outcome test_clear(const ScriptLine& operation);
   Outcome check(const ScriptLine& operation);
   Outcome compare_hash(const ScriptLine& operation);
+  Outcome rewind(const ScriptLine& operation);
   void clear_queries();
   Outcome refuse(const ScriptLine& operation, const Error& error);
 

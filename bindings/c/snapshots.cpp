@@ -1,0 +1,25 @@
+#include "waywright/world_snapshot.hpp"
+
+#include "internal.hpp"
+
+// Snapshots for readers on other threads.
+
+using namespace waywright;
+using namespace waywright::c;
+
+ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot) {
+  return guarded([&] { return make_object(snapshot, changing(world).publish()); });
+}
+
+ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy) {
+  return guarded([&] { return make_object(copy, WorldSnapshot(object(snapshot))); });
+}
+
+void ww_snapshot_destroy(ww_snapshot* snapshot) { destroy_object(snapshot); }
+
+ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world** world) {
+  return guarded([&] {
+    answer(world) = opaque<ww_world>(&*object(snapshot));
+    return ww_status{WW_OK};
+  });
+}

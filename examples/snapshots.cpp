@@ -1,0 +1,48 @@
+// One thread changes a world, and another one finds paths in snapshots of it. docs/guides/snapshots.md explains this
+// example.
+
+#include <cstdio>
+#include <thread>
+
+#include "waywright/waywright.hpp"
+
+using waywright::PathQuery;
+using waywright::PathStatus;
+using waywright::QueryContext;
+using waywright::Shape;
+using waywright::World;
+using waywright::WorldSnapshot;
+
+namespace {
+
+/// A reader: it uses its own handle and its own context.
+void find_paths(const WorldSnapshot& snapshot, bool& is_reachable) {
+  QueryContext context;
+  waywright::Path path;
+  const PathQuery query{.start = {10, 50}, .goal = {90, 50}};
+  for (int i = 0; i < 1000; ++i) snapshot->find_path(query, context, path).value();
+  is_reachable = path.status == PathStatus::found;
+}
+
+/// The reader finds paths in the old state while this thread closes the gate.
+void close_gate(World& world) {
+  bool is_reachable = false;
+  WorldSnapshot snapshot = world.publish();
+  std::thread reader([copy = snapshot, &is_reachable] { find_paths(copy, is_reachable); });
+  world.insert(Shape::segment({50, 80}, {50, 100}), 2).value();
+  reader.join();
+  std::printf("the reader %s path, with %zu item\n", is_reachable ? "found a" : "found no", snapshot->item_count());
+  snapshot.release();  // its memory can be used again
+
+  snapshot = world.publish();
+  find_paths(snapshot, is_reachable);
+  std::printf("then it %s path, with %zu items\n", is_reachable ? "finds a" : "finds no", snapshot->item_count());
+}
+
+}  // namespace
+
+int main() {
+  World world = World::create({{0, 0}, {100, 100}}).value();
+  world.insert(Shape::segment({50, 0}, {50, 80}), 1).value();
+  close_gate(world);
+}

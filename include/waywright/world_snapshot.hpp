@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+
+#include "waywright/export.hpp"
+
+namespace waywright {
+
+/// @addtogroup world
+/// @{
+
+class World;
+
+namespace detail {
+
+class Replica;
+
+inline constexpr char kEmptySnapshot[] =
+    "WorldSnapshot: this one is empty: it was default-constructed, moved from or released";
+
+}  // namespace detail
+
+/// A world that never changes: the state that a World had when its World::publish() was called. Readers on other
+/// threads query it while one thread changes the world. The readers and this thread never wait for each other.
+///
+/// @code{.cpp}
+/// WorldSnapshot snapshot = world.publish();
+/// world.remove(1).value();
+/// const bool is_there = snapshot->contains(1);  // == true
+/// snapshot.release();
+/// @endcode
+///
+/// A snapshot is a handle. Copies of it share one immutable world, which you reach with `->` and `*`. All const members
+/// of World work, without a context or with one. They give the same answers as the world gave, also version(),
+/// is_affected() and changes_since(). There are two exceptions: memory(), and Path::expansions of a query with a radius
+/// above 0. So a PathWatch can read one snapshot after the other: each of them counts as the world for which the watch
+/// was made. The immutable world has no history. World::clone() of it makes a world that you can change.
+///
+/// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
+/// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can outlive its
+/// world. Do not use a reference to the immutable world, or a PathSearch in it, after you have released the snapshot.
+///
+/// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
+/// thread at a time, like a std::shared_ptr: give each thread a copy of its own. Threads may copy, release and destroy
+/// their handles while another thread calls any member of the world. These functions wait for no other thread.
+class WAYWRIGHT_API WorldSnapshot {
+ public:
+  /// Makes an empty snapshot, which has no world.
+  WorldSnapshot() noexcept = default;
+  /// Makes another handle of the same immutable world.
+  /// Cost: O(1). Allocates nothing.
+  WorldSnapshot(const WorldSnapshot& other) noexcept;
+  /// Moves the handle. `other` is empty afterwards.
+  WorldSnapshot(WorldSnapshot&& other) noexcept : replica_(other.replica_) { other.replica_ = nullptr; }
+  WorldSnapshot& operator=(const WorldSnapshot& other) noexcept;
+  WorldSnapshot& operator=(WorldSnapshot&& other) noexcept;
+  ~WorldSnapshot() { release(); }
+
+  /// Makes the handle empty.
+  /// Cost: O(1), or linear in the world if this handle is the last and the world does not keep the memory.
+  void release() noexcept;
+
+  /// Returns whether the handle is not empty.
+  [[nodiscard]] explicit operator bool() const noexcept { return replica_ != nullptr; }
+  /// Returns the immutable world. Requires: the handle is not empty.
+  [[nodiscard]] const World& operator*() const;
+  /// @copydoc operator*() const
+  [[nodiscard]] const World* operator->() const { return &**this; }
+  /// Returns the World::version() of the immutable world. Requires: the handle is not empty.
+  [[nodiscard]] std::uint64_t version() const;
+
+  /// Returns whether both handles share one immutable world, or are both empty.
+  [[nodiscard]] bool operator==(const WorldSnapshot& other) const noexcept { return replica_ == other.replica_; }
+
+ private:
+  friend class World;
+  /// Takes over the handle that `replica` counts already.
+  explicit WorldSnapshot(detail::Replica* replica) noexcept : replica_(replica) {}
+
+  detail::Replica* replica_ = nullptr;
+};
+
+/// @}
+
+}  // namespace waywright

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "exact/sign.hpp"
+#include "mesh/index.hpp"
+
+namespace waywright::delaunay {
+
+// Tests and flips of edges, for mesh::TriangleMesh and mesh::UnloggedMesh.
+
+/// Whether an edge is legal if its four vertices lie on a circle: the first of them in (x, y) order is one of its ends.
+/// Not inlined: ties are rare, and without this code is_legal() can keep its data in registers.
+template <class Geometry, class Mesh>
+[[nodiscard, gnu::noinline]] bool is_legal_on_circle(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h) {
+  const mesh::HalfEdge t = mesh.twin(h);
+  const auto first_of = [&](mesh::Vertex p, mesh::Vertex q) {
+    return geometry.order(geometry.view(number(p)), geometry.view(number(q))) < 0 ? p : q;
+  };
+  const mesh::Vertex end = first_of(mesh.origin(h), mesh.origin(t));
+  return first_of(end, first_of(mesh.apex(h), mesh.apex(t))) == end;
+}
+
+//        c        The edge a - b is legal if d lies outside the circle through a, b and c.
+//      /   \.
+//    a ----- b
+//      \   /
+//        d
+/// Whether the edge of `h` has the empty-circle property for its two faces. `c` is the position of the apex of `h`.
+/// Requires: the edge is free and lies inside the domain.
+template <class Geometry, class Mesh>
+[[nodiscard]] bool is_legal(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h,
+                            const typename Geometry::View& c) {
+  const mesh::HalfEdge t = mesh.twin(h);
+  const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
+  const exact::Sign sign = geometry.in_circle(view(mesh.origin(h)), view(mesh.origin(t)), c, view(mesh.apex(t)));
+  return sign == exact::Sign::zero ? is_legal_on_circle(geometry, mesh, h) : sign == exact::Sign::negative;
+}
+template <class Geometry, class Mesh>
+[[nodiscard]] bool is_legal(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h) {
+  return is_legal(geometry, mesh, h, geometry.view(number(mesh.apex(h))));
+}
+
+// A flip rebuilds two faces. Afterwards, half-edges on the stack may represent other edges. The function pushes all
+// edges of the rebuilt faces again and therefore misses none.
+/// Flips the edges in `freed`, and the edges that these flips make illegal, until every free edge is legal. Empties
+/// `freed`.
+template <class Geometry, class Mesh>
+void legalise(const Geometry& geometry, Mesh& mesh, std::vector<mesh::HalfEdge>& freed) {
+  while (!freed.empty()) {
+    const mesh::HalfEdge h = freed.back();
+    freed.pop_back();
+    if (mesh.is_fixed(h) || is_legal(geometry, mesh, h)) continue;
+    const mesh::HalfEdge t = mesh.twin(h);
+    mesh.flip(h);
+    for (const mesh::HalfEdge side : {h, previous(h), t, previous(t)}) freed.push_back(side);
+  }
+}
+
+}  // namespace waywright::delaunay

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/memory_use.hpp"
+
+#include "memory/count.hpp"
+
+namespace waywright {
+
+/// Records which items the operations on a world have changed, for its replicas. The record may contain items that have
+/// not changed: an operation that fails leaves its items here.
+class ChangedItems {
+ public:
+  /// Makes an empty record. It will have all changes after `version`.
+  explicit ChangedItems(std::uint64_t version) : complete_since_(version) {}
+
+  /// Sets the largest number of items that the record may contain. If there are more, it drops the oldest.
+  void set_limit(std::size_t limit) { limit_ = limit; }
+  /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.
+  void forget_until(std::uint64_t version);
+
+  /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
+  /// Cost: amortised O(log n) in the items of the record.
+  void add(ItemId id, std::uint64_t version) {
+    if (version <= complete_since_) return;  // too many changes: the record does not have those of this operation
+    if (entries_.size() == entries_.capacity()) make_room(version);
+    if (version > complete_since_) entries_.push_back({version, id});
+  }
+
+  /// Returns whether the record has all changes after `version`.
+  [[nodiscard]] bool has_all_since(std::uint64_t version) const { return version >= complete_since_; }
+  /// Writes the items that have changed after `version` to `ids`, in the order of their last changes. Items with the
+  /// same last change ascend by id. Requires: has_all_since(version).
+  /// Cost: n log n in the changes after `version`.
+  void since(std::uint64_t version, std::vector<ItemId>& ids);
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, found_); }
+
+ private:
+  struct Entry {
+    std::uint64_t version;
+    ItemId id;
+  };
+
+  /// Keeps the last entry of each item only, and sorts by version and id.
+  static void keep_last(std::vector<Entry>& entries);
+  /// Keeps the last entry of each item only. If there are still too many, drops the oldest. `version` is the version
+  /// after the operation in progress. Afterwards the array has room for one entry more.
+  void make_room(std::uint64_t version);
+
+  static constexpr std::size_t kSmallest = 1024;
+
+  std::vector<Entry> entries_;  ///< ascending by version
+  std::vector<Entry> found_;    ///< scratch
+  std::uint64_t complete_since_;
+  std::size_t limit_ = kSmallest;
+};
+
+}  // namespace waywright

@@ -1,0 +1,98 @@
+#include "world/snapshot_pool.hpp"
+
+#include <algorithm>
+
+#include "memory/count.hpp"
+
+namespace waywright {
+
+namespace detail {
+
+bool Replica::add_reader_to_others() {
+  std::size_t readers = readers_.load(std::memory_order_relaxed);
+  while (readers != 0) {
+    if (readers_.compare_exchange_weak(readers, readers + 1, std::memory_order_relaxed)) return true;
+  }
+  return false;
+}
+
+// The release of each reader and the acquire of the last one order all queries before the changes of the next snapshot.
+void Replica::remove_reader() noexcept {
+  if (readers_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+  if (Replica* const other = std::exchange(disowned_later_, nullptr)) other->disown();
+  disown();
+}
+
+void Replica::disown() noexcept {
+  if (owners_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
+}
+
+}  // namespace detail
+
+using detail::Replica;
+
+SnapshotPool::~SnapshotPool() {
+  for (Replica* const replica : replicas_) replica->disown();
+}
+
+Replica* SnapshotPool::find_free() {
+  const auto found = std::find_if(replicas_.rbegin(), replicas_.rend(),
+                                  [&](const Replica* replica) { return replica->is_free() && can_follow(*replica); });
+  if (found == replicas_.rend()) return nullptr;
+  changed_.since((*found)->world.version(), ids_);
+  return ids_.size() <= limit_ ? *found : nullptr;
+}
+
+void SnapshotPool::drop(Replica* replica) {
+  replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
+  replica->disown();
+}
+
+Replica* SnapshotPool::add(World&& copy) {
+  replicas_.reserve(kMost + 1);
+  replicas_.push_back(new Replica(std::move(copy)));
+  return replicas_.back();
+}
+
+void SnapshotPool::hand_out(Replica* replica) {
+  replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
+  disown_held();
+  replica->disown_later(take_superfluous());
+  replicas_.push_back(replica);
+  limit_ = kFewChanges + replica->world.item_count() / kItemsForEachChange;
+  changed_.set_limit(limit_);
+  changed_.forget_until(replicas_.front()->world.version());
+}
+
+void SnapshotPool::disown_held() {
+  std::erase_if(replicas_, [&](Replica* replica) {
+    const bool is_kept = replica->is_free() || can_follow(*replica);
+    if (!is_kept) replica->disown();
+    return !is_kept;
+  });
+  if (replicas_.size() < kMost) return;
+  replicas_.front()->disown();
+  replicas_.erase(replicas_.begin());
+}
+
+Replica* SnapshotPool::take_superfluous() {
+  const auto is_free = [](const Replica* replica) { return replica->is_free(); };
+  const auto oldest = std::find_if(replicas_.begin(), replicas_.end(), is_free);
+  if (oldest == replicas_.end()) return nullptr;
+  const auto free_count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_free));
+  if (free_count <= kMostFree && can_follow(**oldest)) return nullptr;
+  Replica* const superfluous = *oldest;
+  replicas_.erase(oldest);
+  return superfluous;
+}
+
+void SnapshotPool::count_memory(MemoryUse& use) const {
+  use.spare += sizeof(SnapshotPool);
+  changed_.count_memory(use);
+  memory::count_spare(use, replicas_, ids_);
+  for (const Replica* const replica : replicas_) {
+    if (replica->is_free()) use.spare += sizeof(Replica) + replica->world.memory().total();
+  }
+}
+
+}  // namespace waywright

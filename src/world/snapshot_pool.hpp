@@ -1,0 +1,126 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "waywright/id.hpp"
+#include "waywright/item.hpp"
+#include "waywright/memory_use.hpp"
+#include "waywright/world.hpp"
+
+#include "world/changed_items.hpp"
+
+namespace waywright {
+
+namespace detail {
+
+/// A copy of a world, which snapshots hand out to readers. It has up to two owners: the pool of the world, and all its
+/// readers together. The last owner frees it. If the readers are no owner, nobody reads the copy, and only the pool can
+/// give it to new readers. So the thread that changes the world may then change the copy.
+///
+/// Threads: readers may call add_reader() and remove_reader() at any time. The other functions belong to the thread
+/// that changes the world.
+class Replica {
+ public:
+  /// Makes a replica that only the pool owns.
+  explicit Replica(World&& copy) : world(std::move(copy)) {}
+
+  /// Returns whether no snapshot refers to this replica.
+  [[nodiscard]] bool is_free() const { return owners_.load(std::memory_order_acquire) == 1; }
+  /// Adds the first reader. Requires: is_free().
+  void add_first_reader() {
+    readers_.store(1, std::memory_order_relaxed);
+    owners_.store(2, std::memory_order_relaxed);
+  }
+  /// Adds a reader if there is at least one. Returns whether it did.
+  [[nodiscard]] bool add_reader_to_others();
+  /// Adds a reader. Requires: the calling thread is a reader.
+  void add_reader() { readers_.fetch_add(1, std::memory_order_relaxed); }
+  void remove_reader() noexcept;
+  /// Gives up one ownership: that of the pool or that of the readers.
+  void disown() noexcept;
+  /// Makes the last reader of this replica disown `replica`, too. Requires: nobody reads this replica yet.
+  void disown_later(Replica* replica) { disowned_later_ = replica; }
+
+  World world;
+
+ private:
+  ~Replica() = default;
+
+  std::atomic<std::size_t> readers_ = 0;
+  std::atomic<std::uint32_t> owners_ = 1;
+  Replica* disowned_later_ = nullptr;
+};
+
+}  // namespace detail
+
+/// The shapes of one item. The object keeps its memory from one use to the next.
+struct ReplicaScratch {
+  Shape in_world;
+  Shape in_replica;
+};
+
+/// The replicas of a world, and what they lack.
+///
+/// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
+class SnapshotPool {
+ public:
+  /// Makes a pool without replicas for a world of this version.
+  explicit SnapshotPool(std::uint64_t version) : changed_(version) {}
+  ~SnapshotPool();
+  SnapshotPool(const SnapshotPool&) = delete;
+  SnapshotPool& operator=(const SnapshotPool&) = delete;
+
+  /// Records an item that an operation inserts or removes. `version` is the version of the world after the operation.
+  void note_changed(ItemId id, std::uint64_t version) { changed_.add(id, version); }
+
+  /// Returns the newest replica, or null.
+  [[nodiscard]] detail::Replica* newest() const { return replicas_.empty() ? nullptr : replicas_.back(); }
+  /// Returns the newest free replica that can follow the world, or null if there is none, or if it would take longer
+  /// than to copy the world.
+  [[nodiscard]] detail::Replica* find_free();
+  /// Returns the items that may have changed since the version of the replica that find_free() has returned.
+  [[nodiscard]] const std::vector<ItemId>& changed() const { return ids_; }
+  [[nodiscard]] ReplicaScratch& scratch() { return scratch_; }
+
+  /// Takes a free replica out of the pool and frees it.
+  void drop(detail::Replica* replica);
+  /// Makes a replica of a copy of the world, and adds it to the pool. If memory runs out, changes nothing.
+  [[nodiscard]] detail::Replica* add(World&& copy);
+  /// Prepares a replica for its first reader: it is now the newest. Makes the pool disown replicas that it no longer
+  /// needs. Allocates nothing. Requires: the replica is free and equal to the world.
+  void hand_out(detail::Replica* replica);
+
+  void count_memory(MemoryUse& use) const;
+
+ private:
+  /// The largest number of free replicas that the pool keeps for later snapshots.
+  static constexpr std::size_t kMostFree = 2;
+  /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
+  static constexpr std::size_t kMost = 16;
+
+  /// A replica follows at least this number of changed items.
+  static constexpr std::size_t kFewChanges = 64;
+  /// A replica follows at most one in this number of items. A copy of the world costs less than more changes.
+  static constexpr std::size_t kItemsForEachChange = 32;
+
+  /// Removes the replicas from the pool that readers hold and that cannot follow the world any more, and the oldest if
+  /// there are more than kMost.
+  void disown_held();
+  /// Takes one superfluous free replica out of the pool and returns it, or returns null.
+  [[nodiscard]] detail::Replica* take_superfluous();
+  [[nodiscard]] bool can_follow(const detail::Replica& replica) const {
+    return changed_.has_all_since(replica.world.version());
+  }
+
+  std::vector<detail::Replica*> replicas_;  ///< ascending by version
+  ChangedItems changed_;
+  std::size_t limit_ = kFewChanges;  ///< the largest number of changed items that a replica follows
+  std::vector<ItemId> ids_;          ///< the answer of changed()
+  ReplicaScratch scratch_;
+};
+
+}  // namespace waywright

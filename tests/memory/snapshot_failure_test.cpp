@@ -1,0 +1,133 @@
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "waywright/world.hpp"
+
+#include "memory/allocations.hpp"
+#include "support/random_scenes.hpp"
+
+// Memory runs out while a world makes a snapshot.
+
+namespace waywright::test {
+namespace {
+
+class SnapshotFailure : public testing::TestWithParam<Flavour> {};
+
+INSTANTIATE_TEST_SUITE_P(Flavours, SnapshotFailure, testing::ValuesIn(kFlavours),
+                         [](const auto& flavour) { return std::string(to_string(flavour.param)); });
+
+/// Half of the items of a random scene. The rest comes in later changes.
+World first_half(const Scene& scene) {
+  World world = World::create(scene.domain, {.keep_bridges = true}).value();
+  for (std::size_t i = 0; i < scene.items.size() / 2; ++i) world.insert(scene.items[i].shape).value();
+  return world;
+}
+
+void change(World& world, const Scene& scene) {
+  std::vector<Change> changes;
+  for (std::size_t i = scene.items.size() / 2; i < scene.items.size(); ++i) {
+    changes.push_back(Change::insert(scene.items[i].shape));
+  }
+  changes.push_back(Change::remove(1));
+  changes.push_back(Change::replace(2, scene.items[0].shape));
+  world.apply(changes).value();
+}
+
+void expect_equal(const World& snapshot, const World& world, std::size_t n) {
+  ASSERT_EQ(snapshot.dump(), world.dump()) << "allocation " << n;
+  ASSERT_EQ(snapshot.version(), world.version()) << "allocation " << n;
+  ASSERT_EQ(snapshot.validate().fault, "") << "allocation " << n;
+}
+
+/// Fails each allocation of the second publish(). If `is_held`, it makes a copy; otherwise it uses the first one again.
+void check_failures(const Scene& scene, bool is_held) {
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = first_half(scene);
+    WorldSnapshot first = world.publish();
+    const std::string first_dump = first->dump();
+    if (!is_held) first.release();
+    change(world, scene);
+    const std::string dump = world.dump();
+    WorldSnapshot second;
+    const bool is_through = gets_through(n, [&] { second = world.publish(); });
+    ASSERT_EQ(static_cast<bool>(second), is_through);
+    ASSERT_EQ(world.dump(), dump);
+    if (is_held) {
+      ASSERT_EQ(first->dump(), first_dump);
+    }
+    if (!is_through) {
+      world.remove(3).value();
+      second = world.publish();
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_equal(*second, world, n));
+    if (is_through) break;
+  }
+  EXPECT_GT(failures, 5U);
+}
+
+TEST_P(SnapshotFailure, OfACopyChangesNothing) { check_failures(random_scene(GetParam(), 1, 14), true); }
+
+TEST_P(SnapshotFailure, OfAReusedCopyCanBeRepeated) { check_failures(random_scene(GetParam(), 2, 14), false); }
+
+// The record of changed items grows inside operations.
+TEST_P(SnapshotFailure, OfAnOperationThatIsRecordedChangesNothing) {
+  const Scene scene = random_scene(GetParam(), 3, 14);
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = first_half(scene);
+    static_cast<void>(world.publish());
+    const std::string dump = world.dump();
+    const bool is_through = gets_through(n, [&] { change(world, scene); });
+    if (!is_through) {
+      ASSERT_EQ(world.dump(), dump) << "allocation " << n;
+      ASSERT_NO_FATAL_FAILURE(expect_equal(*world.publish(), world, n));
+      world.remove(3).value();
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_equal(*world.publish(), world, n));
+    if (is_through) break;
+  }
+  EXPECT_GT(failures, 5U);
+}
+
+TEST(SnapshotFailureOf, SnapshotsAllocateNothingWhenTheReplicasAreWarm) {
+  World world = World::create({{0, 0}, {100, 100}}).value();
+  const ItemId box = world.insert(Shape::rectangle({{10, 10}, {20, 20}})).value();
+  std::vector<Shape> shapes;
+  for (int i = 0; i < 8; ++i) shapes.push_back(Shape::rectangle({{10.0 + i, 10}, {20.0 + i, 20}}));
+  WorldSnapshot latest;
+  const auto run = [&] {
+    for (std::size_t i = 0; i < 6000; ++i) {
+      world.replace(box, shapes[i % 8]).value();
+      latest = world.publish();
+    }
+  };
+  run();
+  const std::size_t before = allocation_count();
+  run();
+  EXPECT_EQ(allocation_count(), before);
+}
+
+TEST(SnapshotFailureOf, SnapshotsAreFreedWhenNothingRefersToThem) {
+  const std::ptrdiff_t before = live_allocations();
+  {
+    std::vector<WorldSnapshot> held;
+    {
+      World world = World::create({{0, 0}, {100, 100}}).value();
+      for (int i = 0; i < 40; ++i) {
+        world.insert_point({1.0 + i, 1}).value();
+        held.push_back(world.publish());
+        if (i % 3 == 0) held.erase(held.begin());
+      }
+    }
+    const WorldSnapshot copy = held.front();
+  }
+  EXPECT_EQ(live_allocations(), before);
+}
+
+}  // namespace
+}  // namespace waywright::test
