@@ -50,7 +50,7 @@ class CgalPolylines {
   using ConstraintId = typename Plus::Constraint_id;
   using Corner = typename Plus::Point;
 
-  /// What an item inserted: a constraint for each ring, or a vertex for a ring that is a single point.
+  /// The structures of an item in the mesh: a constraint for each ring, or a vertex for a ring that is a single point.
   struct Live {
     std::vector<ConstraintId> constraints;
     std::vector<Vertex> points;

@@ -113,7 +113,8 @@ class SectorsOfSearches {
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 
-/// Locates `point` by a walk from the face that `strategy` chooses, and then tells the strategy where the walk ended.
+/// Locates `point` by a walk from the face that `strategy` chooses, and then reports the face where the walk ended to
+/// the strategy.
 /// Requires: `point` lies in the box.
 template <class Strategy, class Geometry>
 [[nodiscard]] locate::Located locate_by(Strategy& strategy, const Ground<Geometry>& ground, const Point& point) {

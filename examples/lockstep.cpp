@@ -15,8 +15,8 @@ using waywright::World;
 
 World new_world() { return World::create({{0, 0}, {1000, 1000}}).value(); }
 
-/// The commands that the network brings at a tick: to build a house and, now and then, to tear down an old one. The
-/// game chooses the ids, so that all players use the same ids.
+/// The commands that the network brings at a tick: to build a house and, at some ticks, to destroy an old one. The game
+/// chooses the ids, so that all players use the same ids.
 std::vector<Change> commands_of(std::uint64_t tick) {
   const double x = 50.0 + static_cast<double>(tick * 137 % 900);
   const double y = 50.0 + static_cast<double>(tick * 211 % 900);

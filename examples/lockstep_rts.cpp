@@ -133,7 +133,8 @@ struct Unit {
 /// Half of the units keep their coordinates as `float`.
 Precision precision_of(std::size_t unit) { return unit % 2 == 0 ? Precision::float64 : Precision::float32; }
 
-/// The hash of the state that all machines share. It includes the mesh hash only now and then, because that is slow.
+/// The hash of the state that all machines share. It includes the mesh hash only at every kMeshHashEvery-th tick,
+/// because the mesh hash is slow.
 struct StateHash {
   waywright::ItemsHash items;
   std::uint64_t units = 0;

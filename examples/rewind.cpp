@@ -1,5 +1,5 @@
-// A player places buildings, and the program goes back, tries out and finds out what a building means for paths.
-// docs/guides/rewind.md explains this example.
+// A player places buildings. The program goes back to an earlier state, tries changes, and finds the paths that a
+// building concerns. docs/guides/rewind.md explains this example.
 
 #include <cstdint>
 #include <cstdio>
@@ -23,7 +23,7 @@ const Shape kGate = Shape::segment({50, 80}, {50, 100});
 const Shape kBarn = Shape::rectangle({{20, 60}, {40, 75}});
 const std::vector<Point> kDoors = {{10, 50}, {90, 50}, {30, 90}};
 
-/// Two states of a world, and the way back from one to the other.
+/// Changes a world and goes back to its earlier state.
 void go_back(World& world) {
   world.keep_history(8);
   const std::uint64_t before = world.mark();
@@ -35,7 +35,7 @@ void go_back(World& world) {
   std::printf("%zu item, and the world is %s\n", world.item_count(), world.items_hash() == hash ? "as before" : "new");
 }
 
-/// The length of a path behind a building that is never built.
+/// Finds out how long a path would be with a building, without building it.
 void try_out(World& world) {
   const auto find = [](const World& changed) { return changed.find_path({.start = {10, 50}, .goal = {90, 50}}); };
   const Path now = find(world).value();
@@ -47,7 +47,7 @@ void try_out(World& world) {
   }
 }
 
-/// What a change means for the paths of three agents.
+/// Finds the paths of three agents that a change concerns.
 void watch_paths(World& world) {
   PathWatch watch(world);
   std::vector<Path> paths;

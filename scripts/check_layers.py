@@ -143,7 +143,7 @@ class Checker:
             while waiting:
                 header = waiting.pop()
                 if header == start:
-                    yield f"{start}:1: includes itself by way of other headers"
+                    yield f"{start}:1: includes itself through other headers"
                     break
                 if header not in seen:
                     seen.add(header)

@@ -30,7 +30,7 @@ enum class CrowdMode : std::uint8_t {
 /// Returns the mode with this name: `tra`, `two_threads`, `affected`, `optimal`.
 [[nodiscard]] std::optional<CrowdMode> crowd_mode(std::string_view name);
 
-/// What one tick of a game took and gave. The times are wall-clock times in seconds.
+/// The times and results of one tick of a game. The times are wall-clock times in seconds.
 struct Tick {
   double update_seconds = 0.0;        ///< of the operation that changes the buildings
   std::vector<double> path_seconds;   ///< of the searches, for each radius; in `two_threads` one entry for all units

@@ -6,7 +6,7 @@
 
 namespace waywright::bench {
 
-/// Measures the part of a run between start() and stop(). Everything before start() makes the world.
+/// Measures the time of a run from start() to stop(). Everything before start() makes the world.
 class Meter {
  public:
   void start();

@@ -13,7 +13,8 @@
 
 namespace waywright::bench {
 
-/// A reference to a point that is too large to copy: that of a vertex, or one made for a point that is not a vertex.
+/// A reference to a Position, which is too large to copy: the Position of a vertex, or one that was made for a point
+/// that is not a vertex.
 template <class Position>
 class PositionView {
  public:
@@ -33,7 +34,8 @@ class PositionView {
 /// data at the same times as exact::Geometry, so that a comparison compares only arithmetic.
 ///
 /// An Arithmetic has: a `Position`, the coordinates of a vertex, with a `rounded` Point; a `View` of one; `at(point)`
-/// and `crossing(a, b, c, d)`, which make a place; `view(place)` and `view(point)`; and the three predicates on views.
+/// and `crossing(a, b, c, d)`, which make a Position; `view(position)` and `view(point)`; and the three predicates on
+/// views.
 template <class Arithmetic>
 class RivalGeometry {
  public:
@@ -69,7 +71,7 @@ class RivalGeometry {
   using Position = typename Arithmetic::Position;
   struct Undo {
     std::uint32_t vertex;
-    Position position;  ///< the place before
+    Position position;  ///< the position before the change
   };
 
   void put(std::uint32_t vertex, Position position) {

@@ -15,8 +15,8 @@
 
 #include "waywright.h"
 
-/// The parts that all sources of the C interface share: errors, structs with a size, lists, and the C++ objects behind
-/// the opaque types.
+/// The declarations that all sources of the C interface share: errors, structs with a size, lists, and the C++ objects
+/// behind the opaque types.
 namespace waywright::c {
 
 /// A broken rule of the interface, or a missing feature. The functions below throw it, and guarded() catches it.

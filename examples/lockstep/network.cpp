@@ -21,7 +21,7 @@ Network::Network(std::uint16_t port, const Faults& faults)
 
 void Network::send(const Address& to, Bytes bytes) {
   ++counts_.sent;
-  // Always three numbers for a packet, so that the faults of one packet do not depend on those of another.
+  // Always three numbers for a packet, so that the faults of one packet do not depend on the faults of another.
   const double loss = share_of(random_++);
   const double lateness = share_of(random_++);
   const double delay = share_of(random_++);
@@ -56,7 +56,7 @@ void Network::flush() {
   delayed_.clear();
 }
 
-/// A packet that the system refuses counts as lost on its way: the receiver may not exist any more.
+/// A packet that the system refuses counts as lost: the receiver may not exist any more.
 void Network::transmit(const Delayed& packet) {
   boost::system::error_code error;
   socket_.send_to(asio::buffer(packet.bytes), packet.to, 0, error);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Packets by UDP on this computer, and the faults of a network that is not as good as that.
+// Packets by UDP on this computer, and the simulated faults of a worse network.
 
 #include <cstddef>
 #include <cstdint>

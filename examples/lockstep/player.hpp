@@ -7,8 +7,9 @@
 
 namespace lockstep {
 
-/// What a player does at a tick. The players build or destroy in turn: one building in each tick. At first they only
-/// build. Nothing here must be the same on all machines: the commands of a player come from one machine.
+/// The commands of a player at a tick. The players take turns: in each tick, one of them builds or destroys one
+/// building. At first they only build. Nothing here must be the same on all machines: the commands of a player come
+/// from one machine.
 inline Commands commands_of(std::size_t player, Tick tick, const Simulation& game) {
   constexpr Tick kOpening = 64;  // buildings that a player places before it destroys the first
   constexpr Tick kTicksPerOrder = 16;

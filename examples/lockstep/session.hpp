@@ -48,8 +48,9 @@ class Session {
   /// Plays until the tick `end`.
   Session(Simulation simulation, Tick end);
 
-  /// Adds a player's commands for a tick. Ignores them if they are known, or if those of the tick before are not. If
-  /// the session has played this tick with other commands, the next call of play() goes back.
+  /// Adds a player's commands for a tick. Ignores them if they are known already, or if the player's commands for the
+  /// tick before are not known. If the session has played this tick with other commands, the next call of play() goes
+  /// back.
   void add(std::size_t player, Tick tick, const Commands& commands);
   /// Whether play() plays a new tick: whether the session is less than kLongestRollback ahead of the known commands.
   [[nodiscard]] bool can_play() const;

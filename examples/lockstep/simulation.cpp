@@ -144,8 +144,8 @@ void Simulation::build(std::span<const Commands, kPlayers> commands) {
   if (!changes_.empty()) world_.apply(changes_).value();
 }
 
-/// Gives each agent of a squad a new post. Agent number i belongs to squad i / kSquad, and the squads to the players in
-/// turn.
+/// Gives each agent of a squad a new post. Agent number i belongs to squad i / kSquad. The first squad belongs to the
+/// first player, the second squad to the second player, the third to the first, and so on.
 void Simulation::give_orders(std::span<const Commands, kPlayers> commands) {
   for (std::size_t player = 0; player < kPlayers; ++player) {
     const auto& order = commands[player].order;

@@ -16,6 +16,13 @@ namespace waywright {
 /// @code{.cpp}
 /// const Shape gate = Shape::segment({30, 40}, {40, 40});
 /// const std::vector<Change> changes = {Change::insert(gate, 12), Change::remove(2)};
+/// const Path then = world.attempt(changes, [&](const World& changed) {
+///   return changed.find_path({.start = start, .goal = goal});
+/// }).value();
+/// const std::size_t count = world.attempt(changes, [](const World& w) { return w.item_count(); }).value();  // == 2
+/// const std::vector<Point> doors = {{10, 50}, {90, 50}};
+/// const bool by_house = world.would_disconnect(house, doors).value();                               // == false
+/// const bool by_wall = world.would_disconnect(Shape::segment({50, 0}, {50, 100}), doors).value();  // == true
 /// world.apply(changes).value();
 /// @endcode
 struct Change {

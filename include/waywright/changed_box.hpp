@@ -17,6 +17,34 @@ namespace waywright {
 /// const ChangedBox changed = world.changes_since(before)->front();
 /// const Box region = changed.box;               // == Box{{70, 45}, {75, 55}}
 /// const bool is_only_new = !changed.is_removal;  // == true
+/// for (Unit& unit : units) {
+///   if (!world.is_affected(unit.path, before)) continue;
+///   if (!world.is_clear(unit.path.points, context).value()) unit.path = world.find_path(unit.query).value();
+/// }
+/// @endcode
+///
+/// Each segment, polyline or polygon that an operation inserts or removes has a box. A replacement is a removal and an
+/// insertion. A rewind is one removal or insertion or both for each item that it changes. Items of the kind point are
+/// not walls, and have no box. The world keeps at least the last 2,048 boxes. An operation has at most 256 boxes: if it
+/// inserts and removes more than 256 items, the remaining items share the last box.
+///
+/// These boxes are enough to find out what a change means for paths, although the triangles of the mesh change outside
+/// of them, too. Triangles without walls do not matter for paths: an agent can walk where it could walk before, unless
+/// an item was inserted there.
+///
+/// World::is_affected() and PathWatch compare paths with the boxes. For a path of a disc, is_affected() can also return
+/// true if the distance from a box is larger than Path::radius: near an arc by up to a 32nd of the radius, elsewhere by
+/// rounding errors. A gap that an operation makes narrower elsewhere does not affect the path, because the disc does
+/// not pass it.
+///
+/// @code{.cpp}
+/// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+/// Path path = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+/// const std::uint64_t before = yard.version();
+/// yard.insert_segment({40, 56}, {60, 56}).value();
+/// const bool is_far = yard.is_affected(path, before);  // == false
+/// yard.insert_segment({40, 54}, {60, 54}).value();
+/// const bool is_near = yard.is_affected(path, before);  // == true
 /// @endcode
 struct ChangedBox {
   std::uint64_t version = 0;  ///< the version of the world after the operation

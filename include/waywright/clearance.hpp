@@ -37,7 +37,9 @@ struct DiscFit {
 /// @endcode
 struct NearestFitQuery {
   Point point;
-  double radius = 0.0;  ///< the radius of the disc, 0 or more
+  /// The radius of the disc, 0 or more. With the radius 0, the answer is the position that a path query would take
+  /// instead of a blocked end: the nearest position in or on the border of a triangle that no polygon covers.
+  double radius = 0.0;
   /// If it is set, only positions count from which the disc gets to this point. If the disc does not fit at the goal,
   /// no position counts.
   std::optional<Point> goal{};
@@ -51,6 +53,13 @@ struct NearestFitQuery {
 /// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5}).value();
 /// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
 /// @endcode
+///
+/// If the disc fits at the point itself, this is the answer. The distance is the least one up to a relative error of
+/// 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little farther away
+/// than the nearest position. In a corner where the disc just fits between two walls, few points of doubles are free.
+/// There the answer can lie up to about a millionth of the radius farther away than the nearest of them. Where the disc
+/// fits only at a single position, or only along a line between two walls, there is an answer only if doubles can
+/// express a position there. Of equally near points, the first in (x, y) order is the answer.
 struct NearestFit {
   bool is_found = false;  ///< whether the disc fits somewhere; if not, all other members are zero
   Point at;               ///< where the disc fits: World::fit_disc says so exactly
@@ -71,6 +80,9 @@ struct NearestFit {
 /// const Point from = widest.from;                // == Point{10, 4}
 /// const ItemId above = widest.to_items.front();  // == 2
 /// @endcode
+///
+/// Source: Pollack, *The maximum capacity through a network*, 1960, on gaps that are Gabriel edges (Gabriel and Sokal
+/// 1969).
 struct WidestPath {
   /// Whether the walls leave a connection at all. It is false, too, if an end lies on a wall, or in the interior of a
   /// polygon. If it is false, all other members are empty.

@@ -32,6 +32,8 @@ inline void negative_id() {}
 /// world.insert_segment({1, 1}, {4, 1}, 12).value();      // an id that you choose
 /// const ItemId id = world.insert_point({5, 5}).value();  // == 13
 /// world.remove(12).value();                              // a plain number is an id
+/// world.reserve_ids(1000).value();                       // the world continues its ids after 1000
+/// const ItemId next = world.insert_point({3, 3}).value();  // == 1001
 /// @endcode
 struct ItemId {
   std::uint64_t value = 0;

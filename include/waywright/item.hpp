@@ -120,6 +120,14 @@ struct CrossedItem {
 /// @code{.cpp}
 /// const std::vector<Item> items = {{11, Shape::segment({5, 5}, {9, 5})}, {12, Shape::rectangle({{2, 2}, {4, 4}})}};
 /// world.insert_all(items).value();
+/// for (const ItemId id : world.item_ids()) {
+///   const Shape shape = world.shape(id).value();
+///   std::printf("item %ju is a %s\n", std::uintmax_t{id.value}, to_string(shape.kind).data());
+/// }
+/// const ItemId wall = world.insert_segment({10, 2}, {10, 9}).value();  // == 13
+/// world.replace(wall, Shape::segment({11, 2}, {11, 9})).value();
+/// world.remove(12).value();
+/// const bool has_item = world.contains(12);  // == false
 /// @endcode
 struct Item {
   ItemId id;

@@ -27,6 +27,9 @@ enum class LocationKind : std::uint8_t { vertex, edge, face };
 /// const Location location = world.locate({50, 50}).value();
 /// const bool is_in_house = !location.polygons.empty() && location.polygons.front() == 1;  // == true
 /// for (std::size_t i = 0; i < location.vertex_count; ++i) std::puts(to_string(location.vertices[i]).c_str());
+/// const std::vector<ItemId> clicked = world.items_at({50, 50}).value();
+/// const ItemId house_there = clicked.front();                                   // == 1
+/// const std::size_t count = world.items_in({start, goal}).value().size();       // == 1
 /// @endcode
 struct Location {
   LocationKind kind = LocationKind::face;

@@ -12,7 +12,16 @@ namespace waywright {
 /// @code{.cpp}
 /// const MemoryUse use = world.memory();
 /// std::printf("%zu bytes, of which %zu are spare\n", use.total(), use.spare);
+/// world.shrink_to_fit();
+/// const bool is_smaller = world.memory().total() <= use.total();  // == true
 /// @endcode
+///
+/// The numbers do not include the overhead of the allocator. They do not include the context that the world keeps after
+/// the first query without a context, either. Like every QueryContext, this context takes 4 to 16 bytes per triangle
+/// for each path algorithm that it has served.
+///
+/// World::shrink_to_fit() does not free the slots of removed items, which later items will use. So if you have removed
+/// most items and want a smaller world, make a new world and insert the World::items() of the old one.
 struct MemoryUse {
   std::size_t vertices = 0;     ///< for each vertex: its point, a half-edge from it, the items with a corner there
   std::size_t crossings = 0;    ///< for each constructed vertex: the ends of the two sides that cross there

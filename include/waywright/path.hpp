@@ -21,6 +21,8 @@ namespace waywright {
 /// @{
 
 /// A search algorithm for paths. docs/paths.md says when to choose which.
+/// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
+/// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta` and `tra`).
 enum class PathAlgorithm : std::uint8_t {
   ta,       ///< a first path quickly, and a better one with a PathBudget: triangulation A* (Demyen and Buro 2006)
   tra,      ///< a good path in very little time, for crowds: triangulation reduction A* (Demyen and Buro 2006)
@@ -74,7 +76,22 @@ struct PathQuery {
   /// The largest distance by which the search may move a blocked start or goal to the nearest free position. If a
   /// program computes a position on a path, a rounding error can put this position inside a polygon. The default,
   /// World::default_end_tolerance(), allows for these errors, also if the program keeps coordinates as `float`. If the
-  /// value is 0, the search moves no end. The value must be 0 or more; infinity is allowed.
+  /// value is 0, the search moves no end. The value must be 0 or more; infinity is allowed. If the domain is much
+  /// larger than the area that the items fill, the default is too large for the items: then set the tolerance.
+  ///
+  /// There are two reasons to move an end. If the search has moved one, Path::moved_start or Path::moved_goal is set.
+  /// - Polygons cover all triangles around the end, so no path can start or end there. The search then takes the
+  /// nearest
+  ///   free position within the tolerance. If the world keeps its abstraction, the search prefers free positions that
+  ///   are connected with the other end.
+  /// - Walls separate start and goal, but one of them lies so near to a wall that a rounding error may have put it
+  ///   beyond the wall: its distance is at most World::default_end_tolerance() and at most the tolerance. The search
+  ///   then moves it across the wall, if this connects start and goal. This requires a world that keeps its
+  ///   abstraction.
+  ///
+  /// If the radius is above 0 and the disc does not fit at an end, the search takes the position that
+  /// World::nearest_fit() finds within the tolerance. It prefers positions from which the disc gets to the other end.
+  /// It moves no end across a wall for the second reason.
   std::optional<double> end_tolerance{};
 };
 
@@ -182,7 +199,10 @@ struct WAYWRIGHT_API Path {
   double length = 0.0;       ///< the Euclidean length; 0 unless found
   double lower_bound = 0.0;  ///< no path is shorter; equal to `length` if the path is proven shortest; 0 unless found
   double radius = 0.0;       ///< the radius of the agent, as in the query
-  /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0.
+  /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0. If
+  /// the path turns at a crossing of two walls, the point of this turn has the rounded coordinates of the crossing. For
+  /// this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear() also lets the
+  /// agent turn at the exact crossing.
   std::vector<Point> points;
   /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, or if
   /// there is no path. If start and goal are equal, there is one line of length 0. Each position on the pieces keeps at
@@ -270,6 +290,11 @@ struct WAYWRIGHT_API Path {
 /// const std::vector<Path> paths = world.find_paths_from({.start = start, .goals = depots}).value();
 /// for (const Path& to_depot : paths) std::printf("%g\n", to_depot.length);
 /// @endcode
+///
+/// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the start
+/// finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest goal.
+/// Each further goal adds little. For a radius above 0, the cost of one path for each goal, whatever their number: only
+/// the tests of the start are shared.
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;

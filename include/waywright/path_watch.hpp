@@ -24,8 +24,8 @@ struct PathChanges {
   std::vector<std::uint64_t> blocked;
   /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;
-  /// The paths that may be longer than necessary, because an item was removed that may have stood in the way of a
-  /// shorter path. No other path has become longer than necessary.
+  /// The paths that may be longer than necessary: an operation has removed an item that may have blocked a shorter
+  /// path. No other path has become longer than necessary.
   std::vector<std::uint64_t> may_be_too_long;
 
   friend bool operator==(const PathChanges&, const PathChanges&) = default;
@@ -47,12 +47,12 @@ struct PathChanges {
 /// }
 /// @endcode
 ///
-/// A path can become shorter only by an item that is removed, and only if the shorter path meets the place of the item.
-/// Each position on a shorter path lies in the ellipse whose foci are the start and the goal of the old path, and whose
-/// major axis is as long as the old path. So the watch compares the bounding boxes of removed items with this ellipse.
-/// A replacement counts as a removal and an insertion. A path that was not found counts as infinitely long: each
-/// removal of a wall concerns it. If the search moved an end of the path, the ellipse is larger, and contains the end
-/// that the query wanted.
+/// Only the removal of an item can make a shorter path possible, and only if the shorter path meets the area where the
+/// item was. Each position on a shorter path lies in the ellipse whose foci are the start and the goal of the old path,
+/// and whose major axis is as long as the old path. So the watch compares the bounding boxes of removed items with this
+/// ellipse. A replacement counts as a removal and an insertion. A path that was not found counts as infinitely long:
+/// each removal of a wall concerns it. If the search moved an end of the path, the ellipse is larger, and contains the
+/// end that the query wanted.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it. Threads: a watch belongs to one thread at a time; update() reads the world.

@@ -12,8 +12,10 @@ namespace detail {
 struct QueryScratch;
 }
 
-/// The memory that queries keep between calls. Make one context for each thread, and pass it to each query of this
-/// thread. A query allocates no memory if its context has served a query of the same size before.
+/// The memory that queries keep between calls. Most queries of World have two forms. One form returns its answer in a
+/// new object. The other form takes a QueryContext of yours and writes the answer to an object of yours. Make one
+/// context for each thread, and pass it to each query of this thread. A query allocates no memory if its context has
+/// served a query of the same size before.
 ///
 /// @code{.cpp}
 /// // `context` and `path` live as long as the thread's work.

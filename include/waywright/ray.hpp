@@ -16,11 +16,16 @@ namespace waywright {
 /// @code{.cpp}
 /// const RayHit hit = world.ray({10, 50}, {90, 50}).value();
 /// if (hit.hit) std::printf("a wall at (%g, %g)\n", hit.at.x, hit.at.y);
-/// const ItemId wall = hit.items.front();  // == 1
+/// const ItemId wall = hit.items.front();                       // == 1
+/// const bool sees_goal = !world.ray(start, goal).value().hit;  // == false
 /// const RayHit disc_hit = world.sweep_disc({10, 50}, {90, 50}, 5).value();
 /// const Point centre = disc_hit.at;         // == Point{35, 50}
 /// const Point contact = disc_hit.contact;   // == Point{40, 50}
 /// @endcode
+///
+/// A disc touches a wall if the wall is not farther from its centre than the radius. So a disc that touches a wall at
+/// the start has its hit there, whatever its direction. Points are not walls. To slide along a wall, continue at right
+/// angles to the direction from `contact` to `at`.
 struct RayHit {
   bool hit = false;  ///< whether the segment or the disc touches a wall
   /// The first position where the segment touches a wall, rounded to the nearest doubles. For a disc: the position of

@@ -8,10 +8,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "waywright/attempt.hpp"
 #include "waywright/bulk_options.hpp"
 #include "waywright/change.hpp"
 #include "waywright/changed_box.hpp"
@@ -39,20 +39,6 @@ namespace waywright {
 /// @addtogroup world
 /// @{
 
-namespace detail {
-
-/// The result of World::attempt() for a question that returns a T.
-template <class T>
-struct ResultOf {
-  using Type = Result<T>;
-};
-template <class T>
-struct ResultOf<Result<T>> {
-  using Type = Result<T>;
-};
-
-}  // namespace detail
-
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
 /// box. Every decision about the mesh is exact. The live items alone determine the mesh, in whatever order you inserted
 /// them. Geometry is never an error: items may cross, overlap or repeat each other, cross themselves, be collinear or
@@ -63,14 +49,13 @@ struct ResultOf<Result<T>> {
 /// arena.insert_segment({4, 0}, {4, 7}).value();
 /// const Path detour = arena.find_path({.start = {1, 1}, .goal = {7, 1}}).value();
 /// const std::size_t count = detour.points.size();  // == 3
+/// const World copy = arena.clone();
+/// arena.insert_segment({2, 4}, {8, 4}).value();
+/// const std::size_t before = copy.item_count();  // == 1
 /// @endcode
 ///
-/// Most queries have two forms. One form returns its answer in a new object. The other form takes a QueryContext of
-/// yours and writes the answer to an object of yours. If you use the same context and the same object again and again,
-/// the second form allocates no memory once they are large enough.
-///
-/// If you move a world to another object, the first object is empty afterwards: you may only assign to it or destroy
-/// it.
+/// Most queries have two forms: see QueryContext. If you move a world to another object, you may only assign to the
+/// first object or destroy it.
 /// Threads: several threads may call const members at once, each with its own QueryContext. While a thread calls a
 /// member that is not const, no other thread may call any member.
 /// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
@@ -79,13 +64,6 @@ class WAYWRIGHT_API World {
   /// @name Making a world
   /// You need this group once, at the start of your program or level, and to copy a world: to try changes, or to go
   /// back to an earlier state.
-  ///
-  /// @code{.cpp}
-  /// World arena = World::create({{0, 0}, {10, 10}}).value();
-  /// World copy = arena.clone();
-  /// copy.insert_segment({4, 0}, {4, 7}).value();
-  /// const bool is_empty = arena.item_count() == 0;  // == true
-  /// @endcode
   /// @{
 
   /// Returns an empty world over the closed box `domain`: four vertices, two triangles, and four constrained edges with
@@ -115,14 +93,7 @@ class WAYWRIGHT_API World {
 
   /// @name Changing items
   /// You need this group when an obstacle appears, disappears or moves. Each call is one operation: the world carries
-  /// it out completely or, on an error, changes nothing.
-  ///
-  /// @code{.cpp}
-  /// const ItemId house = world.insert_polygon({{2, 2}, {6, 2}, {6, 5}, {2, 5}}).value();
-  /// world.insert_segment({10, 2}, {10, 9}, 12).value();  // 12 is its id
-  /// world.replace(house, Shape::rectangle({{3, 2}, {7, 5}})).value();
-  /// world.remove(12).value();
-  /// @endcode
+  /// it out completely or, on an error, changes nothing. Item has an example.
   /// @{
 
   /// Inserts a shape under `id`. If `id` is null, the world chooses the id: the largest id that it has seen, plus 1.
@@ -165,13 +136,7 @@ class WAYWRIGHT_API World {
 
   /// @name Changing many items at once
   /// You need this group to load a level, or to make several changes as one operation: all of them or, on an error,
-  /// none.
-  ///
-  /// @code{.cpp}
-  /// const std::vector<Item> level = {{11, Shape::segment({5, 5}, {9, 5})}, {12, Shape::rectangle({{2, 2}, {4, 4}})}};
-  /// world.insert_all(level).value();
-  /// world.apply({Change::remove(11), Change::insert(Shape::segment({5, 6}, {9, 6}), 13)}).value();
-  /// @endcode
+  /// none. Item, Change and BulkOptions have examples.
   /// @{
 
   /// Inserts many items as one operation. Returns the id of each. This is much faster than one call for each item,
@@ -240,40 +205,25 @@ class WAYWRIGHT_API World {
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
-  /// is a function that takes a `const World&`. If it returns a value, the result contains a copy of the value. If it
-  /// returns nothing or a Result, the result has the same type.
+  /// is a function that takes a `const World&` (Change has an example). If it returns a value, the result contains a
+  /// copy of the value. If it returns nothing or a Result, the result has the same type.
   ///
   /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
   /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
   /// exception, the world takes the changes back, too. The world asks no question if it refuses a change.
   ///
-  /// @code{.cpp}
-  /// const std::vector<Change> changes = {Change::insert(house), Change::remove(2)};
-  /// const Path then = world.attempt(changes, [&](const World& changed) {
-  ///   return changed.find_path({.start = start, .goal = goal});
-  /// }).value();
-  /// const std::size_t count = world.attempt(changes, [](const World& w) { return w.item_count(); }).value();  // == 2
-  /// @endcode
-  ///
   /// version(), changes_since(), is_affected() and mark() do not know the changes. A PathSearch of this world may
-  /// exist, and continues afterwards as if there had been no attempt. Requires: the question calls no member of this
-  /// world that is not const, no attempt() and no would_disconnect(), and neither begins nor continues a PathSearch of
-  /// this world. Errors: the errors of apply(), and those that the question returns. Error::index is the index of the
-  /// refused change in `changes`. Cost: the cost of apply() and of the question. Taking the changes back allocates
-  /// nothing and costs less than making them. Threads: like an operation, also while the question runs: no other thread
-  /// may call any member.
+  /// exist, and continues afterwards as if there had been no attempt.
+  /// Requires: the question calls no member of this world that is not const, no attempt() and no would_disconnect(),
+  /// and neither begins nor continues a PathSearch of this world. Errors: the errors of apply(), and the errors that
+  /// the question returns. Error::index is the index of the refused change in `changes`. Cost: the cost of apply() and
+  /// of the question. Taking the changes back allocates nothing and costs less than making them. Threads: like an
+  /// operation, also while the question runs: no other thread may call any member.
   template <class Question>
-  auto attempt(std::span<const Change> changes, Question&& question) ->
-      typename detail::ResultOf<std::remove_cvref_t<std::invoke_result_t<Question&, const World&>>>::Type {
-    using Answer = typename detail::ResultOf<std::remove_cvref_t<std::invoke_result_t<Question&, const World&>>>::Type;
-    if (auto begun = begin_attempt(changes); !begun) return Answer(begun.error());
-    const AttemptGuard guard(*this);
-    if constexpr (std::is_void_v<std::invoke_result_t<Question&, const World&>>) {
-      question(std::as_const(*this));
-      return Answer();
-    } else {
-      return Answer(question(std::as_const(*this)));
-    }
+  auto attempt(std::span<const Change> changes, Question&& question) -> detail::ResultOfAttempt<Question> {
+    if (auto begun = begin_attempt(changes); !begun) return begun.error();
+    const detail::AttemptGuard guard(*this);
+    return detail::ask(question, std::as_const(*this));
   }
   /// Does the same for changes that you write in braces.
   template <class Question>
@@ -288,13 +238,8 @@ class WAYWRIGHT_API World {
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent gets from one point
   /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
   /// disc does not fit there (fit_disc()), and the disc must get through all gaps. Points that are blocked or not
-  /// connected now do not matter.
+  /// connected now do not matter. Change has an example.
   ///
-  /// @code{.cpp}
-  /// const std::vector<Point> doors = {{10, 50}, {90, 50}};
-  /// const bool by_house = world.would_disconnect(house, doors).value();                                   // == false
-  /// const bool by_wall = world.would_disconnect(Shape::segment({50, 0}, {50, 100}), doors).value();      // == true
-  /// @endcode
   /// Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
@@ -308,61 +253,29 @@ class WAYWRIGHT_API World {
   /// @}
 
   /// @name Snapshots for readers on other threads
-  /// You need this group if some threads find paths while another thread changes the world.
-  ///
-  /// @code{.cpp}
-  /// const WorldSnapshot snapshot = world.publish();  // give each reader a copy
-  /// world.insert(house).value();                     // no reader waits for this, nor the other way round
-  /// const std::size_t then = snapshot->item_count();  // == 2
-  /// const std::size_t now = world.item_count();       // == 3
-  /// @endcode
+  /// You need this group if some threads find paths while another thread changes the world. WorldSnapshot has an
+  /// example.
   /// @{
 
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
-  /// changes: see WorldSnapshot. If nothing has changed since the last call and a reader still has that snapshot,
-  /// returns the same snapshot.
-  ///
-  /// The world keeps up to two copies of itself for later snapshots. When the readers have released a snapshot, a later
-  /// call uses its copy again: it repeats in this copy what has changed since. After the first call, each operation
-  /// also records the ids of the items that it changes, 16 bytes for each. If memory runs out, nothing changes.
-  /// Requires: no question of attempt() is running on this world. Cost: for each item that has changed since the reused
-  /// copy was last equal to this world, at most one removal and one insertion, however often the item has changed. If
-  /// each snapshot is released after the next one has been made, these are the changes since the second last call. If
-  /// no copy is free, the cost of clone(): in the first call, and whenever readers hold more snapshots at once than
-  /// ever before. The same holds if more than a 32nd of all items, and more than 64, have changed. Memory: each
-  /// snapshot that readers hold takes as much as a clone(). shrink_to_fit() frees the copies that no reader holds.
+  /// changes. WorldSnapshot describes the copies of the world that this needs. If memory runs out, nothing changes.
+  /// Requires: no question of attempt() is running on this world.
+  /// Cost: for each item that has changed since a free copy was last equal to this world, at most one removal and one
+  /// insertion, however often the item has changed. If no copy is free, or if more than a 32nd of all items, and more
+  /// than 64, have changed: the cost of clone().
   [[nodiscard]] WorldSnapshot publish();
 
   /// @}
 
   /// @name Limiting operations
-  /// You need this group if your program takes shapes from people whom you do not know, for example on a server. Few
-  /// points can make many vertices: two polylines of n points can have n^2 crossings. A limit bounds the number of
-  /// vertices that one operation may make. Limit the number of points, too: sides that lie on existing edges make no
-  /// vertices, but take time and memory.
-  ///
-  /// @code{.cpp}
-  /// World board = World::create({{0, 0}, {100, 100}}, {.new_vertex_limit = 3}).value();
-  /// board.insert_segment({10, 50}, {90, 50}).value();  // makes 2 vertices: the ends
-  /// board.insert_segment({50, 10}, {50, 90}).value();  // makes 3: the ends and a crossing
-  /// const Result<ItemId> refused = board.insert_segment({20, 40}, {60, 60});  // 4: the ends and two crossings
-  /// const bool is_refused = refused.error().code == ErrorCode::too_many_vertices;  // == true
-  /// @endcode
+  /// You need this group if your program takes shapes from people whom you do not know, for example on a server.
+  /// WorldOptions::new_vertex_limit says how a limit protects a program, and has an example.
   /// @{
 
-  /// Sets the largest number of vertices that one operation may make: each later call of a function that changes items
-  /// is one operation. The limit counts the vertices at new corners and the vertices at new crossings. It does not
-  /// count vertices that exist already. If an operation changes several items, their new vertices are added up. If it
-  /// also removes items, a vertex that their removal has removed and that an insertion makes again counts.
-  ///
-  /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
-  /// Error::item is the item at which it passed the limit. insert_all(), insert_points() and apply() choose the order
-  /// in which they make the vertices of the items, so it need not be the item with the most vertices.
-  ///
-  /// To limit a single operation, set the limit before it, and kNoVertexLimit after it. To limit the size of a world,
-  /// set the limit to the difference between your largest size and vertex_count().
-  /// Cost: O(1). A refused operation costs the check of all its points, what it did until it passed the limit, and
-  /// taking this back.
+  /// Sets the largest number of vertices that one operation may make, as WorldOptions::new_vertex_limit describes it.
+  /// Each later call of a function that changes items is one operation. To limit a single operation, set the limit
+  /// before it, and kNoVertexLimit after it.
+  /// Cost: O(1).
   void set_new_vertex_limit(std::size_t limit);
   /// Returns the largest number of vertices that one operation may make.
   [[nodiscard]] std::size_t new_vertex_limit() const;
@@ -370,15 +283,7 @@ class WAYWRIGHT_API World {
   /// @}
 
   /// @name Reading items
-  /// You need this group to save a world, to send it to another machine, or to look up a shape.
-  ///
-  /// @code{.cpp}
-  /// for (const ItemId id : world.item_ids()) {
-  ///   const Shape shape = world.shape(id).value();
-  ///   std::printf("item %ju is a %s\n", std::uintmax_t{id.value}, to_string(shape.kind).data());
-  /// }
-  /// const bool has_item = world.contains(99);  // == false
-  /// @endcode
+  /// You need this group to save a world, to send it to another machine, or to look up a shape. Item has an example.
   /// @{
 
   /// Returns the largest id that the world has seen, or null if it has seen none: the largest id of all items that it
@@ -387,13 +292,7 @@ class WAYWRIGHT_API World {
   [[nodiscard]] ItemId largest_id_seen() const;
   /// Lets the world continue its ids after `last`, as if it had seen this id. The world never chooses `last` or a
   /// smaller id afterwards; you may still insert items under these ids. Does nothing if the world has seen a larger id.
-  /// The call is not an operation: it does not change version(). Use it to give a world the next id of another world.
-  ///
-  /// @code{.cpp}
-  /// World arena = World::create({{0, 0}, {10, 10}}).value();
-  /// arena.reserve_ids(1000).value();
-  /// const ItemId id = arena.insert_point({3, 3}).value();  // == ItemId{1001}
-  /// @endcode
+  /// The call is not an operation: it does not change version(). ItemId has an example.
   /// Errors: bad_id.
   /// Cost: O(1).
   Result<void> reserve_ids(ItemId last);
@@ -430,14 +329,7 @@ class WAYWRIGHT_API World {
 
   /// @name Locating and asking
   /// You need this group to find out what lies at a point, along a segment or in a box: for a mouse click, a line of
-  /// sight or a selection rectangle.
-  ///
-  /// @code{.cpp}
-  /// const std::vector<ItemId> clicked = world.items_at({50, 50}).value();
-  /// const ItemId house = clicked.front();                                    // == 1
-  /// const bool sees_goal = !world.ray(start, goal).value().hit;              // == false
-  /// const std::size_t count = world.items_in({start, goal}).value().size();  // == 1
-  /// @endcode
+  /// sight or a selection rectangle. Location, CrossedItem and RayHit have examples.
   /// @{
 
   /// Finds the vertex, edge or face at a point, and the polygons there.
@@ -485,14 +377,7 @@ class WAYWRIGHT_API World {
   /// @name Discs
   /// You need this group to find out where a round agent fits, where the nearest room for it is, and which agents fit
   /// through the gaps between two positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
-  ///
-  /// @code{.cpp}
-  /// const bool fits = world.fit_disc(start, 5).value().fits;                                   // == true
-  /// const Point at = world.nearest_fit({.point = {45, 50}, .radius = 5}).value().at;  // == Point{35, 50}
-  /// World rooms = World::create(world.domain(), {.keep_bridges = true}).value();
-  /// rooms.insert_all(world.items()).value();
-  /// const double radius = rooms.widest_path(start, goal).value().radius;  // == 20
-  /// @endcode
+  /// DiscFit, NearestFit, WidestPath and RayHit have examples.
   /// @{
 
   /// Finds out whether a disc fits at a position: the centre does not lie strictly inside a polygon, and no constrained
@@ -506,20 +391,9 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<DiscFit> fit_disc(Point centre, double radius) const;
 
   /// Finds the first wall that a disc touches while its centre moves straight from `from` to `to`. The border of the
-  /// domain is a wall, too. The disc touches a wall if the wall is not farther from the centre than the radius. So a
-  /// disc that touches a wall at the start has its hit there, whatever its direction. The decision is exact, even if
-  /// the disc reaches several walls at once, or passes a wall at a distance of exactly the radius. Points are not
-  /// walls. With the radius 0, the answer is the answer of ray().
-  ///
-  /// RayHit::contact is the position on the walls that the disc touches. To slide along a wall, continue at right
-  /// angles to the direction from `contact` to `at`.
-  ///
-  /// @code{.cpp}
-  /// const RayHit touched = world.sweep_disc({10, 50}, {90, 50}, 5).value();
-  /// if (touched.hit) std::printf("stops at (%g, %g)\n", touched.at.x, touched.at.y);
-  /// const Point position_on_wall = touched.contact;  // == Point{40, 50}
-  /// @endcode
-  ///
+  /// domain is a wall, too. RayHit says when a disc touches a wall. The decision is exact, even if the disc reaches
+  /// several walls at once, or passes a wall at a distance of exactly the radius. With the radius 0, the answer is the
+  /// answer of ray().
   /// Errors: coordinate_range, out_of_domain, bad_radius.
   /// Cost: the location of `from`, and n log n in the number n of triangles that the disc meets before it touches a
   /// wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. (A radius that
@@ -528,19 +402,9 @@ class WAYWRIGHT_API World {
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
-  /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. So if the disc fits
-  /// at the point itself, this is the answer. With a goal, the function finds the nearest point from which the disc
-  /// gets to the goal.
-  ///
-  /// Whether a disc fits and whether it gets to the goal are exact. The distance is the least one up to a relative
-  /// error of 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little
-  /// farther away than the nearest position. In a corner where the disc just fits between two walls, few points of
-  /// doubles are free. There the answer can lie up to about a millionth of the radius farther away than the nearest of
-  /// them. Where the disc fits only at a single position, or only along a line between two walls, there is an answer
-  /// only if doubles can express a position there. Of equally near points, the first in (x, y) order is the answer.
-  ///
-  /// With the radius 0, the answer is the position that a path query would take instead of a blocked end: the nearest
-  /// position in or on the border of a triangle that no polygon covers.
+  /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. With a goal, the
+  /// function finds the nearest point from which the disc gets to the goal. Whether a disc fits and whether it gets to
+  /// the goal are exact. NearestFit says how precise the distance is.
   ///
   /// Error::index is 0 for the point and 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
@@ -557,12 +421,9 @@ class WAYWRIGHT_API World {
 
   /// Finds the largest disc that gets from `start` to `goal`, and the gap that stops every larger disc. All comparisons
   /// are exact. The disc must also fit at the two ends themselves: see fit_disc().
-  /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges
-  /// (WorldOptions::keep_bridges).
+  /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
   /// Cost: the walls nearest to both ends, and n log n in the number of gaps that are as wide as the narrowest gap of
   /// the widest path. Allocates nothing if `context` and `widest` have been used for a query of the same size before.
-  /// Source: Pollack, *The maximum capacity through a network*, 1960, on gaps that are Gabriel edges (Gabriel and Sokal
-  /// 1969).
   [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
   /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const
   [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal) const;
@@ -571,30 +432,12 @@ class WAYWRIGHT_API World {
 
   /// @name Paths
   /// You need this group to move an agent to a goal. Use find_path for one agent, find_paths for many, and
-  /// find_paths_from to compare many goals. PathSearch finds a path in slices.
-  ///
-  /// @code{.cpp}
-  /// world.find_path({.start = start, .goal = goal}, context, path).value();
-  /// if (path.status == PathStatus::found) std::printf("%zu points\n", path.points.size());
-  /// @endcode
+  /// find_paths_from to compare many goals. PathSearch finds a path in slices. PathQuery and Path have examples.
   /// @{
 
   /// Finds a path from start to goal. The path never passes through a wall, nor through a point where walls meet. It
-  /// may touch both.
-  ///
-  /// The search can move the start and the goal. If it did, Path::moved_start and Path::moved_goal are set. There are
-  /// two reasons:
-  /// - Polygons cover all triangles around an end, so no path can start or end there. The search then takes the nearest
-  ///   free position, if this position is within PathQuery::end_tolerance. If the world keeps its abstraction, the
-  ///   search prefers free positions that are connected with the other end.
-  /// - Walls separate start and goal, but one of them lies so near to a wall that a rounding error may have put it
-  ///   beyond the wall: its distance is at most default_end_tolerance() and at most PathQuery::end_tolerance. The
-  ///   search then moves it across the wall, if this connects start and goal. This requires a world that keeps its
-  ///   abstraction.
-  ///
-  /// If PathQuery::radius is above 0, the answer is the shortest path of a disc's centre, in Path::pieces. If the disc
-  /// does not fit at an end, the search takes the position that nearest_fit() finds within PathQuery::end_tolerance. It
-  /// prefers positions from which the disc gets to the other end. It moves no end across a wall for the second reason.
+  /// may touch both. The search can move the start and the goal: PathQuery::end_tolerance says when, and to which
+  /// position. If PathQuery::radius is above 0, the answer is the path of a disc's centre, in Path::pieces.
   ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
   /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep
@@ -602,9 +445,7 @@ class WAYWRIGHT_API World {
   /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
   /// `context` and `path` have been used for a search of the same size before, except for Path::widest. If walls
   /// separate the ends and the world keeps its abstraction, the search for a point agent enters no triangle.
-  /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
-  /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta`). ARCHITECTURE.md describes the
-  /// differences.
+  /// Source: see PathAlgorithm. ARCHITECTURE.md describes the differences.
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
@@ -625,19 +466,14 @@ class WAYWRIGHT_API World {
   /// Finds the shortest path to each goal, in the order of the goals. In each answer, Path::expansions is the sum over
   /// all searches. Error::index is 0 for the start, and i + 1 for goal number i, counted from 0.
   /// Errors: the errors of find_path().
-  /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the
-  /// start finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest
-  /// goal. Each further goal adds little. For a radius above 0, the cost of one path for each goal, whatever their
-  /// number. Only the tests of the start are shared.
+  /// Cost: ManyGoalsQuery says when one search finds all paths.
   [[nodiscard]] Result<void> find_paths_from(const ManyGoalsQuery& query, QueryContext& context,
                                              std::vector<Path>& paths) const;
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
   /// Returns the default of PathQuery::end_tolerance: the largest magnitude of a coordinate of the domain, times 2^-20
-  /// (about a millionth). It allows for the rounding errors of positions that a program computes in several steps of
-  /// `float` arithmetic. If the domain is much larger than the area that the items fill, this default is too large for
-  /// the items: then set PathQuery::end_tolerance.
+  /// (about a millionth).
   /// Cost: O(1).
   [[nodiscard]] double default_end_tolerance() const;
 
@@ -645,27 +481,15 @@ class WAYWRIGHT_API World {
 
   /// @name Following changes
   /// You need this group after a change of the world, to find out which paths agents can still walk along. Call
-  /// is_affected() first, which is cheap. Then call is_clear() for the affected paths.
-  ///
-  /// @code{.cpp}
-  /// const std::uint64_t before = world.version();
-  /// world.insert(house).value();
-  /// for (Unit& unit : units) {
-  ///   if (!world.is_affected(unit.path, before)) continue;
-  ///   if (!world.is_clear(unit.path.points, context).value()) unit.path = world.find_path(unit.query).value();
-  /// }
-  /// @endcode
-  ///
-  /// is_clear() is for point agents. For an affected path of a disc, call find_path() again.
+  /// is_affected() first, which is cheap. Then call is_clear() for the affected paths of point agents. For an affected
+  /// path of a disc, call find_path() again. ChangedBox and PathWatch have examples.
   /// @{
 
   /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The agent may touch
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
   /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
   ///
-  /// If a path turns at a crossing of two walls, Path::points contains the rounded coordinates of the crossing. For
-  /// this reason, if a point of the polyline has the rounded coordinates of a crossing, the agent may also turn at the
-  /// exact crossing.
+  /// Path::points says how the function treats a path that turns at a crossing of two walls.
   ///
   /// Error::index is the index of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
@@ -681,52 +505,29 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
-  /// version `since` has inserted or removed. A replacement counts as a removal and an insertion. If the result is
-  /// false and the polyline was clear at that version, it is still clear. The world keeps at least the last 2,048
-  /// boxes. If it no longer has all boxes since that version, the result is true. An operation has at most 256 boxes:
-  /// if it inserts and removes more than 256 items, the remaining items share the last box.
+  /// version `since` has inserted or removed (ChangedBox). If the result is false and the polyline was clear at that
+  /// version, it is still clear. If the world no longer has all boxes since that version, the result is true.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Returns whether a path is affected by the operations after version `since`. For a point agent, this is
   /// is_affected() of Path::points. For a disc, the function returns whether one of the same bounding boxes comes so
-  /// near to Path::pieces that the disc may touch it. The result can also be true if the distance is larger than
-  /// Path::radius: near an arc by up to a 32nd of the radius, elsewhere by rounding errors. If the result is false and
-  /// the path was valid for its radius at that version, it is still valid. A gap that an operation makes narrower
-  /// elsewhere does not affect the path, because the disc does not pass it.
+  /// near to Path::pieces that the disc may touch it: see ChangedBox. If the result is false and the path was valid for
+  /// its radius at that version, it is still valid.
   ///
   /// In both cases, a path that is not affected need not be the shortest one any more, if an operation has removed
   /// items. A path that was not found is never affected: search again for it.
-  ///
-  /// @code{.cpp}
-  /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
-  /// Path path = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
-  /// const std::uint64_t before = yard.version();
-  /// yard.insert_segment({40, 56}, {60, 56}).value();
-  /// const bool is_far = yard.is_affected(path, before);  // == false
-  /// yard.insert_segment({40, 54}, {60, 54}).value();
-  /// const bool is_near = yard.is_affected(path, before);  // == true
-  /// @endcode
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
   [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
   /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
-  /// Returns the regions that the operations after version `since` have changed, the oldest first: the bounding box of
-  /// each segment, polyline or polygon that they inserted or removed. A replacement is a removal and an insertion, a
-  /// rewind is one removal or insertion or both for each item that it changes. Returns nothing if the world no longer
-  /// has all boxes since that version. It keeps as many as is_affected() says. The answer is valid until the next
-  /// operation.
-  ///
-  /// These boxes are enough to find out what a change means for paths, although the triangles of the mesh change
-  /// outside of them, too. Triangles without walls do not matter for paths: an agent can walk where it could walk
-  /// before, unless an item was inserted there. Items of the kind point are not walls, and have no box.
-  ///
-  /// PathWatch reads these boxes for many paths at once.
+  /// Returns the regions that the operations after version `since` have changed, the oldest first: see ChangedBox.
+  /// Returns nothing if the world no longer has all boxes since that version. The answer is valid until the next
+  /// operation. PathWatch reads these boxes for many paths at once.
   /// Cost: O(log n) in the boxes that the world keeps. Allocates nothing.
   [[nodiscard]] std::optional<std::span<const ChangedBox>> changes_since(std::uint64_t since) const;
 
-  /// Returns the number of operations that the world has carried out. It grows by one with each operation that
-  /// succeeds.
+  /// Returns the number of operations that the world has carried out. Each successful operation adds one.
   /// Cost: O(1).
   [[nodiscard]] std::uint64_t version() const;
 
@@ -734,12 +535,7 @@ class WAYWRIGHT_API World {
 
   /// @name Mesh and hashes
   /// You need this group to draw or inspect the mesh, to compare worlds on different machines, and in tests.
-  ///
-  /// @code{.cpp}
-  /// std::printf("%zu vertices, %zu triangles\n", world.vertex_count(), world.triangle_count());
-  /// std::puts(to_string(world.items_hash()).c_str());
-  /// const bool is_sound = world.validate().ok;  // == true
-  /// @endcode
+  /// MeshSnapshot, ItemsHash and Validation have examples.
   /// @{
 
   /// Returns the number of vertices of the mesh: the corners of the domain, the corners of items, and the crossings.
@@ -756,41 +552,28 @@ class WAYWRIGHT_API World {
   /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
   /// have equal dumps.
   [[nodiscard]] std::string dump() const;
-  /// Returns the hash of the domain and the live items. Every operation updates the hash, so this function only reads
-  /// it.
+  /// Returns the hash of the domain and the live items. Every operation updates the hash. This function reads it.
   /// Cost: O(1).
   [[nodiscard]] ItemsHash items_hash() const;
   /// Returns the SHA-256 of the bytes of dump().
   /// Cost: the cost of dump().
   [[nodiscard]] MeshHash mesh_hash() const;
-  /// Checks the whole world, exactly: the links between triangles; the orientation of each triangle; that the triangles
-  /// fill the domain and do not overlap; the constrained edges against the items; the empty-circle property and the
-  /// rule for ties at each free edge; and the path abstraction and the bridges against those of a rebuild.
+  /// Checks the whole world, exactly: see Validation.
   /// Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
   /// @}
 
   /// @name Memory
-  /// You need this group if memory is short.
-  ///
-  /// @code{.cpp}
-  /// const std::size_t before = world.memory().total();
-  /// world.shrink_to_fit();
-  /// const bool is_smaller = world.memory().total() <= before;  // == true
-  /// @endcode
+  /// You need this group if memory is short. MemoryUse has an example.
   /// @{
 
-  /// Returns the memory of the world, by purpose. The result does not include the overhead of the allocator. It does
-  /// not include the context that the world keeps after the first query without a context, either. Like every
-  /// QueryContext, this context takes 4 to 16 bytes per triangle for each path algorithm that it has served.
+  /// Returns the memory of the world, by purpose. MemoryUse says what the result does not include.
   /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
   /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. Call it if memory is
   /// short, for example after you have loaded a level. The next operations allocate their scratch again. The call
-  /// changes no answer and no hash. It does not free the slots of removed items, which later items will use. So if you
-  /// have removed most items and want a smaller world, make a new world and insert the items() of the old one. A world
-  /// that keeps its bridges drops the second mesh (WorldOptions::keep_bridges) if no item needs it any more.
+  /// changes no answer and no hash.
   /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
   void shrink_to_fit();
 
@@ -798,26 +581,10 @@ class WAYWRIGHT_API World {
 
  private:
   friend class PathSearch;
+  friend class detail::AttemptGuard<World>;
   friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;
-  /// @cond
-  /// Ends an attempt when it is destroyed, unless release() was called.
-  class AttemptGuard {
-   public:
-    explicit AttemptGuard(World& world) : world_(&world) {}
-    ~AttemptGuard() {
-      if (world_ != nullptr) world_->end_attempt();
-    }
-    AttemptGuard(const AttemptGuard&) = delete;
-    AttemptGuard& operator=(const AttemptGuard&) = delete;
-
-    void release() { world_ = nullptr; }
-
-   private:
-    World* world_;
-  };
-  /// @endcond
 
   explicit World(std::unique_ptr<Impl> impl);
   /// Makes changes and leaves their operation open. Requires: no attempt is under way.

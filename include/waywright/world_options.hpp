@@ -26,9 +26,32 @@ struct WorldOptions {
   /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
   /// them. An operation then takes two to four times as long, because it also updates the bridges near its changes. A
   /// world takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one corner, the
-  /// world keeps a second mesh, of the walls alone, and each operation changes both meshes.
+  /// world keeps a second mesh, of the walls alone, and each operation changes both meshes. World::shrink_to_fit()
+  /// drops the second mesh if no item needs it any more.
   bool keep_bridges = false;
-  /// The largest number of vertices that one operation may make: World::set_new_vertex_limit.
+  /// The largest number of vertices that one operation may make. World::set_new_vertex_limit changes it.
+  ///
+  /// Few points can make many vertices: two polylines of n points can have n^2 crossings. So set a limit if your
+  /// program takes shapes from people whom you do not know. Limit the number of points, too: sides that lie on existing
+  /// edges make no vertices, but take time and memory. To limit the size of a world, set the limit to the difference
+  /// between your largest size and World::vertex_count().
+  ///
+  /// The limit counts the vertices at new corners and the vertices at new crossings. It does not count vertices that
+  /// exist already. If an operation changes several items, their new vertices are added up. If it also removes items, a
+  /// vertex that their removal has removed and that an insertion makes again counts.
+  ///
+  /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
+  /// Error::item is the item at which it passed the limit. World::insert_all, insert_points and apply choose the order
+  /// in which they make the vertices of the items, so it need not be the item with the most vertices. A refused
+  /// operation costs the check of all its points, the work until it passed the limit, and taking this work back.
+  ///
+  /// @code{.cpp}
+  /// World board = World::create({{0, 0}, {100, 100}}, {.new_vertex_limit = 3}).value();
+  /// board.insert_segment({10, 50}, {90, 50}).value();  // makes 2 vertices: the ends
+  /// board.insert_segment({50, 10}, {50, 90}).value();  // makes 3: the ends and a crossing
+  /// const Result<ItemId> refused = board.insert_segment({20, 40}, {60, 60});  // 4: the ends and two crossings
+  /// const bool is_refused = refused.error().code == ErrorCode::too_many_vertices;  // == true
+  /// @endcode
   std::size_t new_vertex_limit = kNoVertexLimit;
 };
 

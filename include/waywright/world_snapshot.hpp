@@ -24,9 +24,10 @@ inline constexpr char kEmptySnapshot[] =
 /// threads query it while one thread changes the world. The readers and this thread never wait for each other.
 ///
 /// @code{.cpp}
-/// WorldSnapshot snapshot = world.publish();
-/// world.remove(1).value();
+/// WorldSnapshot snapshot = world.publish();  // give each reader a copy
+/// world.remove(1).value();                   // waits for no reader, and no reader waits for it
 /// const bool is_there = snapshot->contains(1);  // == true
+/// const bool is_here = world.contains(1);       // == false
 /// snapshot.release();
 /// @endcode
 ///
@@ -35,6 +36,15 @@ inline constexpr char kEmptySnapshot[] =
 /// is_affected() and changes_since(). There are two exceptions: memory(), and Path::expansions of a query with a radius
 /// above 0. So a PathWatch can read one snapshot after the other: each of them counts as the world for which the watch
 /// was made. The immutable world has no history. World::clone() of it makes a world that you can change.
+///
+/// If nothing has changed since the last call of World::publish() and a reader still has that snapshot, the function
+/// returns the same snapshot. The world keeps up to two copies of itself for later snapshots. When the readers have
+/// released a snapshot, a later call uses its copy again: it repeats the later changes of the world in this copy. If
+/// each snapshot is released after the next one has been made, these are the changes since the second last call. If no
+/// copy is free, the call makes one: the first call does this, and each call at which readers hold more snapshots at
+/// once than ever before. After the first call, each operation also records the ids of the items that it changes, 16
+/// bytes for each. Each snapshot that readers hold takes as much memory as a clone(). World::shrink_to_fit() frees the
+/// copies that no reader holds.
 ///
 /// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
 /// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can outlive its

@@ -4,7 +4,7 @@
 /// constructs elsewhere. Each construct has a fallback for compilers that do not have it.
 
 #if defined(__GNUC__)
-/// The compiler inlines the function even where it would not by itself.
+/// The compiler inlines each call of the function.
 #define WAYWRIGHT_ALWAYS_INLINE [[gnu::always_inline]] inline
 /// The compiler never inlines the function.
 #define WAYWRIGHT_NO_INLINE [[gnu::noinline]]

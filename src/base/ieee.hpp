@@ -3,9 +3,9 @@
 // Checks that the compiler provides the arithmetic that every proof in this library assumes: IEEE 754 doubles, each
 // operation rounded once, to nearest. Compiler flags can change this arithmetic, so every source file that computes in
 // doubles includes this header, and the compiler refuses the flags that it can detect here. The CMake targets switch
-// such flags off (cmake/ieee_arithmetic.cmake). base/float_environment.hpp handles the settings that a program changes
-// at run time. No macro tells whether a compiler fuses multiplications with additions. So tests/hostile compares the
-// answers of builds with and without the flags for this.
+// these flags off (cmake/ieee_arithmetic.cmake). base/float_environment.hpp handles the settings that a program changes
+// at run time. No macro says whether a compiler fuses multiplications with additions. So tests/hostile compares the
+// answers of builds with and without the flags that allow this.
 
 #if (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86) && _M_IX86_FP < 2)
 #error "Waywright cannot use the x87 unit, which rounds doubles twice: on 32-bit x86, add -msse2 -mfpmath=sse"

@@ -10,7 +10,7 @@ using mesh::Face;
 using mesh::HalfEdge;
 
 // Which bridges can change. Let b be a bridge before the operation or after it, but not both, and let its corner or its
-// edge belong to untouched faces only. If b ends at a wall that has changed, the face on b's side of this wall is
+// edge belong to untouched faces only. If b ends at a wall that has changed, the face between b and this wall is
 // touched. Otherwise, a wall blocks b in one state and not in the other. This wall lies in R, because all other walls
 // are the same in both states. In the state in which b is a bridge, its closed disc D touches no wall except at the
 // ends of b. Each vertex is the end of a wall. So D contains no vertex of an untouched face except the ends of b, and

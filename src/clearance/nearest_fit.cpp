@@ -279,9 +279,9 @@ void NearestFit::divide_at_gaps(const OffsetCurve& curve, HalfEdge own, HalfEdge
   divide({centre, line.from, line.to}, foot);
 }
 
-/// Looks for a point near the position of the interval that is nearest to the query's point. Nearly always the first
-/// attempts succeed. The others are for corners with a very small angle between two curves, and for intervals that
-/// exist only because of rounding errors.
+/// Looks for a point near the position of the interval that is nearest to the query's point. Nearly always, one of the
+/// first attempts succeeds. The other attempts are for corners with a very small angle between two curves, and for
+/// intervals that exist only because of rounding errors.
 void NearestFit::settle(const Piece& piece) {
   const double parameter = piece.curve.nearest(piece.interval);
   const Point from = piece.curve.at(sharpened(piece, parameter));

@@ -46,7 +46,8 @@ double parameter_of_direction(const Point& v) {
   return v.x < 0.0 ? 2.0 - v.y / size : 3.0 + v.x / size;
 }
 
-/// The directions from `axis` that a circle's blocked arc reaches on both sides. `axis` lies in the arc.
+/// The blocked arc of a circle: how far it reaches counter-clockwise and clockwise from the direction `axis`, which
+/// lies in the arc.
 class Arc {
  public:
   explicit Arc(const Point& axis) : axis_(axis) {}

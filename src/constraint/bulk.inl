@@ -83,7 +83,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
     : domain_(domain), triangulation_(domain, kSidesOfDomain), budget_(limits) {
   locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), team);
   const std::span<const std::uint32_t> ranks(sorted.ranks);
-  const std::size_t corner_count = sorted.points.size() - 4;  // without those of the domain
+  const std::size_t corner_count = sorted.points.size() - 4;  // without the corners of the domain
   budget_.begin_insertion(4);
   budget_.add(corner_count);
   if (has_too_many_vertices()) {
@@ -222,7 +222,7 @@ void ConstrainedTriangulation<Geometry>::insert_sides_by_region(const Batch& bat
   }
 }
 
-/// Inserts the sides that concern only the vertices of one region. Returns the others, in the order of the items.
+/// Inserts each side that LocalEdges can insert within one region. Returns the other sides, in the order of the items.
 template <class Geometry>
 auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
                                                             const threads::ThreadTeam& team) -> std::vector<LateSide> {
@@ -245,8 +245,9 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
   return std::move(late[0]);
 }
 
-/// Does so for the items whose first corner has one of the ranks [begin, end), or leaves all sides if `leaves_all` is
-/// true. Returns how many items it has completed.
+/// Inserts these sides for the items whose first corner has one of the ranks [begin, end). If `leaves_all` is true, it
+/// inserts none. Appends the other sides of these items to `late`. Returns the number of items of which it has inserted
+/// all sides.
 template <class Geometry>
 std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
                                                                    std::size_t end, bool leaves_all,

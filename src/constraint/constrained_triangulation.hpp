@@ -26,8 +26,8 @@ namespace waywright::constraint {
 /// edge and each vertex. So it knows why each vertex exists.
 ///
 /// The label of an edge is the number of the list of the sides that lie on it (UseLists). A vertex exists because items
-/// have corners there (`corner_uses`, a list of item slots) or because two sides cross there. A vertex without corners
-/// and with at most two fixed edges is not needed and is removed.
+/// have corners there (`corner_uses`, a list of item slots) or because two sides cross there. If a vertex has no
+/// corners and at most two fixed edges, no item needs it, and the class removes it.
 template <class Geometry>
 class ConstrainedTriangulation {
  public:

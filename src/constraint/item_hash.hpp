@@ -10,9 +10,9 @@
 
 namespace waywright::constraint {
 
-/// The hash of an item. The hash of a set of items is the sum of the items' hashes, word by word, 128 bits, so an
-/// insertion or removal costs only the item's own points. docs/hashes.md defines the hash; a change of the definition
-/// needs a new format version.
+/// The hash of an item. The hash has two words of 64 bits. The hash of a set of items is the sum of the items' hashes,
+/// word by word. So the update after an insertion or removal reads only the points of this item. docs/hashes.md defines
+/// the hash; a change of the definition needs a new format version.
 class ItemHash {
  public:
   using Words = std::array<std::uint64_t, 2>;

@@ -34,7 +34,7 @@ void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point
 void items_crossed(const ExactTriangulation& triangulation, const Point& from, const Point& to,
                    ItemQueryScratch& scratch, std::vector<CrossedItem>& result);
 
-/// Finds the first constrained edge that the segment touches on its way from `from` to `to`.
+/// Finds the first constrained edge that the segment touches, in the direction from `from` to `to`.
 void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
 
 /// Finds the items that have a point in common with the closed box, in ascending order of ids. `cover` finds the

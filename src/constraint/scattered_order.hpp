@@ -9,10 +9,10 @@
 
 #include "constraint/mix.hpp"
 
-// The order in which an operation inserts or removes many vertices. Along a ring, each vertex is near the vertex
-// before, which saves time. But beside another wall, each new vertex of a ring can take half of the edges of the vertex
-// before, and the time is quadratic. In random order, the expected number of edges of a vertex that is inserted or
-// removed is bounded by the mean of all vertices.
+// The order in which an operation inserts or removes many vertices. Along a ring, each vertex is near the previous one,
+// which saves time. But if the ring runs beside another wall, each new vertex can take over half of the edges of the
+// previous vertex, and then the time is quadratic. In random order, the expected number of edges of a vertex that is
+// inserted or removed is bounded by the mean of all vertices.
 
 namespace waywright::constraint {
 
@@ -35,10 +35,11 @@ class CostWatch {
   std::size_t allowed_ = 512;
 };
 
-/// Appends the numbers from `begin` to `end` - 1 in scattered order, which depends on nothing else: first about half of
-/// them, then a quarter, and so on, each part ascending; or the other way round, if `largest_last` is true. Each number
-/// belongs to a part at random. So each part is as good as a random sample, and consecutive numbers of a part are near
-/// each other. Source: Amenta, Choi and Rote, *Incremental constructions con BRIO*, SoCG 2003. Cost: linear.
+/// Appends the numbers from `begin` to `end` - 1 in scattered order. The order depends only on the arguments. It
+/// consists of groups: the first group has about half of the numbers, the second a quarter, and so on. If
+/// `largest_last` is true, the groups come in the reverse order. A hash of a number decides to which group it belongs,
+/// so each group is as good as a random sample. The numbers of a group ascend, so consecutive numbers of a group are
+/// near each other. Source: Amenta, Choi and Rote, *Incremental constructions con BRIO*, SoCG 2003. Cost: linear.
 inline void append_scattered(std::uint32_t begin, std::uint32_t end, bool largest_last,
                              std::vector<std::uint32_t>& order) {
   constexpr std::size_t kParts = 24;

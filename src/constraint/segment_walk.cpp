@@ -6,11 +6,11 @@ namespace waywright::constraint {
 // corner lies right of the line and whose second corner lies left of it.
 SegmentWalk::Stop SegmentWalk::leave_vertex(mesh::Vertex u) const {
   mesh::HalfEdge h = mesh_.outgoing(u);
-  Sign p_side = side(mesh_.target(h));
+  Sign p_side = orientation(mesh_.target(h));
   for (;;) {
     const mesh::Vertex p = mesh_.target(h);
     if (p_side == Sign::zero && p != delaunay_.ghost() && is_ahead(u, p)) return stop_at_vertex(p);
-    const Sign q_side = side(mesh_.apex(h));
+    const Sign q_side = orientation(mesh_.apex(h));
     if (p_side == Sign::negative && q_side == Sign::positive) return stop_at_edge(mesh::next(h));
     h = mesh_.next_around(h);
     p_side = q_side;
@@ -33,7 +33,7 @@ SegmentWalk::Stop SegmentWalk::stop_on_start_edge() const {
 SegmentWalk::Stop SegmentWalk::leave_face(mesh::HalfEdge any) const {
   const std::array<mesh::HalfEdge, 3> sides = {any, mesh::next(any), mesh::previous(any)};
   std::array<Sign, 3> corner{};
-  for (std::size_t i = 0; i < 3; ++i) corner[i] = side(mesh_.origin(sides[i]));
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = orientation(mesh_.origin(sides[i]));
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     const mesh::Vertex v = mesh_.origin(sides[i]);

@@ -53,8 +53,8 @@ class SegmentWalk {
   [[nodiscard]] const exact::Geometry& geometry() const { return delaunay_.geometry(); }
   [[nodiscard]] const exact::Geometry::View& from() const { return line_.from; }
   [[nodiscard]] const exact::Geometry::View& to() const { return line_.to; }
-  [[nodiscard]] Sign side(mesh::Vertex v) const {
-    return v == delaunay_.ghost() ? Sign::zero : geometry().side(line_, delaunay_.view(v));
+  [[nodiscard]] Sign orientation(mesh::Vertex v) const {
+    return v == delaunay_.ghost() ? Sign::zero : geometry().orientation(line_, delaunay_.view(v));
   }
   /// Whether the segment ends before `v`. Requires: `v` lies on the segment's line, ahead.
   [[nodiscard]] bool ends_before(mesh::Vertex v) const {
@@ -98,7 +98,7 @@ mesh::HalfEdge SegmentWalk::cross_faces(mesh::HalfEdge exit, Visitor&& visitor) 
   for (;;) {
     const mesh::HalfEdge entry = mesh_.twin(exit);
     const exact::Geometry::View apex = delaunay_.view(mesh_.apex(entry));
-    const Sign apex_side = geometry().side(line_, apex);
+    const Sign apex_side = geometry().orientation(line_, apex);
     if (apex_side == Sign::zero) return entry;
     const bool is_left = apex_side == Sign::positive;
     exit = is_left ? mesh::next(entry) : mesh::previous(entry);

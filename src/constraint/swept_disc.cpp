@@ -24,10 +24,10 @@ namespace {
 /// Finds out in doubles which edges a moving disc may meet, and how early. It may name edges that the disc does not
 /// meet, but it misses none.
 ///
-/// The disc lies in a box around the segment of its centre, wider than the segment by the radius on each side. In
-/// coordinates along and across the segment, earliest() clips an edge to this box. All numbers have errors of less
-/// than 2^-49 times the sum of the magnitudes, and the box is wider than the exact one by 2^-46 times this sum. If a
-/// vertex is a crossing, its coordinates are rounded, and the box is wider by this error, too.
+/// The disc lies in a box around the segment of its centre, wider than the segment by the radius in each direction. In
+/// coordinates along and across the segment, earliest() clips an edge to this box. All numbers have errors of less than
+/// 2^-49 times the sum of the magnitudes, and the box is wider than the exact one by 2^-46 times this sum. If a vertex
+/// is a crossing, its coordinates are rounded, and the box is wider by this error, too.
 class Reach {
  public:
   Reach(const ExactTriangulation& triangulation, const Sweep& sweep)

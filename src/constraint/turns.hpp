@@ -6,7 +6,8 @@
 
 // The winding number of a polygon in a face: how many times its rings turn around the face. Across an edge, the number
 // changes by the polygon's sides on the edge. For an even-odd polygon only the parity of the number counts, and every
-// side changes the parity, whatever its direction. So the code never looks at the directions of such a polygon's sides.
+// side changes the parity, whatever its direction. So the code never reads the directions of the sides of an even-odd
+// polygon.
 
 namespace waywright::constraint {
 

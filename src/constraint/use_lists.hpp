@@ -78,8 +78,8 @@ class UseLists {
  private:
   static constexpr std::uint32_t kNode = 0x80000000;
 
-  /// A user, how often it is in the list, and the lists of the users with lower and with higher numbers. A node with
-  /// count 1 has another user below it.
+  /// A user, the number of its entries in the list, and the lists of the users with lower and with higher numbers. A
+  /// node with count 1 has another user below it.
   struct Node {
     std::uint32_t user;
     std::uint32_t count;

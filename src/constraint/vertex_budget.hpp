@@ -16,7 +16,7 @@ static_assert(6 * kMostVertices < mesh::number(mesh::kNoHalfEdge));
 struct VertexLimits {
   /// The largest number of vertices that an operation may make.
   std::size_t of_operation = std::numeric_limits<std::size_t>::max();
-  /// The largest number of vertices that an operation may bring the triangulation to, without the ghost vertex.
+  /// The largest number of vertices that the triangulation may have after an operation, without the ghost vertex.
   std::size_t of_triangulation = kMostVertices;
 };
 

@@ -165,7 +165,7 @@ void CavityFiller<Geometry>::pair_dangling_edges(const Mesh& mesh, Chain& chain)
 //
 // Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay.
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
-// 1982, which triangulates a polygon in this way if all its points are visible from one edge.
+// 1982, which applies this method to polygons in which all points are visible from one edge.
 template <class Geometry>
 template <class Mesh>
 mesh::HalfEdge CavityFiller<Geometry>::triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain,

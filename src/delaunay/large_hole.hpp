@@ -54,7 +54,7 @@ class LargeHole {
   struct Edge {
     Index from;
     Index to;
-    Index beyond;  ///< the half-edge on its other side, or kBorder
+    Index beyond;  ///< its half-edge in the triangle beyond it, or kBorder
   };
 
   [[nodiscard]] static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -169,7 +169,7 @@ class LargeHole {
     triangles.clear();
     free_.assign(1, outer_[count - 1]);
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const Index base = free_[i];  // from the last vertex of its part of the border to the first
+      const Index base = free_[i];  // from the last vertex of its piece of the border to the first
       const Index apex = origin_[previous(base)];
       triangles.push_back({origin_[next(base)], apex, origin_[base]});
       for (const Index h : {next(base), previous(base)}) {

@@ -22,8 +22,9 @@ class LocalEdges {
       : geometry_(geometry), mesh_(mesh), ghost_(ghost), begin_(number(begin)), end_(number(end)) {}
 
   /// Makes u - w an edge with this label, if it is a free edge, or if it crosses only free edges and all vertices of
-  /// the faces that it crosses are in the range. Returns whether it did so. It leaves to the caller a segment that
-  /// meets a vertex or a fixed edge, and one that starts at a vertex with very many edges.
+  /// the faces that it crosses are in the range. Returns whether it has made the edge. It makes no edge if u - w meets
+  /// a vertex or a fixed edge, or if it starts at a vertex with very many edges: the caller must then insert the
+  /// segment with another function.
   bool force_edge(mesh::Vertex u, mesh::Vertex w, mesh::Label label) {
     if (!is_own(u) || !is_own(w)) return false;
     if (mesh_.has_more_edges(u, w)) std::swap(u, w);
@@ -63,7 +64,7 @@ class LocalEdges {
     return mesh::kNoHalfEdge;
   }
 
-  /// Fills `crossed_` with the edges that u - w crosses. Returns false if force_edge() leaves u - w to the caller.
+  /// Fills `crossed_` with the edges that u - w crosses. Returns false if force_edge() makes no edge for u - w.
   bool collect_crossed(mesh::Vertex u, mesh::Vertex w) {
     crossed_.clear();
     mesh::HalfEdge h = first_crossed(u, w);

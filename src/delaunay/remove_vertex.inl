@@ -20,8 +20,8 @@ void Triangulation<Geometry>::legalise_freed() {
 }
 
 // Each step around the vertex waits for the memory that the step before has asked for, so the function goes around in
-// both directions at once. In the meantime it prefetches what a removal needs to know about the neighbours, each as
-// soon as a face names it: the apex of a face is the next neighbour.
+// both directions at once. In the meantime it prefetches the data of the neighbours that a removal needs. It knows a
+// neighbour as soon as it reads a face: the apex of the face is the next neighbour.
 template <class Geometry>
 const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh::Vertex v) {
   star_.spokes.clear();
@@ -143,9 +143,9 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 // each n in m's circle. If m lies beyond the base, the sign of the determinant is reversed: it is positive for each n
 // in front, because n then lies outside m's circle. For n beyond the base, the determinant is negative if m lies in
 // front; if m lies beyond it, too, the code may choose either. Ties are decided as if one lifted point were lowered by
-// an infinitesimal, and the same argument holds for these points. The sign in a tie is that of the determinant, except
-// if n is the lowered point: then n lies in every circle, also in that of m, so the case that m lies beyond the base
-// and n in front is impossible.
+// an infinitesimal, and the same argument holds for these points. In a tie, the sign of the determinant still decides,
+// except if n is the lowered point. Then n lies in every circle, also in the circle of m. So it is impossible that m
+// lies beyond the base and n in front of it.
 //
 // No side of the hole hides a vertex that lies in the circle, because v lies in the circle and saw all vertices.
 // Source: Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*,

@@ -107,8 +107,8 @@ struct SizedQuestion {
 };
 
 /// Answers without a search for the lattice if two conditions hold: all numbers are multiples of one unit (1, or 2^-10
-/// in a formula with a radius), and all offsets are below 2^kBits units. If many distances in a world are equal, its
-/// coordinates are nearly always such numbers.
+/// in a formula with a radius), and all offsets are below 2^kBits units. If many distances in a world are equal, the
+/// two conditions nearly always hold.
 template <class Formula, std::size_t kCount>
 AnswerOf<Formula, kCount> in_known_units(const std::array<Point, kCount>& points, double radius) {
   // Formulas with a radius multiply at most four offsets. So each offset can have more bits, and the unit can be

@@ -110,7 +110,7 @@ class Geometry {
     return finer_orientation(copy(a), copy(b), copy(c));
   }
   /// The orientation of the line's two positions and `c`: positive if `c` lies left of the line.
-  [[nodiscard]] Sign side(const Line& line, const View& c) const {
+  [[nodiscard]] Sign orientation(const Line& line, const View& c) const {
     // This is orientation_determinant(line.to, c, line.from). The line stores two of the four differences.
     const double determinant = line.dx * (c.y - line.from.y) - line.dy * (c.x - line.from.x);
     const Sign sign = filter::sign_beyond(determinant, orientation_error_);
@@ -140,8 +140,8 @@ class Geometry {
     memory::count_spare(use, free_crossings_, left_crossings_);
     journal_.count_memory(use);
   }
-  /// Frees spare memory, except that of `free_crossings_`, which roll_back() needs. Requires: nothing has changed since
-  /// begin().
+  /// Frees spare memory, except the memory of `free_crossings_`, which roll_back() needs. Requires: nothing has changed
+  /// since begin().
   void shrink_to_fit() {
     memory::shrink(positions_, crossing_of_, crossings_);
     memory::release(left_crossings_);

@@ -38,7 +38,7 @@ class SquaredLength {
   }
 
   /// Whether the diameter of a disc is larger than the length. Requires: the radius is half the length up to a few
-  /// ulps. So the two sides of the comparison have about the same number of bits.
+  /// ulps. So the two numbers that it compares have about the same number of bits.
   [[nodiscard]] bool is_less_than_diameter(double radius) const {
     const Dyadic dyadic = to_dyadic(radius);
     const Length squared_mantissa = Length{dyadic.mantissa} * Length{dyadic.mantissa};

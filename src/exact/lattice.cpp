@@ -16,8 +16,8 @@ namespace waywright::exact::lattice {
 
 namespace {
 
-/// For offsets of at most this many bits, a product of two offsets fits 64 bits, and so does a sum of two such
-/// products.
+/// For offsets of at most this many bits, a product of two offsets fits 64 bits, and a sum of two of these products
+/// fits 64 bits, too.
 constexpr int kSmallBits = 30;
 
 /// The points as offsets from an origin: the last point, or a point of its crossing.
@@ -117,8 +117,9 @@ WideInteger<2> lift(const LatticeVector& p) { return Offset(p.x) * Offset(p.x) +
 std::int64_t small_cross(const LatticeVector& p, const LatticeVector& q) { return p.x * q.y - p.y * q.x; }
 std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; }
 
-/// The vector from `origin` to `p`. Empty unless the coordinates of `p` are whole numbers that differ from those of
-/// `origin` by at most 2^kSmallBits. This test recognises by far the most common lattice without a search for it.
+/// The vector from `origin` to `p`. Empty unless the coordinates of `p` are whole numbers that differ from the
+/// coordinates of `origin` by at most 2^kSmallBits. This test recognises by far the most common lattice without a
+/// search for it.
 /// Requires: the coordinates of `origin` are whole numbers.
 std::optional<LatticeVector> whole_offset(const ExactPoint& p, const ExactPoint& origin) {
   constexpr double kFurthest = std::int64_t{1} << kSmallBits;

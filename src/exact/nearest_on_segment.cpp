@@ -49,8 +49,8 @@ NearestOnSegment::NearestOnSegment(const Point& from, const ExactPoint& a, const
   if (is_beyond_both) {
     const Homogeneous qa = to_homogeneous(a, exponent_);
     const Homogeneous qb = to_homogeneous(b, exponent_);
-    // If the foot lies beyond both ends on the same side, the nearer end has the smaller |beyond|. Each value is in
-    // units of its own w.
+    // If the foot does not lie between the ends, the nearer end has the smaller |beyond|. Each value is in units of its
+    // own w.
     const bool a_is_nearer = abs(beyond_a) * qb.w < abs(beyond_b) * qa.w;
     set_to_end(a_is_nearer ? a : b, p);
   } else if (beyond_a == 0) {

@@ -13,8 +13,8 @@
 //
 // Let a formula consist of differences of coordinates, sums, differences and products. Multiplied out, it is a sum of
 // monomials. A computed difference of coordinates is the exact one times (1 + e) with |e| <= u. Each later operation
-// multiplies every monomial of its result by one more such factor. So the computed value is the sum of the exact
-// monomials, each times a product of at most k factors (1 + e). The template parameter kRoundings is this k:
+// multiplies every monomial of its result by one more factor of the form (1 + e). So the computed value is the sum of
+// the exact monomials, each times a product of at most k factors (1 + e). The template parameter kRoundings is this k:
 //   for a difference of coordinates: 1;
 //   for a product: the sum of the k of both factors, plus 1;
 //   for a sum or difference: the larger k of its two terms, plus 1.

@@ -22,14 +22,15 @@ namespace {
 // The wall's two ends are a and b; ab = b - a, M = |ab|^2. Exchange the ends so that s = ab x (from - a) >= 0.
 //
 // Line. If s > r sqrt(M), the centre lies outside the strip of the positions nearer to the wall's line than r. It
-// enters the strip at t = (s - r sqrt(M)) / c with c = d x ab, if c > 0. There it touches the inside of the wall if it
-// lies between the perpendiculars at the two ends. It lies beyond the perpendicular at a, on the side of b, if
+// enters the strip at t = (s - r sqrt(M)) / c with c = d x ab, if c > 0. If the centre then lies between the
+// perpendiculars at the two ends, the disc touches the wall there, strictly between its ends. The centre and b lie on
+// the same side of the perpendicular at a if
 //   ab . (p(t) - a) > 0. With f = from - a, this is (ab . f) c + (ab . d) (s - r sqrt(M)) > 0. Because of
 //   (ab . f) (d x ab) + (ab . d) (ab x f) = M (d x f), it is sqrt(M) (d x f) - r (ab . d) > 0.
-// If it does not, then it can reach the wall only by the circle around a: every other point of the capsule around the
-// wall lies beyond the perpendicular at a, within the strip, and the diameter of the circle blocks the strip there. The
-// same holds at b. If the centre starts in the strip, it lies beyond one of the two perpendiculars, and again it can
-// reach the wall only by the circle around this end.
+// If they do not, then the centre can enter the capsule around the wall only through the circle around a: every other
+// point of the capsule lies within the strip and on the same side of the perpendicular at a as b, and the diameter of
+// the circle blocks the strip there. The same holds at b. If the centre starts in the strip, it does not lie between
+// the two perpendiculars, and again it can enter the capsule only through the circle around the nearer end.
 //
 // Vertex v. With q = v - from, D = |d|^2 and e = d . q, the centre enters the circle at the smaller root of
 //   D t^2 - 2 e t + |q|^2 - r^2 = 0, which is t = (e - sqrt(E)) / D with E = D r^2 - (d x q)^2 = e^2 - D (|q|^2 - r^2).
@@ -135,7 +136,7 @@ std::optional<Sign> sign_of_sum(const Number& a, const Number& b, const Number& 
   return first == Sign::positive ? difference : -difference;
 }
 
-/// The number as a mantissa times a power of two. Other than to_dyadic(), the function also takes subnormal numbers.
+/// The number as a mantissa times a power of two. Unlike to_dyadic(), the function also accepts subnormal numbers.
 Dyadic to_any_dyadic(double value) {
   constexpr int kShift = 200;
   if (value == 0.0 || std::abs(value) >= 0x1p-1000) return to_dyadic(value);

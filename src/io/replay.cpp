@@ -49,7 +49,7 @@ class Replayer {
   ReplayResult take_result() { return std::move(result_); }
 
  private:
-  /// Marks the present state, or goes back to a marked one.
+  /// Marks the present state, or brings back a marked one.
   bool go(const ScriptLine& line) {
     if (!apply_changes(result_.tick + 1)) return false;
     if (line.kind == ScriptLineKind::mark) return world_.mark() != 0;

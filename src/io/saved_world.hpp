@@ -22,7 +22,7 @@ inline constexpr std::uint64_t kLargestRun = 4096;
 /// The largest number of points of one ring, and of rings of one item: a world accepts no more.
 inline constexpr std::uint64_t kLargestCount = std::uint64_t{1} << 27;
 
-/// The numbers of the kinds are those of the items' hash: see docs/hashes.md.
+/// The kinds have the same numbers as in the hash of the items: see docs/hashes.md.
 enum class SavedKind : std::uint8_t { point, segment, polyline, even_odd_polygon, nonzero_polygon };
 inline constexpr std::uint64_t kSavedKindCount = 5;
 /// The kind of a run is in these low bits, the number of its items is above them.

@@ -315,7 +315,7 @@ class DiscPathDrawer {
   const Palette& palette_;
   QueryCanvas canvas_;
   std::vector<Found> found_;
-  std::vector<Found> shown_;  // those of `found_` of which the picture shows something
+  std::vector<Found> shown_;  // the elements of `found_` that the picture shows at least partly
   std::vector<const SvgDiscPath*> failed_;
   std::vector<Box> label_boxes_;
   FailureCounts failures_{};

@@ -186,7 +186,7 @@ class QueryDrawer {
   const Palette& palette_;
   QueryCanvas canvas_;
   double ray_part_ = 1.0;       // size of the marks and lines of rays, as a fraction of the full size
-  double location_part_ = 1.0;  // size of the marks of located points, likewise
+  double location_part_ = 1.0;  // size of the marks of located points, as a fraction of the full size
 };
 
 }  // namespace

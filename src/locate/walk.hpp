@@ -64,8 +64,8 @@ template <class Geometry>
 
 /// The remembering stochastic walk. It goes from face to face, always across an edge beyond which the target lies. It
 /// never tests the edge that it has just crossed. If the target lies beyond both other edges, it chooses one of them at
-/// random, so a walk cannot go in a circle for ever. If a walk takes more than 16 steps plus 4 for each face, which is
-/// extremely unlikely, it ends and search_all() finds the location.
+/// random. So no walk repeats the same circle of faces without an end. If a walk takes more than 16 steps plus 4 for
+/// each face, which is extremely unlikely, it ends and search_all() finds the location.
 ///
 /// Cost: 2 orientation tests per face. (With tests in random order, 1.5 tests would be enough on average, but each test
 /// would also cost the time of a mispredicted branch.) Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion

@@ -15,7 +15,7 @@ namespace waywright::memory {
 
 /// An array that can grow. All bits of a new value are zero, but unlike std::vector the array does not write them: the
 /// operating system provides large blocks of memory as zeros, and assigns physical memory to an address only when the
-/// program writes there. A program therefore pays for the values that it uses, not for the room that the array has.
+/// program writes there. So only the values that a program writes take physical memory.
 template <class Value>
 class ZeroedArray {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);

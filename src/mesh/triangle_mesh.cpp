@@ -34,7 +34,7 @@ HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
-/// Goes around both vertices in turn.
+/// Goes around both vertices at the same time, one step at each in turn.
 HalfEdge TriangleMesh::find_in_turn(Vertex from, Vertex to) const {
   const HalfEdge starts[2] = {outgoing(from), outgoing(to)};
   HalfEdge g = starts[0];

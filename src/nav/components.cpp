@@ -116,8 +116,8 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   });
 }
 
-/// Finds what is left of the old components. If none of them can be divided, all groups with a contact to one component
-/// are connected, and no search is necessary.
+/// Finds the remaining faces of the old components. If none of them can be divided, all groups with a contact to one
+/// component are connected, and no search is necessary.
 void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided) {
   remainders_.clear();
   piece_faces_.clear();

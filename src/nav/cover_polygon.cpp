@@ -27,7 +27,8 @@ std::size_t first_corner(const constraint::ExactTriangulation& triangulation, st
 /// Follows one side of a polygon, edge by edge. At each vertex on the side except the last, calls visit(face) for the
 /// two faces of each edge around the vertex, if the winding number changes across that edge and the polygon covers the
 /// face. On entry `h` is a half-edge that starts at the side's first corner, and `turns` is the winding number in the
-/// face of `h`. On return both describe the side's last corner in the same way.
+/// face of `h`. On return, `h` starts at the side's last corner, and `turns` is the winding number in the face of the
+/// new `h`.
 template <class Winding, class Visit>
 void visit_inner_faces(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::uint32_t slot,
                        HalfEdge& h, std::int32_t& turns, Visit&& visit) {

@@ -9,8 +9,8 @@ namespace waywright::nav {
 /// another kind may be able to cross some fixed edges, or may be too large for some free edges.
 ///
 /// For a point agent every constrained edge is a wall. An agent of another kind needs a class like this one. That class
-/// says which edges the agent can cross, which width it needs, and what it costs to cross an edge. The functions are
-/// inline and the class has no state. So a call costs no more than a call of TriangleMesh::is_fixed.
+/// says which edges the agent can cross, which width the agent needs, and how much it costs the agent to cross an edge.
+/// The functions are inline and the class has no state. So a call costs no more than a call of TriangleMesh::is_fixed.
 class PointAgent {
  public:
   /// Returns whether the agent can cross the edge of `h`, so that the edge is a passage between its two faces.

@@ -70,7 +70,7 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
 }
 
 /// Returns whether the search has followed a channel through this entry already, or has made its choice at the face.
-/// Without the first test, a channel without a choice could run in a circle for ever.
+/// Without the first test, a channel without a choice could repeat the same circle of faces without an end.
 bool DiscChannel::is_visited(HalfEdge entry) const {
   return visited_[number(entry)] == stamp_.value() ||
          (marks_faces_ && visited_[3 * number(mesh::face(entry))] == stamp_.value());

@@ -49,7 +49,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   return !is_blocked_;
 }
 
-/// Walks along the line from its end to its start, so left and right are exchanged.
+/// Follows the line from its end to its start, so left and right are exchanged.
 void DiscLine::walk(HalfEdge face) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Point back{-direction_.x, -direction_.y};
@@ -167,8 +167,9 @@ void DiscLine::look_at_vertex(HalfEdge corner) {
   note_obstacle(corner);
 }
 
-/// The path passes the obstacle on the same side as the straight line from centre to centre, with which the search saw
-/// the end of the line.
+/// Notes an obstacle. The straight line between the centres of the two contacts says how the path passes the obstacle:
+/// if the obstacle lies left of this line, it also lies left of the path, and the path turns left around it. If it lies
+/// on the line, both turns are possible.
 void DiscLine::note_obstacle(HalfEdge corner) {
   const Vertex v = map_->mesh().origin(corner);
   const Point position = map_->position(v);

@@ -55,17 +55,18 @@ bool DiscOptimal::is_excluded(const Root& root, HalfEdge exit) const {
   if (squared > map_->surely_long) return false;
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
-  return root.end.contact.side == 0 ||
+  return root.end.contact.turn == 0 ||
          squared_distance_to_segment(root.end.contact.centre, a, b) > map_->radius * map_->radius;
 }
 
-/// Returns whether the search does not follow windows of a root across the edge. Beyond what is_excluded() says, it
-/// leaves out edges that lie too far on the other side of the line on which the path arrives: a line from the root to a
-/// vertex there turns back, because the circle around this vertex lies beyond the line by more than its diameter.
+/// Returns whether the search does not follow windows of a root across the edge. These are the edges of is_excluded(),
+/// and edges that are too far from the line on which the path arrives at the root: the circle around the root lies left
+/// of this line and the edge lies right of it, or the reverse. A line from the root to a vertex of this edge would turn
+/// back, because the distance of the vertex from the line is larger than the diameter of the disc.
 bool DiscOptimal::is_outside(const Root& root, HalfEdge exit) const {
   if (is_excluded(root, exit)) return true;
   const auto offset = [&](Vertex v) {
-    return root.end.contact.side * cross(root.direction, map_->position(v) - root.end.contact.centre);
+    return root.end.contact.turn * cross(root.direction, map_->position(v) - root.end.contact.centre);
   };
   const double least = -2.0 * map_->radius * (1.0 + 0x1p-20);
   return offset(map_->mesh().origin(exit)) < least && offset(map_->mesh().target(exit)) < least;
@@ -99,7 +100,7 @@ int DiscOptimal::side_of(const Window& window, int side, const Point& position) 
 
 /// Returns whether a path that leaves the root in this direction turns back there. Allows for rounding.
 bool DiscOptimal::turns_back(const Root& root, const Point& direction) const {
-  return root.end.contact.side * cross(root.direction, direction) < -kTurnsBack;
+  return root.end.contact.turn * cross(root.direction, direction) < -kTurnsBack;
 }
 
 void DiscOptimal::leave_start(const locate::Located& location) {
@@ -164,8 +165,9 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
   }
 }
 
-/// Notes the turn around the end of the window's edge if the bound on this side goes through it and there may be a path
-/// behind it. `sees_apex` says whether a path that turns can leave the face across the far edge.
+/// Adds the turn around the left end (side 1) or the right end (side -1) of the window's edge. Does nothing if the
+/// window's bound does not pass through this end, or if no path can continue behind it. `sees_apex` says whether a path
+/// that turns can leave the face across the far edge.
 void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const HalfEdge corner = side > 0 ? window.entry : mesh::next(window.entry);
@@ -181,7 +183,8 @@ void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
   if (line) push_turn(window.root, corner, side, *line, kNone);
 }
 
-/// Adds a turn, unless the path would have to turn back at the root to get there: such a path is not the shortest.
+/// Adds a turn, unless the path would have to turn back at the root to get there: a path that turns back is not the
+/// shortest.
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
@@ -310,7 +313,7 @@ void DiscOptimal::push_limit(std::uint32_t index) {
   const Root& root = roots_[turns_[index].root];
   const HalfEdge corner = root.limit.limit;
   if (corner == mesh::kNoHalfEdge) return;
-  const int turn = root.end.contact.side;
+  const int turn = root.end.contact.turn;
   const Vertex v = map_->mesh().origin(corner);
   const auto line = tangent(root.end.contact, end_at(v, turn).contact, map_->radius);
   DiscLine::Obstacle limit;
@@ -374,7 +377,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root root = roots_[root_index];
   const Contact& contact = root.end.contact;
-  Bound first{{contact.side * root.direction.y, -contact.side * root.direction.x}, mesh::kNoVertex};
+  Bound first{{contact.turn * root.direction.y, -contact.turn * root.direction.x}, mesh::kNoVertex};
   const auto visit = [&](HalfEdge at, HalfEdge spoke, double order) {
     const Vertex end = mesh.target(spoke);
     Bound last{map_->position(end) - contact.centre, end};
@@ -385,7 +388,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     const HalfEdge far_edge = mesh::next(at);
     if (!is_outside(root, far_edge)) {
       Window window{mesh.twin(far_edge), root_index, {first, last}};
-      if (contact.side < 0) std::swap(window.bounds[0], window.bounds[1]);
+      if (contact.turn < 0) std::swap(window.bounds[0], window.bounds[1]);
       offer(window);
     }
     first = last;

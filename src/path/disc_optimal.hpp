@@ -23,8 +23,8 @@ namespace waywright::path {
 ///
 /// Windows find the vertices that the vertex of a root sees. They move from face to face, as in Optimal. If a disc can
 /// move along a straight line from one contact to another, then the two vertices see each other. Before a path uses a
-/// line, DiscLine tests it. If a vertex is in the way, the search adds the turn around this vertex, and then tries the
-/// old end of the line from there.
+/// line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the search adds the turn around this
+/// vertex. From there it then tries a line to the end of the old line.
 ///
 /// Whether a disc passes a gap is decided exactly: windows and tested lines cross no gap that is too narrow. All other
 /// numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
@@ -102,7 +102,8 @@ class DiscOptimal {
   };
 
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
-  /// Where a position lies relative to the bound on this side: 1 if left, -1 if right, 0 if on it.
+  /// Returns where a position lies relative to the left bound (side 1) or the right bound (side -1) of the window: 1 if
+  /// left of it, -1 if right of it, 0 if on it.
   [[nodiscard]] int side_of(const Window& window, int side, const Point& position) const;
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }

@@ -5,8 +5,8 @@
 namespace waywright::path {
 
 double arc_length(const Contact& contact, const Point& arrival, const Point& departure, double radius) {
-  if (contact.side == 0 || departure == arrival) return 0.0;
-  const double angle = turning_angle(arrival, departure, contact.side);
+  if (contact.turn == 0 || departure == arrival) return 0.0;
+  const double angle = turning_angle(arrival, departure, contact.turn);
   return angle < 2 * kPi - 1.0 ? radius * angle : 0.0;
 }
 
@@ -20,7 +20,7 @@ void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, cons
     const Contact& contact = stops[i].contact;
     const Point& direction = stops[i].departure;
     const bool has_next = i + 1 < stops.size();
-    // A line goes straight on past a contact at which the path does not turn.
+    // If the path does not turn at a contact, the two lines there are one line.
     if (i == 0 || direction != stops[i - 1].departure) {
       const Point& touching = i > 0 && !has_arc(i) ? stops[i - 1].departure : direction;
       pieces.emplace_back().from = touching_point(contact, touching, map.exact_radius) + map.origin;
@@ -30,7 +30,7 @@ void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, cons
     piece.to = (has_next ? touching_point(stops[i + 1].contact, direction, map.exact_radius) : goal) + map.origin;
     if (!has_next) continue;
     piece.centre = stops[i + 1].contact.centre + map.origin;
-    piece.turn = has_arc(i + 1) ? stops[i + 1].contact.side : 0;
+    piece.turn = has_arc(i + 1) ? stops[i + 1].contact.turn : 0;
     piece.end_direction = stops[i + 1].departure;
   }
   // The last line has no arc.

@@ -46,20 +46,20 @@ void DiscString::run_funnel(std::span<const HalfEdge> exits) {
 Point DiscString::direction(const Stop& from, const Stop& to) {
   const Contact& p = from.end.contact;
   const Contact& q = to.end.contact;
-  if (p.side == q.side) return q.centre - p.centre;
+  if (p.turn == q.turn) return q.centre - p.centre;
   const auto line = tangent(p, q, map_->radius);
   if (!line) is_funnel_open_ = false;
   return line ? line->direction : Point{};
 }
 
-/// Returns whether the string turns to `side` at `q`, on its way from `p` to `r`.
+/// Returns whether a string from `p` to `r` turns to `side` at `q` (1: left, -1: right).
 bool DiscString::turns(const Stop& p, const Stop& q, const Stop& r, int side) {
   return side * cross(direction(p, q), direction(q, r)) > 0.0;
 }
 
-/// Returns whether the string from the apex to `end` has to turn around `other`, the next stop on the string of the
-/// other side: `end` lies beyond the line from the apex to `other`, and farther away. `side` is 1 if `other` is on the
-/// right string, -1 if it is on the left one.
+/// Returns whether the string from the apex to `end` has to turn around `other`, the next stop on the opposite string
+/// of the funnel: `end` lies beyond the line from the apex to `other`, and farther away. `side` is 1 if `other` is on
+/// the right string, -1 if it is on the left one.
 bool DiscString::is_across(const Stop& apex, const Stop& end, const Stop& other, int side) {
   const auto to_end = tangent(apex.end.contact, end.end.contact, map_->radius);
   const auto to_other = tangent(apex.end.contact, other.end.contact, map_->radius);
@@ -106,7 +106,7 @@ bool DiscString::straighten() {
     const auto line = tangent(stops_[i].end.contact, stops_[i + 1].end.contact, map_->radius);
     if (!line) return false;
     stops_[i].line = *line;
-    const int side = stops_[i].end.contact.side;
+    const int side = stops_[i].end.contact.turn;
     if (i > 0 && side * cross(stops_[i - 1].line.direction, line->direction) < -kTurnsBack) {
       stops_.erase(stops_.begin() + static_cast<std::ptrdiff_t>(i));
       --i;
@@ -120,7 +120,7 @@ bool DiscString::straighten() {
   return true;
 }
 
-/// Tests the line from a stop to the next one. If a vertex is in the way, inserts it.
+/// Tests the line from a stop to the next one. If the line has obstacles, inserts one of them.
 DiscString::Step DiscString::test(std::size_t i) {
   const Stop& from = stops_[i];
   const Stop& to = stops_[i + 1];
@@ -128,7 +128,7 @@ DiscString::Step DiscString::test(std::size_t i) {
   if (to.end.vertex != mesh::kNoVertex) {
     const Point& centre = to.end.contact.centre;
     const Point touching = touching_point(to.end.contact, from.line.direction, map_->radius);
-    const HalfEdge corner = corner_towards(*map_, to.corner, touching - centre, to.end.contact.side);
+    const HalfEdge corner = corner_towards(*map_, to.corner, touching - centre, to.end.contact.turn);
     if (corner == mesh::kNoHalfEdge) return Step::failed;
     stops_[i + 1].corner = corner;
     const DiscLine::FaceAt found = DiscLine::face_at(*map_, centre, touching, corner);
@@ -139,11 +139,11 @@ DiscString::Step DiscString::test(std::size_t i) {
   return insert_obstacle(i);
 }
 
-/// Replaces a stop whose circle lies behind a wall where the path would touch it, by the end of the wall at which the
-/// path has to turn farther.
+/// Replaces a stop. Where the path would touch the circle of this stop, the circle lies behind a wall. The new stop is
+/// the end of this wall around which the path has to turn farther.
 DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   const Stop& before = stops_[i - 1];
-  const int side = stops_[i].end.contact.side;
+  const int side = stops_[i].end.contact.turn;
   const mesh::Vertex hidden = stops_[i].end.vertex;
   std::optional<Stop> farthest;
   Point direction;
@@ -161,8 +161,8 @@ DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   return Step::again;
 }
 
-/// Inserts the vertex that is in the way of a line. If there is one on the left and one on the right, inserts the one
-/// that the disc touches first.
+/// Inserts the obstacle of a line. If there is one on the left and one on the right, inserts the one to which the line
+/// is shorter.
 DiscString::Step DiscString::insert_obstacle(std::size_t i) {
   const DiscLine::Obstacle* obstacle = nullptr;
   int side = 0;
@@ -194,7 +194,7 @@ DiscString::Step DiscString::test_arc(std::size_t i) {
   const TurnLimit limit = turn_around(*map_, contact, arrival, stop.corner, ignore);
   if (!is_beyond(limit, contact, arrival, stop.line.direction)) return Step::forward;
   if (limit.limit == mesh::kNoHalfEdge) return Step::failed;
-  return insert(i + 1, stop_at(limit.limit, contact.side));
+  return insert(i + 1, stop_at(limit.limit, contact.turn));
 }
 
 double DiscString::length() const {

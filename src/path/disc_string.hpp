@@ -15,9 +15,9 @@ namespace waywright::path {
 /// The taut string of a disc through a channel: straight lines, and arcs around vertices.
 ///
 /// First a funnel, whose strings run around circles, finds the vertices of the channel around which the string turns.
-/// Then DiscLine tests each line, and turn_around() each arc: a wall beyond the channel may be nearer than the radius.
-/// If a vertex is in the way of a line, the string also turns around this vertex. If the string would turn in the wrong
-/// direction at a vertex, it leaves this vertex out.
+/// Then DiscLine tests each line, and turn_around() tests each arc, because a wall outside the channel may be nearer
+/// than the radius. If a line has an obstacle (DiscLine::Obstacle), the class inserts this vertex into the string. If
+/// the string would turn in the wrong direction at a vertex, the class removes this vertex from the string.
 ///
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the funnel for circles).
 class DiscString {

@@ -20,8 +20,8 @@ inline constexpr double kTurnsBack = 0x1p-23;
 /// Returns whether a path that arrives at a contact in a direction can leave it in another direction.
 [[nodiscard]] inline bool is_beyond(const TurnLimit& limit, const Contact& contact, const Point& arrival,
                                     const Point& departure) {
-  const double order = turning_order(arrival, departure, contact.side);
-  return contact.side != 0 && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
+  const double order = turning_order(arrival, departure, contact.turn);
+  return contact.turn != 0 && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
 }
 
 /// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
@@ -41,7 +41,7 @@ template <class Visit>
 [[nodiscard]] TurnLimit turn_around(const DiscMap& map, const Contact& contact, const Point& arrival,
                                     mesh::HalfEdge corner, Visit&& visit) {
   const mesh::TriangleMesh& mesh = map.mesh();
-  const int turn = contact.side;
+  const int turn = contact.turn;
   double order = -1.0;
   mesh::HalfEdge at = corner;
   do {

@@ -4,9 +4,9 @@
 
 namespace waywright::path {
 
-// The funnel algorithm: what the taut strings to the two ends of a portal become when one end moves. The functions
-// decide with exact predicates. They are templates over the class that stores the strings: `TautTree` stores the
-// strings of all channels of a search, `TautString` those of one channel.
+// The funnel algorithm: it computes the new taut strings to the two ends of a portal when one of the ends moves. The
+// functions decide with exact predicates. They are templates over the class that stores the strings: `TautTree` stores
+// the strings of all channels of a search, `TautString` stores the strings of one channel.
 //
 // Two taut strings run from the start of a channel to the left and the right end of a portal. They are identical up to
 // the apex. From there on, the left string turns only to the left, and the right string only to the right. A template
@@ -19,7 +19,7 @@ namespace waywright::path {
 // - `before<kSide>(corner)` returns the next corner towards the apex;
 // - `from_apex<kSide>()` returns an object with the corners from the apex (without it) to the end: `is_empty()`,
 //   `first()`, and `take_first()`, which removes the first one and returns it;
-// - `side(p, q, v)` returns the orientation of the corners p and q and the position v.
+// - `orientation(p, q, v)` returns the orientation of the corners p and q and the position v.
 //
 // Source: Lee and Preparata, *Euclidean shortest paths in the presence of rectilinear barriers*, 1984.
 
@@ -35,7 +35,7 @@ template <exact::Sign kSide, class Strings>
 [[nodiscard]] inline typename Strings::Corner follow_from_apex(Strings strings, const exact::Geometry::View& v) {
   typename Strings::Corner corner = strings.apex();
   auto rest = strings.template from_apex<kSide>();
-  while (!rest.is_empty() && strings.side(corner, rest.first(), v) == kSide) corner = rest.take_first();
+  while (!rest.is_empty() && strings.orientation(corner, rest.first(), v) == kSide) corner = rest.take_first();
   return corner;
 }
 
@@ -52,7 +52,7 @@ template <exact::Sign kSide, class Strings>
 [[nodiscard]] inline Turn<Strings> find_turn(Strings strings, const exact::Geometry::View& v) {
   for (typename Strings::Corner corner = strings.template end<kSide>(); corner != strings.apex();) {
     const typename Strings::Corner before = strings.template before<kSide>(corner);
-    if (strings.side(before, corner, v) == kSide) return {corner, strings.apex()};
+    if (strings.orientation(before, corner, v) == kSide) return {corner, strings.apex()};
     corner = before;
   }
   const typename Strings::Corner corner = follow_from_apex<-kSide>(strings, v);

@@ -33,9 +33,9 @@ class Optimal::Cone {
   }
 
   /// Positive if `p` lies to the left of the cone's left bound.
-  [[nodiscard]] Sign side_of_left(const Geometry::View& p) const { return geometry_.side(left_, p); }
+  [[nodiscard]] Sign side_of_left(const Geometry::View& p) const { return geometry_.orientation(left_, p); }
   /// Negative if `p` lies to the right of the cone's right bound.
-  [[nodiscard]] Sign side_of_right(const Geometry::View& p) const { return geometry_.side(right_, p); }
+  [[nodiscard]] Sign side_of_right(const Geometry::View& p) const { return geometry_.orientation(right_, p); }
 
   void set_left(mesh::Vertex v) { left_ = Geometry::Line(root_, geometry_.view(number(v))); }
   void set_right(mesh::Vertex v) { right_ = Geometry::Line(root_, geometry_.view(number(v))); }
@@ -323,7 +323,7 @@ void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
-/// Returns the entry of `v`. Its length is that of the shortest path to `v` so far: infinity if there is none yet,
+/// Returns the entry of `v`. It contains the length of the shortest path to `v` so far: infinity if there is none yet,
 /// minus infinity if no path can turn at `v`.
 Optimal::Reached& Optimal::reached(mesh::Vertex v) {
   Reached& entry = reached_[number(v)];

@@ -23,7 +23,7 @@ namespace waywright::path {
 /// A window consists of the edge, the root, and the two vertices that bound the cone of sight on the left and on the
 /// right. When a cone has entered a face across an edge, it leaves the face across one or both of the other edges. The
 /// face's apex is the vertex that is not on the edge of entry. If the apex lies inside the cone, the cone leaves across
-/// those of the two edges that an agent can cross. If the apex lies left or right of the cone, the cone leaves across
+/// each of the two edges that an agent can cross. If the apex lies left or right of the cone, the cone leaves across
 /// one edge, if an agent can cross it. So only orientations of mesh vertices decide where a cone continues. Lengths
 /// decide only which node the search expands first, and which of two paths is shorter. Where a cone touches a vertex
 /// with walls, a path can turn around these walls. The vertex is then the root of new windows.

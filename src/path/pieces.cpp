@@ -53,7 +53,8 @@ bool is_near_line(const Point& a, const Point& b, const Box& box, double reach) 
   extent.expand(b);
   const Box near = extent.expanded(reach);
   if (!near.overlaps(box)) return false;
-  // What is far from the line does not count. Without it, no coordinate is much larger than those of the line.
+  // Cuts off the piece of the box that is far from the line. So no coordinate of the rest is much larger than the
+  // coordinates of the line.
   const Box cut{{std::max(box.min.x, near.min.x), std::max(box.min.y, near.min.y)},
                 {std::min(box.max.x, near.max.x), std::min(box.max.y, near.max.y)}};
   if (distance_to(cut, a) <= reach || distance_to(cut, b) <= reach) return true;

@@ -104,7 +104,7 @@ void PolylineWalk::walk_piece(const View& target) {
   }
 }
 
-Sign PolylineWalk::side(mesh::Vertex v) const { return geometry().side(line_, view(v)); }
+Sign PolylineWalk::orientation(mesh::Vertex v) const { return geometry().orientation(line_, view(v)); }
 
 /// Returns whether `q` comes after `p` on the segment. Requires: both lie on its line.
 bool PolylineWalk::is_ahead(const View& p, const View& q) const {
@@ -149,8 +149,8 @@ bool PolylineWalk::leave_vertex_through(HalfEdge h) {
   const View at = view(mesh_->origin(h));
   const mesh::Vertex target = mesh_->target(h);
   const mesh::Vertex apex = mesh_->apex(h);
-  const Sign target_side = side(target);
-  const Sign apex_side = side(apex);
+  const Sign target_side = orientation(target);
+  const Sign apex_side = orientation(apex);
   if (target_side == Sign::negative && apex_side == Sign::positive) {
     cross_faces(mesh::next(h));
     return true;
@@ -178,7 +178,7 @@ void PolylineWalk::leave_edge(HalfEdge h) {
 void PolylineWalk::leave_face(HalfEdge h) {
   const std::array<HalfEdge, 3> sides = {h, mesh::next(h), mesh::previous(h)};
   std::array<Sign, 3> corner{};
-  for (std::size_t i = 0; i < 3; ++i) corner[i] = side(mesh_->origin(sides[i]));
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = orientation(mesh_->origin(sides[i]));
   for (std::size_t i = 0; i < 3; ++i) {
     const Sign after = corner[(i + 1) % 3];
     const Sign before = corner[(i + 2) % 3];
@@ -206,10 +206,10 @@ void PolylineWalk::cross_faces(HalfEdge exit) {
   if (nav::PointAgent::can_cross(*mesh_, exit)) enter(mesh_->twin(exit));
 }
 
-/// Enters a face through the interior of `entry`, and goes on as long as the segment crosses passages.
+/// Enters a face through the interior of `entry`, and continues as long as the segment crosses passages.
 void PolylineWalk::enter(HalfEdge entry) {
   for (;;) {
-    const Sign apex_side = side(mesh_->apex(entry));
+    const Sign apex_side = orientation(mesh_->apex(entry));
     if (apex_side == Sign::zero) {
       if (ends_before(mesh_->apex(entry))) return arrive(LocatedKind::face, entry);
       return reach_vertex(mesh::previous(entry));

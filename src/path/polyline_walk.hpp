@@ -46,7 +46,7 @@ class PolylineWalk {
 
   [[nodiscard]] const exact::Geometry& geometry() const { return triangulation_->triangulation().geometry(); }
   [[nodiscard]] View view(mesh::Vertex v) const { return geometry().view(number(v)); }
-  [[nodiscard]] exact::Sign side(mesh::Vertex v) const;
+  [[nodiscard]] exact::Sign orientation(mesh::Vertex v) const;
   [[nodiscard]] bool is_ahead(const View& p, const View& q) const;
   [[nodiscard]] bool ends_before(mesh::Vertex v) const;
 

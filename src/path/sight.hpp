@@ -40,8 +40,8 @@ class Sight {
     right_ = v;
   }
 
-  /// Returns the length of the string to the root and from there to `goal`: straight if `goal` lies in the cone,
-  /// otherwise by way of an end of the cone.
+  /// Returns the length of the string to `goal` through the root. If `goal` lies in the cone, the string is straight
+  /// from the root on. Otherwise it passes through an end of the last portal.
   [[nodiscard]] double length_to(const Point& goal) const {
     const bool is_left = cross(from_root(left_), from_root(goal)) > 0.0;
     const bool is_right = cross(from_root(right_), from_root(goal)) < 0.0;

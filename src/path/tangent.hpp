@@ -14,18 +14,18 @@
 
 namespace waywright::path {
 
-/// A circle that a path touches. `side` is 1 if the path turns left around it (the circle's centre is on the left), and
-/// -1 if it turns right. If a path starts or ends at a point, the point counts as a circle of radius 0, and its `side`
+/// A circle that a path touches. `turn` is 1 if the path turns left around it (the circle's centre is on the left), and
+/// -1 if it turns right. If a path starts or ends at a point, the point counts as a circle of radius 0, and its `turn`
 /// is 0.
 struct Contact {
   Point centre;
-  int side = 0;
+  int turn = 0;
 };
 
 /// A straight line in a direction (a vector of length 1) that touches two contacts.
 struct Tangent {
   Point direction;
-  double length = 0.0;  ///< from the touching point on the first contact to that on the second
+  double length = 0.0;  ///< from the touching point on the first contact to the one on the second
 };
 
 [[nodiscard]] inline Point left_of(const Point& direction) { return {-direction.y, direction.x}; }
@@ -56,7 +56,7 @@ struct Tangent {
 [[nodiscard]] inline std::optional<Tangent> tangent(const Contact& from, const Contact& to, double radius) {
   const Point between = to.centre - from.centre;
   const double squared = squared_length(between);
-  const double across = (to.side - from.side) * radius;
+  const double across = (to.turn - from.turn) * radius;
   const double square = squared_distance_minus(from.centre, to.centre, across);
   // If the circles touch, rounding may make the difference negative.
   if (!(square >= -0x1p-40 * squared) || squared == 0.0) return std::nullopt;
@@ -67,7 +67,7 @@ struct Tangent {
 
 /// Returns the position at which a path in this direction touches a contact.
 [[nodiscard]] inline Point touching_point(const Contact& contact, const Point& direction, double radius) {
-  const double distance = contact.side * radius;
+  const double distance = contact.turn * radius;
   return {contact.centre.x + distance * direction.y, contact.centre.y - distance * direction.x};
 }
 
@@ -92,17 +92,17 @@ inline constexpr double kPi = 0x1.921fb54442d18p+1;
   return v.y < 0.0 ? -angle : angle;
 }
 
-/// Returns the angle, 0 to 2 pi, of a turn from direction `a` to direction `b`: to the left if `side` is 1, to the
+/// Returns the angle, 0 to 2 pi, of a turn from direction `a` to direction `b`: to the left if `turn` is 1, to the
 /// right if it is -1.
-[[nodiscard]] inline double turning_angle(const Point& a, const Point& b, int side) {
-  const double angle = angle_of({dot(a, b), side * cross(a, b)});
+[[nodiscard]] inline double turning_angle(const Point& a, const Point& b, int turn) {
+  const double angle = angle_of({dot(a, b), turn * cross(a, b)});
   return angle < 0.0 ? angle + 2 * kPi : angle;
 }
 
-/// Returns a number from 0 to 4 that grows with turning_angle(a, b, side) and costs less.
-[[nodiscard]] inline double turning_order(const Point& a, const Point& b, int side) {
+/// Returns a number from 0 to 4 that grows with turning_angle(a, b, turn) and costs less.
+[[nodiscard]] inline double turning_order(const Point& a, const Point& b, int turn) {
   const double x = dot(a, b);
-  const double y = side * cross(a, b);
+  const double y = turn * cross(a, b);
   const double share = x / (std::abs(x) + std::abs(y));
   return y >= 0.0 ? 1.0 - share : 3.0 + share;
 }

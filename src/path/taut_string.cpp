@@ -33,7 +33,7 @@ struct TautString::Strings {
   [[nodiscard]] Chain<kSide> from_apex() const {
     return {apex(), end<kSide>()};
   }
-  [[nodiscard]] Sign side(Corner p, Corner q, const View& v) const {
+  [[nodiscard]] Sign orientation(Corner p, Corner q, const View& v) const {
     return string->geometry_->orientation(string->row_[p], string->row_[q], v);
   }
 

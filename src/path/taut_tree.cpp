@@ -36,7 +36,7 @@ struct TautTree::Strings {
     for (Corner node = end<kSide>(); node != apex(); node = before<kSide>(node)) tree->chain_.push_back(node);
     return {&tree->chain_};
   }
-  [[nodiscard]] Sign side(Corner p, Corner q, const Geometry::View& v) const {
+  [[nodiscard]] Sign orientation(Corner p, Corner q, const Geometry::View& v) const {
     return tree->geometry_->orientation(tree->nodes_[p].position, tree->nodes_[q].position, v);
   }
 

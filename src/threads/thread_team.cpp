@@ -41,8 +41,8 @@ class Calls {
   void make(std::size_t i) {
     if (calls_[i].is_made.exchange(1) == 0) calls_[i].task();
   }
-  /// Makes the calls that no thread has started, and waits for all. If calls have thrown exceptions, throws that of the
-  /// first of them in the order of their indices.
+  /// Makes the calls that no thread has started, and waits for all. If calls have thrown exceptions, throws the
+  /// exception of the call with the lowest index.
   void finish() {
     for (std::size_t i = 0; i < calls_.size(); ++i) make(i);
     for (Call& call : calls_) call.result.wait();

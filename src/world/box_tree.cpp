@@ -17,7 +17,7 @@ std::uint32_t BoxTree::make_node(std::uint32_t parent) {
   return node;
 }
 
-/// Returns the node for a box, and makes the nodes on the way to it.
+/// Returns the node for a box. Makes this node and its ancestors if they do not exist.
 std::uint32_t BoxTree::node_for(const Box& box) {
   if (nodes_.empty()) static_cast<void>(make_node(kNone));
   std::uint32_t node = 0;

@@ -26,7 +26,7 @@ class ChangedItems {
   /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
   /// Cost: amortised O(log n) in the items of the record.
   void add(ItemId id, std::uint64_t version) {
-    if (version <= complete_since_) return;  // too many changes: the record does not have those of this operation
+    if (version <= complete_since_) return;  // too many changes: the record lacks the changes of this operation
     if (entries_.size() == entries_.capacity()) make_room(version);
     if (version > complete_since_) entries_.push_back({version, id});
   }

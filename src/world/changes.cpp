@@ -178,7 +178,7 @@ Result<void> World::begin_attempt(std::span<const Change> changes) {
   const base::FloatEnvironment environment;
   const Result<std::vector<ItemId>> ids = check_all(impl_->triangulation, changes);
   if (!ids) return ids.error();
-  AttemptGuard guard(*this);
+  detail::AttemptGuard guard(*this);
   Operation& operation = impl_->attempt.emplace(*impl_, Operation::Kind::attempt);
   if (auto error = Impl::make(operation, changes, *ids)) return *std::move(error);
   operation.update();

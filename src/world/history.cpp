@@ -43,7 +43,7 @@ void History::truncate(const Ends& ends) {
   points_.truncate(ends.points);
 }
 
-/// Of items whose ids count up, for example those of a bulk load, only the first takes memory.
+/// If the ids of inserted items count up, as in a bulk load, only the first of these items takes memory.
 void History::add_insertion(ItemId id) {
   if (!is_recording()) return;
   if (entries_.end() > committed_.entries) {

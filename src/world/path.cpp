@@ -131,7 +131,7 @@ Stop find_stop(const std::vector<Point>& points, const PathPosition& from, doubl
   }
 }
 
-/// If rounding makes the distance of the position equal to that of the end of the path, returns the end of the path.
+/// If rounding makes the distance of the position equal to the length of the path, returns the end of the path.
 Stop find_stop(const std::vector<PathPiece>& pieces, const PathPosition& from, double total) {
   const bool goes_on = total >= from.before && from.segment < pieces.size();
   std::size_t segment = goes_on ? from.segment : 0;

@@ -206,7 +206,7 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   free_slots.push_back(slot);
 }
 
-/// Decides whether a path that a changed box meets is blocked.
+/// Decides whether a path is blocked if it meets a changed box.
 void PathWatch::Impl::check(std::uint32_t slot, const World& world, PathChanges& changes) {
   Watched& path = watched[slot];
   if (std::exchange(path.seen_by, updates) == updates) return;

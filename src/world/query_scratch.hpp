@@ -27,10 +27,10 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
-  /// If nothing is in the way of the straight line from start to goal, no stage runs. The first stage searches for a
-  /// channel and for a string through it. If there is no channel, there is no path. The second stage searches for the
-  /// shortest path. Its search leaves out everything that is longer than the string. `tra` needs the second stage only
-  /// if the first one finds no string through its channel.
+  /// If the disc can move straight from the start to the goal, no stage runs. The first stage searches for a channel
+  /// and for a string through it. If there is no channel, there is no path. The second stage searches for the shortest
+  /// path. Its search leaves out everything that is longer than the string. `tra` needs the second stage only if the
+  /// first one finds no string through its channel.
   enum class Stage { channel, shortest };
   enum class Outcome { running, found, none };
 

@@ -40,7 +40,7 @@ class Replica {
   /// Adds a reader. Requires: the calling thread is a reader.
   void add_reader() { readers_.fetch_add(1, std::memory_order_relaxed); }
   void remove_reader() noexcept;
-  /// Gives up one ownership: that of the pool or that of the readers.
+  /// Gives up the ownership of the pool, or the ownership of the readers.
   void disown() noexcept;
   /// Makes the last reader of this replica disown `replica`, too. Requires: nobody reads this replica yet.
   void disown_later(Replica* replica) { disowned_later_ = replica; }
@@ -63,7 +63,7 @@ struct ReplicaScratch {
   Shape in_replica;
 };
 
-/// The replicas of a world, and what they lack.
+/// The replicas of a world, and the changes that they have not repeated yet.
 ///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
 class SnapshotPool {

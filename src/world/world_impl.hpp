@@ -43,7 +43,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   Operation& operator=(const Operation&) = delete;
 
   // If an insertion passes a limit, the functions return the error. The operation must then be undone. The second
-  // function sets the index of the error to that of an item of the batch.
+  // function sets the index of the error to the index of an item in the batch.
   [[nodiscard]] std::optional<Error> insert(const Shape& shape, ItemId id);
   template <class Batch>
   [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
@@ -103,9 +103,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Brings back the items of a tick as one operation. Requires: the history has the tick.
   void rewind(History::Tick tick);
   /// Makes this world equal to `other`, except for the history. `changed` are the items that may differ. If memory runs
-  /// out, some of these may be as in `other` already; the function can then be called again. Returns whether all is
-  /// well: if not, the world has too many vertices in between, and must not be used any more. Requires: this world is a
-  /// replica of `other`, and nobody reads it.
+  /// out, some of these may be as in `other` already; the function can then be called again. Returns true if it has
+  /// succeeded. If the result is false, a state between the changes would have too many vertices, and this world must
+  /// not be used any more. Requires: this world is a replica of `other`, and nobody reads it.
   [[nodiscard]] bool follow(const Impl& other, std::span<const ItemId> changed, ReplicaScratch& scratch);
   /// Makes one item as it is in `other`. Returns whether it could.
   [[nodiscard]] bool follow_item(const Impl& other, ItemId id, ReplicaScratch& scratch);

@@ -14,8 +14,8 @@
 #include "world/snapshot_pool.hpp"
 #include "world/world_impl.hpp"
 
-// Snapshots for readers. A snapshot refers to a replica: a copy of the world. World::publish() brings a replica that
-// nobody reads up to date.
+// Snapshots for readers. A snapshot refers to a replica: a copy of the world. World::publish() makes a replica that
+// nobody reads equal to the world.
 
 namespace waywright {
 

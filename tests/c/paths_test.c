@@ -223,7 +223,8 @@ void test_search(void) {
   CHECK_OK(ww_search_begin(search, world, &query));
   CHECK_OK(ww_search_is_running(search, &is_running));
   CHECK(is_running == 1);
-  CHECK_OK(ww_world_insert_segment(world, at(50, 60), at(50, 90), 2, NULL)); /* the way round is below now */
+  CHECK_OK(
+      ww_world_insert_segment(world, at(50, 60), at(50, 90), 2, NULL)); /* the path now leads around its lower end */
   for (; is_done == 0 && steps < 1000; ++steps) CHECK_OK(ww_search_step(search, 1, &is_done));
   CHECK(is_done == 1);
   CHECK_OK(ww_search_restarts(search, &restarts));

@@ -85,7 +85,7 @@ void test_snippets(void) {
   asked.query.start = at(10, 55);
   asked.query.goal = at(90, 55);
   CHECK_OK(find_path_without(world, 1, &asked));
-  test_points(asked.path); /* straight, because the house is not in the way */
+  test_points(asked.path); /* straight, because the question asks about the world without the house */
   test_streams(world);
   ww_path_destroy(asked.path);
   ww_context_destroy(asked.context);

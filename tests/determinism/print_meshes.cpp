@@ -71,7 +71,7 @@ void print_walk(const Path& path, double tolerance) {
 
 void print_point(const Point& point) { std::cout << ' ' << bits_of(point.x) << ' ' << bits_of(point.y); }
 
-/// Prints which items are in the way of discs at a point, and where these discs fit near to it.
+/// Prints which items stop discs at a point, and the nearest points where these discs fit.
 void print_fits(const World& world, const Point& start, const Point& goal, double extent) {
   for (const double radius : {0.0, 0x1p-8 * extent, 0x1p-5 * extent, 0x1p-3 * extent}) {
     const Result<DiscFit> fit = world.fit_disc(start, radius);

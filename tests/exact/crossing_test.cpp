@@ -193,7 +193,7 @@ TEST(Geometry, AsksNoConstructedVertexByItsDoubles) {
   EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), crossing), exact::Sign::positive) << "a little inside";
   EXPECT_EQ(geometry.in_circle(view(0), view(1), view(2), view(3)), exact::Sign::zero) << "as before";
   EXPECT_EQ(geometry.orientation(view(0), view(4), crossing), exact::Sign::negative) << "a little on the right";
-  EXPECT_EQ(geometry.side({view(0), view(4)}, crossing), exact::Sign::negative) << "the same";
+  EXPECT_EQ(geometry.orientation({view(0), view(4)}, crossing), exact::Sign::negative) << "the same";
   EXPECT_EQ(geometry.orientation(view(0), view(4), view(3)), exact::Sign::zero) << "as before";
   EXPECT_EQ(geometry.order(crossing, view(3)), std::strong_ordering::greater);
   EXPECT_EQ(geometry.order(crossing, geometry.view(Point{rounded, 2})), std::strong_ordering::greater) << "by x";
@@ -233,7 +233,7 @@ TEST(Geometry, DecidesOrientationsAndSidesOfLines) {
         const exact::Sign expected = rational_orientation(positions[a], positions[b], positions[c]);
         ++signs[expected == exact::Sign::negative ? 0 : expected == exact::Sign::zero ? 1 : 2];
         ASSERT_EQ(geometry.orientation(geometry.view(a), geometry.view(b), geometry.view(c)), expected);
-        ASSERT_EQ(geometry.side(line, geometry.view(c)), expected);
+        ASSERT_EQ(geometry.orientation(line, geometry.view(c)), expected);
       }
     }
   }

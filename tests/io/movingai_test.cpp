@@ -182,9 +182,10 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
     if (item.shape.kind != ItemKind::polygon || item.shape.rings.empty()) return "an item is no polygon";
     for (std::size_t r = 0; r < item.shape.rings.size(); ++r) {
       const Ring& ring = item.shape.rings[r];
-      if (!has_true_corners_alone(ring)) return "a corner is none";
+      if (!has_true_corners_alone(ring)) return "a point of a ring is no corner";
       if (!is_simple(ring)) return "a ring is not simple";
-      if ((signed_area(ring) > 0.0) != (r == 0)) return "a ring turns the wrong way for its place";
+      if ((signed_area(ring) > 0.0) != (r == 0))
+        return "an outer ring is clockwise, or the ring of a hole is counter-clockwise";
       all.push_back(ring);
     }
   }

@@ -153,7 +153,7 @@ class Expected {
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
         const bool is_passage =
             core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
-        if (core.is_passage(HalfEdge{h}) != is_passage) return "a way is not one, or one is missed";
+        if (core.is_passage(HalfEdge{h}) != is_passage) return "a passage is none, or one is missed";
       }
     }
     return std::nullopt;
@@ -170,12 +170,13 @@ class Expected {
       while (!core_.contains(f)) {
         const HalfEdge up = core.towards_core(Face{f});
         if (up == mesh::kNoHalfEdge) break;
-        if (number(mesh::face(up)) != f || mesh_.is_fixed(up)) return "a way towards the core is none";
-        if (++steps > faces_.size()) return "a way towards the core runs in a ring";
+        if (number(mesh::face(up)) != f || mesh_.is_fixed(up))
+          return "the edge towards the core is no passage of the face";
+        if (++steps > faces_.size()) return "the passages towards the core lead around a circle of faces";
         f = beyond(up);
       }
       if (sets_with_core.contains(set_of(f))) {
-        if (!core_.contains(f)) return "a way towards the core does not get there";
+        if (!core_.contains(f)) return "the passages towards the core do not lead to the core";
       } else if (root_of.emplace(set_of(f), f).first->second != f) {
         return "a tree has two roots";
       }

@@ -137,8 +137,9 @@ TEST(DiscPaths, StayOnTheirSideOfCrossingWalls) {
                        0.16982599369468487));
 }
 
-// On the way from the second point to the first, the path arrives at the vertex (0.6, 1.2) where an edge of the mesh
-// leads from the vertex straight to the position of the disc. Because of rounding, the search once turned no farther.
+// In the direction from the second point to the first, the path arrives at the vertex (0.6, 1.2) where an edge of the
+// mesh leads from the vertex straight to the position of the disc. Because of rounding, the search once turned no
+// farther.
 TEST(DiscPaths, TurnPastAnEdgeTowardsThePositionOfArrival) {
   constexpr double kUnit = 0.1;  // the coordinates are products with rounding errors
   const auto at = [](int x, int y) { return Point{x * kUnit, y * kUnit}; };

@@ -155,7 +155,7 @@ TEST(Affected, AreThePathsThatAChangedItemsBoxMeets) {
   EXPECT_FALSE(world.remove({77}).ok());
   EXPECT_FALSE(world.is_affected(low, after_box)) << "a refused operation changes nothing";
   world.remove(box).value();
-  EXPECT_TRUE(world.is_affected(low, after_box)) << "a wall that goes may make a shorter way";
+  EXPECT_TRUE(world.is_affected(low, after_box)) << "the removal of a wall may make a shorter path possible";
   world.insert_all(std::vector<Item>{{{100}, {ItemKind::segment, {{{50, 80}, {50, 99}}}}}}).value();
   std::vector<Path> paths(3);
   paths[0].points = low;

@@ -20,6 +20,7 @@
 #include "support/random_changes.hpp"
 #include "support/random_path_cases.hpp"
 #include "support/random_scenes.hpp"
+#include "support/rollback_check.hpp"
 #include "support/scene_check.hpp"
 
 namespace waywright::test {
@@ -35,6 +36,8 @@ struct Settings {
   std::uint64_t predicates = 0;  ///< calls of each predicate, in total; when above 0, instead of scenes
   std::uint64_t changes = 0;     ///< steps of worlds that change, in total; when above 0, instead of scenes
   std::uint64_t bridges = 0;     ///< changes of worlds with bridges, in total; when above 0, instead of scenes
+  std::uint64_t rollbacks =
+      0;  ///< rollbacks of worlds with predicted changes, in total; when above 0, instead of scenes
 };
 
 struct Totals {
@@ -171,6 +174,30 @@ int run_bridges(const Settings& settings) {
   progress.end();
   std::cout << "all: " << all.changes << " changes, " << all.undone << " steps undone, " << faults << " faults"
             << std::endl;
+  return faults == 0 ? 0 : 1;
+}
+
+/// Plays games with rollback.
+int run_rollbacks(const Settings& settings) {
+  constexpr std::size_t kRollbacksOfWorld = 25;
+  const std::vector<Flavour> flavours = flavours_of(settings);
+  Progress progress(settings.rollbacks);
+  std::size_t faults = 0;
+  for (const Flavour flavour : flavours) {
+    RollbackReport some;
+    for (std::uint64_t seed = settings.seed; some.rollbacks < settings.rollbacks / flavours.size(); ++seed) {
+      const RollbackReport report = check_rollbacks(flavour, seed, kRollbacksOfWorld);
+      progress.show(to_string(flavour), seed, report.rollbacks);
+      some.rollbacks += report.rollbacks;
+      some.changes += report.changes;
+      if (report.fault.empty()) continue;
+      ++faults;
+      std::cout << to_string(flavour) << ", seed " << seed << ": " << report.fault << std::endl;
+    }
+    std::cout << to_string(flavour) << ": " << some.rollbacks << " rollbacks, " << some.changes
+              << " changes taken back, " << faults << " faults so far" << std::endl;
+  }
+  progress.end();
   return faults == 0 ? 0 : 1;
 }
 
@@ -339,6 +366,8 @@ int main(int argc, char** argv) {
                  "Count of insertions, removals, replacements and batches in worlds that change, instead of scenes");
   app.add_option("--bridges", settings.bridges,
                  "Count of changes in worlds whose bridges are compared with a rebuild, instead of scenes");
+  app.add_option("--rollbacks", settings.rollbacks,
+                 "Count of rollbacks of 8 ticks with 10 changes each, instead of scenes");
   app.add_option("--seed", settings.seed, "Seed of the first scene; the others follow it")->capture_default_str();
   app.add_option("--predicates", settings.predicates,
                  "Count of calls of each predicate, stage against stage, instead of scenes");
@@ -364,5 +393,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (settings.bridges > 0) return waywright::test::run_bridges(settings);
+  if (settings.rollbacks > 0) return waywright::test::run_rollbacks(settings);
   return settings.changes > 0 ? waywright::test::run_changes(settings) : waywright::test::run(settings);
 }

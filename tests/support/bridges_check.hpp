@@ -16,8 +16,8 @@ struct BridgesReport {
 };
 
 /// Makes the changes of the script, without the steps that a world refuses, in a triangulation with bridges. Checks
-/// after every step that the bridges equal those of a rebuild. Undoes some of the steps, checks the bridges, and makes
-/// these steps again. The seed determines which.
+/// after every step that the bridges equal the bridges of a rebuild. Undoes some of the steps, checks the bridges, and
+/// makes these steps again. The seed determines which steps.
 [[nodiscard]] BridgesReport check_bridges(const ChangeScript& script, std::uint64_t seed);
 
 /// Shrinks a script that fails check_bridges. Returns a message with the fault and the script.

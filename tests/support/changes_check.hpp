@@ -16,7 +16,7 @@ struct Comparisons {
   std::size_t with_oracle = 5;
 };
 
-/// What the check did. Counts are steps, unless a comment says that they are single changes.
+/// The counts of a check. They count steps, unless a comment says that they are single changes.
 struct ChangeCounts {
   std::size_t steps = 0;
   std::size_t refusals = 0;

@@ -216,7 +216,7 @@ class Arrangement {
 
   [[nodiscard]] const Line& line(std::size_t edge) const { return segments_[edges_[edge].segment].line; }
 
-  /// Returns whether two segments are apart for sure. The margin is a million times the error of the boxes.
+  /// Returns true only if two segments have no point in common. The margin is a million times the error of the boxes.
   [[nodiscard]] bool surely_apart(const Segment& s, const Segment& t) const {
     return s.box[0] > t.box[2] + margin_ || t.box[0] > s.box[2] + margin_ || s.box[1] > t.box[3] + margin_ ||
            t.box[1] > s.box[3] + margin_;

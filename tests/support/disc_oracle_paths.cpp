@@ -148,40 +148,43 @@ class TangentGraph {
     return angle;
   }
 
-  /// Adds the tangents between two circles. A path turns around circle i to the left (way = 1) or to the right (-1).
+  /// Adds the tangents between two circles. A path turns around circle i counter-clockwise (rotation = 1) or clockwise
+  /// (-1).
   void add_tangents(std::size_t i, std::size_t j) {
-    for (const int way_i : {1, -1}) {
-      if (i < 2 && way_i < 0) continue;
-      for (const int way_j : {1, -1}) {
-        if (j < 2 && way_j < 0) continue;
-        add_tangent(i, way_i, j, way_j);
+    for (const int rotation_i : {1, -1}) {
+      if (i < 2 && rotation_i < 0) continue;
+      for (const int rotation_j : {1, -1}) {
+        if (j < 2 && rotation_j < 0) continue;
+        add_tangent(i, rotation_i, j, rotation_j);
       }
     }
   }
 
-  void add_tangent(std::size_t i, int way_i, std::size_t j, int way_j) {
+  void add_tangent(std::size_t i, int rotation_i, std::size_t j, int rotation_j) {
     const Circle& from = circles_[i];
     const Circle& to = circles_[j];
     // centre j - centre i = along u + across left_of(u), for the direction u of the tangent.
     const Vector between = to.centre - from.centre;
     const Real square = dot(between, between);
     if (square == 0.0L) return;
-    const Real across = way_j * to.radius - way_i * from.radius;
+    const Real across = rotation_j * to.radius - rotation_i * from.radius;
     const Real rest = square - across * across;
     if (rest < 0.0L && std::sqrt(square) < std::fabs(across) - (r_ - least_)) return;
     const Real along = std::sqrt(std::max(rest, 0.0L));
     const Vector u = (between * along - left_of(between) * across) * (1.0L / square);
-    const Wall line{from.centre - left_of(u) * (way_i * from.radius), to.centre - left_of(u) * (way_j * to.radius)};
+    const Wall line{from.centre - left_of(u) * (rotation_i * from.radius),
+                    to.centre - left_of(u) * (rotation_j * to.radius)};
     if (!is_clear(line)) return;
-    add_link(node_at(i, way_i, line.a), node_at(j, way_j, line.b), {0, along, 0, 0.0L, 0.0L, line});
-    add_link(node_at(j, -way_j, line.b), node_at(i, -way_i, line.a), {0, along, 0, 0.0L, 0.0L, {line.b, line.a}});
+    add_link(node_at(i, rotation_i, line.a), node_at(j, rotation_j, line.b), {0, along, 0, 0.0L, 0.0L, line});
+    add_link(node_at(j, -rotation_j, line.b), node_at(i, -rotation_i, line.a),
+             {0, along, 0, 0.0L, 0.0L, {line.b, line.a}});
   }
 
-  std::size_t node_at(std::size_t circle, int way, Vector at) {
+  std::size_t node_at(std::size_t circle, int rotation, Vector at) {
     if (circle < 2) return circle;
     Circle& c = circles_[circle];
     nodes_.emplace_back();
-    (way > 0 ? c.forwards : c.backwards).push_back({normal_angle(angle_of(at - c.centre)), nodes_.size() - 1});
+    (rotation > 0 ? c.forwards : c.backwards).push_back({normal_angle(angle_of(at - c.centre)), nodes_.size() - 1});
     return nodes_.size() - 1;
   }
 
@@ -210,8 +213,8 @@ class TangentGraph {
     const auto blocked_at = [&](Real angle) {
       return blocked[static_cast<std::size_t>(std::lower_bound(cuts.begin(), cuts.end(), angle) - cuts.begin())];
     };
-    for (const int way : {1, -1}) {
-      auto& events = way > 0 ? c.forwards : c.backwards;
+    for (const int rotation : {1, -1}) {
+      auto& events = rotation > 0 ? c.forwards : c.backwards;
       std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.angle < b.angle; });
       for (std::size_t k = 0; events.size() > 1 && k < events.size(); ++k) {
         const Event& a = events[k];
@@ -221,9 +224,9 @@ class TangentGraph {
                                             : blocked_at(b.angle) - blocked_at(a.angle);
         if (between != 0) continue;
         const Real turn = b.angle - a.angle + (is_last ? 2.0L * kPi : 0.0L);
-        const Event& first = way > 0 ? a : b;
-        const Event& second = way > 0 ? b : a;
-        add_link(first.node, second.node, {0, turn * c.radius, circle, first.angle, way * turn, {}});
+        const Event& first = rotation > 0 ? a : b;
+        const Event& second = rotation > 0 ? b : a;
+        add_link(first.node, second.node, {0, turn * c.radius, circle, first.angle, rotation * turn, {}});
         // Rounding may exchange two tangents that touch the circle at the same point.
         if (turn < 1e-13L) add_link(second.node, first.node, {0, 0.0L, circle, second.angle, 0.0L, {}});
       }
@@ -325,8 +328,9 @@ struct Arc {
   }
 };
 
-/// Returns the distance from an arc to a wall: that of the arc's ends, or of the points of the circle in the direction
-/// of the wall's ends or square to the wall, or 0 if the circle crosses the wall within the arc.
+/// Returns the distance from an arc to a wall. It is 0 if the circle crosses the wall within the arc. Otherwise the
+/// nearest point of the arc is one of its ends, or lies in the direction of an end of the wall, or in the direction
+/// perpendicular to the wall.
 Real distance(const Arc& arc, const Wall& wall) {
   Real least = std::min(distance(arc.at(arc.start), wall), distance(arc.at(arc.end), wall));
   const auto try_angle = [&](Real angle) {

@@ -350,8 +350,8 @@ class SceneMaker {
     const double step = size_ / 12;
     const Point p{step * whole(0, 12), step * whole(0, 12)};
     const Point q = inside({p.x + step * whole(-4, 4), p.y + step * whole(-4, 4)});
-    const std::size_t way = random_.below(3);
-    add_chain(walls, {p, way == 0 ? q : way == 1 ? Point{q.x, p.y} : Point{p.x, q.y}});
+    const std::size_t kind = random_.below(3);
+    add_chain(walls, {p, kind == 0 ? q : kind == 1 ? Point{q.x, p.y} : Point{p.x, q.y}});
   }
 
   void add_to_corridor(Walls& walls) {

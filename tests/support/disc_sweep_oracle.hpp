@@ -15,7 +15,7 @@ struct Motion {
   double radius = 0.0;
 };
 
-/// A moment of a motion: whole - sqrt(square), as a fraction of the way, exactly.
+/// A moment of a motion: the exact fraction whole - sqrt(square) of the length of the motion.
 struct Moment {
   Rational whole;
   Rational square;

@@ -169,7 +169,7 @@ TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
 }
 
 // The last digits of these coordinates are worth 2^-33, about a tenth of the radius. Rounding must not make the search
-// take a wall beside its path for one in the way: the reverse path then was three times as long.
+// treat a wall beside its path as an obstacle. When it did, the reverse path was three times as long.
 TEST(DiscPaths, AreAsLongInTheOtherDirectionFarFromTheOrigin) {
   World world = World::create({{1000000, -1000000}, {1000037, -999963}}, {.keep_bridges = true}).value();
   const Point hub{1000004.7578321772, -999983.11326095706};

@@ -56,7 +56,7 @@ TEST_P(MovingSquare, LeavesNothingBehind) {
     const Validation validation = world.validate();
     ASSERT_TRUE(validation.ok) << validation.fault << " after step " << step;
   }
-  EXPECT_EQ(world.vertex_count(), vertices) << "the way ends beyond the last square it crosses";
+  EXPECT_EQ(world.vertex_count(), vertices) << "the motion ends beyond the last square that it crosses";
   world.replace(kMoving, start).value();
   EXPECT_EQ(world.dump(), dump);
 }

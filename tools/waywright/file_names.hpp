@@ -9,8 +9,8 @@
 
 namespace waywright::command {
 
-/// Returns whether a text written to that name goes to standard output: `-`, `/dev/stdout` and the like, or a link to
-/// one of these.
+/// Returns whether a text written to that name goes to standard output: `-`, `/dev/stdout` or another name of this
+/// stream, or a link to one of these.
 [[nodiscard]] bool is_standard_output(const std::string& name);
 
 /// Returns whether a name stands for an open descriptor: `/dev/stderr`, `/dev/fd/3`, `/proc/self/fd/3`.

@@ -65,8 +65,8 @@ Verdict verdict_of(const ScenarioQuery& query, const Path& path) {
   return path.length < query.length ? Verdict::shorter : Verdict::longer;
 }
 
-/// Returns whether two blocked cells of a map touch only at this point. An agent at such a point may count as being on
-/// either of two sides, so the length in a scenario may be that of the other side.
+/// Returns whether two blocked cells of a map touch only at this point. An agent at this point may count as being in
+/// either of the two free areas there. So the length in a scenario may be the length of a path from the other area.
 bool is_between_cells(const World& world, const Point& point, QueryContext& context) {
   if (std::floor(point.x) != point.x || std::floor(point.y) != point.y) return false;
   const auto is_blocked = [&](double dx, double dy) {
