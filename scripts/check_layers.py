@@ -53,6 +53,7 @@ ROOMS = {
     "src/io": room(["base", "text"], ALL),
     "bindings/python": room([], ALL, ("pybind11/",)),
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
+    "bindings/wasm": room(["c"], ALL, ("malloc.h",)),
     "tools": room(["base"], ALL, ALL),
     "tools/formats": room(["base", "text"], ALL, ALL),
     "examples": room([], ALL),

@@ -22,6 +22,7 @@ COMPILER_FILES = {
     "src/base/float_environment.hpp",  # the processor's rounding mode
     "include/waywright/export.hpp",  # visibility of symbols
     "bindings/c/waywright.h",  # visibility of symbols
+    "bindings/wasm/module.cpp",  # imports of a WebAssembly module
 }
 SYSTEM_FILES = COMPILER_FILES | {
     "src/base/disk.cpp",

@@ -58,7 +58,7 @@ std::size_t count_insertions(std::span<const Change> changes) {
 
 /// Returns the error with the index `i` of the refused element in a list, and with the noun for the element in the
 /// message.
-Error in_list(const char* element, std::size_t i, Error error) {
+Error in_list(const char* element, std::uint64_t i, Error error) {
   error.index = i;
   error.words.list = element;
   return error;

@@ -1,0 +1,446 @@
+import { arena, copyIntegers, copyNumbers, packSizes, type Point, readList, readTwoLists, toSize } from './buffers.js';
+import { refuse, WaywrightError } from './errors.js';
+import * as abi from './generated/abi.js';
+import { contextAddress, Handle, make, type QueryContext } from './handle.js';
+import { allocate, check, f64, lib, release, slots, u32, u8 } from './runtime.js';
+import { answer, askSize, fromEnum, get, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
+
+/** `optimal` finds the shortest path. `ta` and `tra` are searches over triangles that may find longer paths, sooner. */
+export type PathAlgorithm = 'ta' | 'tra' | 'optimal';
+export type PathStatus = 'found' | 'start-blocked' | 'goal-blocked' | 'no-path';
+export type Precision = 'float64' | 'float32';
+
+export const PATH_ALGORITHMS = ['ta', 'tra', 'optimal'] as const;
+export const PATH_STATUSES = ['found', 'start-blocked', 'goal-blocked', 'no-path'] as const;
+const PRECISIONS = ['float64', 'float32'] as const;
+
+/** What a path query asks besides its ends. */
+export interface PathOptions {
+  /** The default is `optimal`. */
+  readonly algorithm?: PathAlgorithm;
+  /** The radius of the disc. The default, 0, is a point agent. Above 0, the world must keep its bridges. */
+  readonly radius?: number;
+  /** How far the search may move an end that is blocked. The default is `World.defaultEndTolerance`. */
+  readonly endTolerance?: number;
+  /** Whether the answer contains the edges that the path crosses. */
+  readonly wantsChannel?: boolean;
+  /** Whether the answer contains the time that the search has taken. */
+  readonly wantsTime?: boolean;
+  /** For `ta`: how many further triangles the search enters to find a shorter path. The default is 0. */
+  readonly budgetExpansions?: number;
+  /** For `ta`: the time limit of this search for shorter paths, in nanoseconds. */
+  readonly budgetNanoseconds?: number;
+}
+
+export interface PathQuery extends PathOptions {
+  readonly start: Point;
+  readonly goal: Point;
+}
+
+const NO_LIMIT = 2n ** 64n - 1n;
+const ORIGIN: Point = { x: 0, y: 0 };
+
+function packBudget(struct: number, { budgetExpansions, budgetNanoseconds }: PathOptions): void {
+  const { ww_path_query: layout } = abi;
+  if (budgetExpansions !== undefined) {
+    const limit = budgetExpansions === Infinity ? NO_LIMIT : BigInt(toSize(budgetExpansions));
+    put.long(struct + layout.budgetExpansions, limit);
+  }
+  if (budgetNanoseconds !== undefined && budgetNanoseconds !== Infinity) {
+    if (!Number.isSafeInteger(budgetNanoseconds)) refuse(`a budget of ${budgetNanoseconds} ns is not a whole number`);
+    put.long(struct + layout.budgetNanoseconds, BigInt.asUintN(64, BigInt(budgetNanoseconds)));
+  }
+}
+
+/** Writes a query to a struct of the module. */
+export function packQuery(options: PathOptions, start = ORIGIN, goal = ORIGIN): number {
+  const { ww_path_query: layout } = abi;
+  const struct = slots.struct2;
+  check(lib.ww_path_query_init(struct, layout.size_));
+  writePoint(struct + layout.start, start);
+  writePoint(struct + layout.goal, goal);
+  const { algorithm, radius, endTolerance } = options;
+  if (algorithm !== undefined) put.int(struct + layout.algorithm, toEnum(PATH_ALGORITHMS, algorithm));
+  if (radius !== undefined) put.float(struct + layout.radius, radius);
+  if (endTolerance !== undefined) {
+    put.flag(struct + layout.hasEndTolerance, true);
+    put.float(struct + layout.endTolerance, endTolerance);
+  }
+  if (options.wantsChannel === true) put.flag(struct + layout.wantsChannel, true);
+  if (options.wantsTime === true) put.flag(struct + layout.wantsTime, true);
+  packBudget(struct, options);
+  return struct;
+}
+
+/** An end that the search has moved. */
+export interface MovedEnd {
+  readonly from: Point;
+  readonly to: Point;
+}
+
+/** A piece of the path of a disc's centre: a line, or an arc around a centre. */
+export interface PathPiece {
+  readonly kind: 'line' | 'arc';
+  readonly from: Point;
+  readonly to: Point;
+  /** Of an arc. */
+  readonly centre: Point;
+  readonly radius: number;
+  /** Of an arc, in radians. If `endAngle` is larger, the arc turns left. */
+  readonly startAngle: number;
+  readonly endAngle: number;
+}
+
+/** The largest disc that gets through, and the gap that limits it. */
+export interface WidestPath {
+  readonly isConnected: boolean;
+  /** Whether a gap limits the disc. */
+  readonly isLimited: boolean;
+  /** The largest radius. Infinity if no gap limits it. */
+  readonly radius: number;
+  readonly from: Point;
+  readonly to: Point;
+  /** The items at the two ends of the gap. 0 is the border. */
+  readonly fromItems: readonly ItemId[];
+  readonly toItems: readonly ItemId[];
+}
+
+type WidestCall = (
+  struct: number, a: number, roomA: number, countA: number, b: number, roomB: number, countB: number,
+) => number;
+
+export function readWidest(call: WidestCall): WidestPath {
+  const { ww_widest_path: layout } = abi;
+  const struct = answer(layout);
+  const [from, to] = readTwoLists(8, (a, roomA, countA, b, roomB, countB) =>
+    call(answer(layout), a, roomA, countA, b, roomB, countB),
+  );
+  return {
+    isConnected: get.flag(struct + layout.isConnected),
+    isLimited: get.flag(struct + layout.isLimited),
+    radius: get.float(struct + layout.radius),
+    from: readPoint(struct + layout.from),
+    to: readPoint(struct + layout.to),
+    fromItems: readIds(from),
+    toItems: readIds(to),
+  };
+}
+
+/** A position on a path. `Path.advance` changes it. */
+export interface PathPosition {
+  readonly at: { x: number; y: number };
+  /** The direction of the path there, of length 1. */
+  readonly heading: { x: number; y: number };
+  /** The position lies between the points `segment` and `segment + 1`, or on this piece. */
+  segment: number;
+  /** The length of the path from its start to the start of this segment. */
+  before: number;
+  /** The length of the path from its start to this position. */
+  distance: number;
+}
+
+function newPosition(): PathPosition {
+  return { at: { x: 0, y: 0 }, heading: { x: 0, y: 0 }, segment: 0, before: 0, distance: 0 };
+}
+
+function writePosition(struct: number, position: PathPosition): void {
+  const { ww_path_position: layout } = abi;
+  answer(layout, struct);
+  writePoint(struct + layout.at, position.at);
+  writePoint(struct + layout.heading, position.heading);
+  put.size(struct + layout.segment, position.segment);
+  put.float(struct + layout.before, position.before);
+  put.float(struct + layout.distance, position.distance);
+}
+
+function readPosition(struct: number, position: PathPosition): PathPosition {
+  const { ww_path_position: layout } = abi;
+  const at = struct >>> 3;
+  position.at.x = f64[at + (layout.at >>> 3)]!;
+  position.at.y = f64[at + (layout.at >>> 3) + 1]!;
+  position.heading.x = f64[at + (layout.heading >>> 3)]!;
+  position.heading.y = f64[at + (layout.heading >>> 3) + 1]!;
+  position.segment = get.size(struct + layout.segment);
+  position.before = get.float(struct + layout.before);
+  position.distance = get.float(struct + layout.distance);
+  return position;
+}
+
+/** Facts about a path. */
+export interface PathInfo {
+  readonly status: PathStatus;
+  /** 0 unless found. */
+  readonly length: number;
+  /** No path is shorter. */
+  readonly lowerBound: number;
+  /** As in the query. */
+  readonly radius: number;
+  /** How many triangles the search has entered. */
+  readonly expansions: number;
+  /** 0 unless the query has asked for the time. */
+  readonly nanoseconds: number;
+  readonly pointCount: number;
+  readonly pieceCount: number;
+  readonly channelCount: number;
+  readonly blockerCount: number;
+  readonly movedStart: MovedEnd | null;
+  readonly movedGoal: MovedEnd | null;
+  readonly hasWidest: boolean;
+}
+
+function readInfo(path: number): PathInfo {
+  const { ww_path_info: layout } = abi;
+  const struct = answer(layout);
+  check(lib.ww_path_get_info(path, struct));
+  const moved = (has: number, from: number, to: number): MovedEnd | null =>
+    get.flag(struct + has) ? { from: readPoint(struct + from), to: readPoint(struct + to) } : null;
+  return {
+    status: fromEnum(PATH_STATUSES, get.int(struct + layout.status)),
+    length: get.float(struct + layout.length),
+    lowerBound: get.float(struct + layout.lowerBound),
+    radius: get.float(struct + layout.radius),
+    expansions: get.long(struct + layout.expansions),
+    nanoseconds: get.long(struct + layout.nanoseconds),
+    pointCount: get.size(struct + layout.pointCount),
+    pieceCount: get.size(struct + layout.pieceCount),
+    channelCount: get.size(struct + layout.channelCount),
+    blockerCount: get.size(struct + layout.blockerCount),
+    movedStart: moved(layout.hasMovedStart, layout.movedStartFrom, layout.movedStartTo),
+    movedGoal: moved(layout.hasMovedGoal, layout.movedGoalFrom, layout.movedGoalTo),
+    hasWidest: get.flag(struct + layout.hasWidest),
+  };
+}
+
+function readPiece(struct: number): PathPiece {
+  const { ww_path_piece: layout } = abi;
+  return {
+    kind: get.int(struct + layout.kind) === abi.WW_PIECE_LINE ? 'line' : 'arc',
+    from: readPoint(struct + layout.from),
+    to: readPoint(struct + layout.to),
+    centre: readPoint(struct + layout.centre),
+    radius: get.float(struct + layout.radius),
+    startAngle: get.float(struct + layout.startAngle),
+    endAngle: get.float(struct + layout.endAngle),
+  };
+}
+
+/**
+ * The answer to a path query. Use one object for many queries: it keeps its memory. A function with a parameter `into`
+ * writes to this array if the answer fits there, and returns the part with the answer; otherwise it returns a new array.
+ */
+export class Path extends Handle {
+  private info_: PathInfo | null = null;
+
+  constructor();
+  /** @internal */
+  constructor(address: number, owner: Handle);
+  constructor(address?: number, owner?: Handle) {
+    if (address !== undefined && owner !== undefined) super(address, owner);
+    else super(make((at) => lib.ww_path_create(at)), (at) => lib.ww_path_destroy(at));
+  }
+
+  /** @internal Forgets what the wrapper knows of the last answer. */
+  renew(): void {
+    this.info_ = null;
+  }
+
+  /** All facts about the path. */
+  get info(): PathInfo {
+    const { address } = this;
+    return (this.info_ ??= readInfo(address));
+  }
+  get status(): PathStatus {
+    return this.info.status;
+  }
+  get isFound(): boolean {
+    return this.info.status === 'found';
+  }
+  get length(): number {
+    return this.info.length;
+  }
+
+  /** A copy, for example of a path that belongs to a list or a search. */
+  copy(into: Path = new Path()): Path {
+    into.renew();
+    check(lib.ww_path_copy(this.address, into.address));
+    return into;
+  }
+
+  /** The start, the turns and the goal. Empty if there is no path, or if the query has a radius above 0. */
+  points(into?: Float64Array): Float64Array {
+    const { address } = this;
+    const list = readList(16, (buffer, capacity, count) => lib.ww_path_points(address, buffer, capacity, count));
+    return copyNumbers(list.address, 2 * list.count, into);
+  }
+
+  /** The lines and arcs of the path of a disc. */
+  pieces(): PathPiece[] {
+    const { address } = this;
+    const size = abi.ww_path_piece.size_;
+    const list = readList(size, (buffer, capacity, count) => lib.ww_path_pieces(address, buffer, capacity, count));
+    return Array.from({ length: list.count }, (_, i) => readPiece(list.address + i * size));
+  }
+
+  /** The edges that the path crosses, four numbers for each: its ends on the left and on the right, seen on the path. */
+  channel(into?: Float64Array): Float64Array {
+    const { address } = this;
+    const list = readList(32, (buffer, capacity, count) => lib.ww_path_channel(address, buffer, capacity, count));
+    return copyNumbers(list.address, 4 * list.count, into);
+  }
+
+  /** The items that block an end. */
+  blockers(): ItemId[] {
+    const { address } = this;
+    return readIds(readList(8, (buffer, capacity, count) => lib.ww_path_blockers(address, buffer, capacity, count)));
+  }
+
+  /** The largest disc that gets through, if there is no path for the disc of the query; otherwise null. */
+  widest(): WidestPath | null {
+    const { address } = this;
+    if (!this.info.hasWidest) return null;
+    return readWidest((struct, ...lists) => lib.ww_path_widest(address, struct, ...lists));
+  }
+
+  /** The position at a distance from the start. Like the functions below, it needs a path that is found. */
+  at(distance: number, precision: Precision = 'float64', into: PathPosition = newPosition()): PathPosition {
+    const struct = answer(abi.ww_path_position);
+    check(lib.ww_path_at(this.address, distance, toEnum(PRECISIONS, precision), struct));
+    return readPosition(struct, into);
+  }
+
+  /** Moves a position of this path farther along the path by `step`. Returns the same object. */
+  advance(position: PathPosition, step: number, precision: Precision = 'float64'): PathPosition {
+    writePosition(slots.struct, position);
+    check(lib.ww_path_advance(this.address, step, toEnum(PRECISIONS, precision), slots.struct));
+    return readPosition(slots.struct, position);
+  }
+
+  /** The position on the path that is nearest to a point. */
+  nearest(point: Point, precision: Precision = 'float64', into: PathPosition = newPosition()): PathPosition {
+    const struct = answer(abi.ww_path_position);
+    const at = writePoint(slots.a, point);
+    check(lib.ww_path_nearest(this.address, at, toEnum(PRECISIONS, precision), struct));
+    return readPosition(struct, into);
+  }
+
+  /** The path as points that are not farther than `tolerance` from it. */
+  polyline(tolerance: number, into?: Float64Array): Float64Array {
+    const { address } = this;
+    const list = readList(16, (buffer, capacity, count) =>
+      lib.ww_path_polyline(address, tolerance, buffer, capacity, count),
+    );
+    return copyNumbers(list.address, 2 * list.count, into);
+  }
+}
+
+/** The points of many paths: those of path i are the points `offsets[i]` to `offsets[i + 1] - 1`. */
+export interface PathsPoints {
+  readonly points: Float64Array;
+  readonly offsets: Uint32Array;
+}
+
+/** The answers to several path queries. */
+export class Paths extends Handle {
+  constructor() {
+    super(make((address) => lib.ww_paths_create(address)), (address) => lib.ww_paths_destroy(address));
+  }
+
+  /** @internal Invalidates the paths of the last answer. */
+  renew(): void {
+    this.changed();
+  }
+
+  /** The number of paths. */
+  get length(): number {
+    return askSize((count) => lib.ww_paths_count(this.address, count));
+  }
+
+  /** A path of the list. It belongs to the list, and is valid until the list changes. */
+  get(index: number): Path {
+    check(lib.ww_paths_get(this.address, toSize(index), slots.pointer));
+    return new Path(u32[slots.pointer >>> 2]!, this);
+  }
+
+  /** The length of each path: 0 for a path without length, NaN for a path that is not found. */
+  lengths(into?: Float64Array): Float64Array {
+    const count = this.length;
+    arena.reset();
+    const lengths = arena.take(8 * count);
+    const statuses = arena.take(count);
+    check(lib.ww_js_paths_info(this.address, statuses, lengths));
+    for (let i = 0; i < count; ++i) {
+      if (u8[statuses + i] !== abi.WW_PATH_FOUND) f64[(lengths >>> 3) + i] = NaN;
+    }
+    return copyNumbers(lengths, count, into);
+  }
+
+  /** The points of all paths. */
+  points(into?: Float64Array, offsetsInto?: Uint32Array): PathsPoints {
+    const { address, length } = this;
+    arena.reset();
+    const offsets = arena.take(4 * (length + 1));
+    const list = readList(16, (buffer, capacity, count) =>
+      lib.ww_js_paths_points(address, offsets, buffer, capacity, count),
+    );
+    return {
+      points: copyNumbers(list.address, 2 * list.count, into),
+      offsets: copyIntegers(offsets, length + 1, offsetsInto),
+    };
+  }
+}
+
+/** The agents of a crowd: each walks along a path of its own. One call moves all of them. */
+export class Walkers extends Handle {
+  private readonly paths: (Path | null)[];
+
+  /** Makes `count` agents without paths. */
+  constructor(readonly count: number) {
+    const size = abi.ww_path_position.size_;
+    const bytes = toSize(count) * size;
+    if (bytes >= 2 ** 31) throw new WaywrightError('out-of-memory', `there is no memory for ${count} agents`);
+    super(allocateZeroed(bytes), release);
+    this.paths = new Array<Path | null>(count).fill(null);
+    for (let i = 0; i < count; ++i) answer(abi.ww_path_position, this.address + i * size);
+  }
+
+  private slot(index: number): number {
+    if (!(index >= 0 && index < this.count && Number.isInteger(index))) refuse(`there is no agent ${index}`);
+    return this.address + index * abi.ww_path_position.size_;
+  }
+
+  /** Puts an agent on a path that is found, at its start or farther along it. Null takes it off its path. */
+  set(index: number, path: Path | null, distance = 0): void {
+    const slot = this.slot(index);
+    if (path !== null) check(lib.ww_path_at(path.address, distance, abi.WW_FLOAT64, answer(abi.ww_path_position, slot)));
+    this.paths[index] = path;
+  }
+
+  /** The position of an agent. */
+  position(index: number, into: PathPosition = newPosition()): PathPosition {
+    return readPosition(this.slot(index), into);
+  }
+
+  /** Moves all agents by `step`. Returns x, y and the heading x, y of each; an agent without a path stays where it is. */
+  advance(step: number, into?: Float64Array): Float64Array {
+    arena.reset();
+    const addresses = packSizes(this.paths.map((path) => (path === null ? 0 : path.address)));
+    const states = arena.take(32 * this.count);
+    check(lib.ww_js_paths_advance(addresses.address, this.count, this.address, step, states));
+    return copyNumbers(states, 4 * this.count, into);
+  }
+}
+
+function allocateZeroed(bytes: number): number {
+  const address = allocate(Math.max(bytes, 1));
+  u8.fill(0, address, address + bytes);
+  return address;
+}
+
+/** Makes a path query. Returns the given path, or a new one. */
+export function findPath(world: number, query: PathQuery, path: Path, context: QueryContext | undefined): Path {
+  const { address } = path;
+  const asked = packQuery(query, query.start, query.goal);
+  path.renew();
+  check(lib.ww_world_find_path(world, asked, contextAddress(context), address));
+  return path;
+}

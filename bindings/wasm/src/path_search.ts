@@ -1,0 +1,48 @@
+import { toSize } from './buffers.js';
+import { Handle, make } from './handle.js';
+import { packQuery, Path, type PathQuery } from './path.js';
+import { check, lib, slots, u32 } from './runtime.js';
+import { askFlag, askSize } from './values.js';
+import type { World } from './world.js';
+
+/** A path search in slices. Between the slices you may change the world. */
+export class PathSearch extends Handle {
+  constructor() {
+    super(make((address) => lib.ww_search_create(address)), (address) => lib.ww_search_destroy(address));
+  }
+
+  /** Starts a search. It cancels the search that is running. */
+  begin(world: World, query: PathQuery): void {
+    const { address } = this;
+    this.changed();
+    check(lib.ww_search_begin(address, world.address, packQuery(query, query.start, query.goal)));
+  }
+
+  /** Continues the search until it has entered `expansions` further triangles. Returns whether it is done. */
+  step(expansions: number): boolean {
+    const { address } = this;
+    this.changed();
+    return askFlag((flag) => lib.ww_search_step(address, toSize(expansions), flag));
+  }
+
+  /** The answer, or the best path so far. It belongs to the search, and is valid until the next call that changes it. */
+  get path(): Path {
+    check(lib.ww_search_path(this.address, slots.pointer));
+    return new Path(u32[slots.pointer >>> 2]!, this);
+  }
+
+  /** How often the search started again because the world had changed. */
+  get restarts(): number {
+    return askSize((count) => lib.ww_search_restarts(this.address, count));
+  }
+
+  get isRunning(): boolean {
+    return askFlag((flag) => lib.ww_search_is_running(this.address, flag));
+  }
+
+  cancel(): void {
+    const { address } = this;
+    this.changed();
+    check(lib.ww_search_cancel(address));
+  }
+}

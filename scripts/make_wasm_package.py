@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Builds the npm package in bindings/wasm: the WebAssembly module with Emscripten, and the wrapper with TypeScript.
+
+usage: make_wasm_package.py
+
+Writes the package to bindings/wasm/dist. Exits 1 if a step fails, or if the package is larger than 500 kB when it is
+compressed. WAYWRIGHT_JOBS limits how many compilers run at once.
+"""
+
+import gzip
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = ROOT / "bindings" / "wasm"
+BUILD = ROOT / "build" / "wasm"
+LARGEST = 500_000
+# The only folders of this machine's headers that the module may use. The rest of /usr/include describes another machine.
+HEADERS = ["boost", "fast_float", "fmt"]
+
+
+def run(*command, cwd=ROOT):
+    print("+", *command, flush=True)
+    subprocess.run(command, cwd=cwd, check=True)
+
+
+def make_prefix():
+    """Makes a folder with links to the headers."""
+    include = BUILD / "packages" / "include"
+    include.mkdir(parents=True, exist_ok=True)
+    for header in HEADERS:
+        if not (include / header).is_symlink():
+            (include / header).symlink_to(Path("/usr/include") / header)
+    return include.parent
+
+
+def build_module():
+    prefix = make_prefix()
+    if shutil.which("ccache"):
+        os.environ["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
+    # Emscripten uses modules of Debian's packages, which only Debian's own Node finds by itself.
+    os.environ.setdefault("NODE_PATH", "/usr/share/nodejs")
+    switches = {"TESTS": "OFF", "EXAMPLES": "OFF", "TOOLS": "OFF", "WASM": "ON"}
+    run(
+        *["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", "--log-level=NOTICE", "-DCMAKE_BUILD_TYPE=Release"],
+        f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/cmake/toolchains/wasm_package.cmake",
+        f"-DCMAKE_FIND_ROOT_PATH={prefix}",
+        f"-DCMAKE_PREFIX_PATH={prefix}",
+        "-DBoost_NO_BOOST_CMAKE=ON",
+        f"-DBoost_INCLUDE_DIR={prefix}/include",
+        "-DWAYWRIGHT_INSTALL=OFF",
+        *[f"-DWAYWRIGHT_BUILD_{part}={value}" for part, value in switches.items()],
+    )
+    jobs = os.environ.get("WAYWRIGHT_JOBS") or str(os.cpu_count())
+    run("cmake", "--build", BUILD, "--parallel", jobs, "--target", "waywright_wasm")
+
+
+def build_wrapper():
+    installed, wanted = PACKAGE / "node_modules" / ".package-lock.json", PACKAGE / "package-lock.json"
+    if not installed.exists() or installed.stat().st_mtime < wanted.stat().st_mtime:
+        run("npm", "ci", "--no-audit", "--no-fund", cwd=PACKAGE)
+    for old in (PACKAGE / "dist").rglob("*"):
+        if old.suffix in (".js", ".ts"):
+            old.unlink()
+    # The comments are in the types. The programs need none.
+    run("npx", "--no-install", "tsc", "--declaration", "false", "--removeComments", cwd=PACKAGE)
+    run("npx", "--no-install", "tsc", "--emitDeclarationOnly", cwd=PACKAGE)
+
+
+def compressed_size():
+    files = [path for path in sorted((PACKAGE / "dist").rglob("*")) if path.suffix in (".js", ".wasm")]
+    return sum(len(gzip.compress(path.read_bytes(), 9)) for path in files)
+
+
+def main():
+    try:
+        build_module()
+        build_wrapper()
+    except subprocess.CalledProcessError as failure:
+        return failure.returncode
+    size = compressed_size()
+    print(f"bindings/wasm/dist: {size:,} bytes, compressed")
+    if size > LARGEST:
+        print(f"the package is larger than {LARGEST:,} bytes", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
