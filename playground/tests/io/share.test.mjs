@@ -46,6 +46,7 @@ function makeState(random, number) {
   const point = () => [number(), number()];
   return {
     domain: [-(2 ** 100), -1e20, 2 ** 100, 1e20],
+    ...random.pick([{}, { yDown: true }]),
     operations: Array.from({ length: random.below(40) }, () => makeOperation(random, number)),
     start: random.pick([null, point()]),
     goal: random.pick([null, point()]),
@@ -139,7 +140,7 @@ function seal(compressed) {
 
 const forge = (payload) => seal(deflateRawSync(Buffer.from(payload)));
 const list = (...values) => [1, values.length, 1, ...values];
-const HEAD = [0, 0]; // no start, no goal
+const HEAD = [0, 0, 0]; // y up, no start, no goal
 const TAIL = [0, 0]; // optimal, no view
 const DOMAIN = [0, 0, 20, 20]; // the differences 0, 0, 10, 10
 
@@ -183,7 +184,7 @@ test('a forged link with a coordinate that no world accepts is refused', async (
   for (const value of [NaN, Infinity, 2 ** 101, 2 ** -101]) {
     doubles[0] = value;
     const planes = Array.from({ length: 8 }, (_, plane) => doubles.map((number) => bytesOfDouble(number)[plane])).flat();
-    const payload = [5, ...HEAD, ...TAIL, 0, 0, 4, ...planes, ...list(2)];
+    const payload = [6, ...HEAD, ...TAIL, 0, 0, 4, ...planes, ...list(2)];
     await refuses(() => decodeShare(forge(payload)), /not 0 and not of a size/);
   }
 });
