@@ -17,6 +17,11 @@ export interface Wishes {
   channel: boolean;
 }
 
+interface Drag {
+  readonly changes: readonly Change[];
+  readonly done: (isAccepted: boolean) => void;
+}
+
 interface Task {
   readonly run: () => Promise<void>;
   readonly done: () => void;
@@ -38,9 +43,11 @@ export class Session {
   hashes: Hashes | null = null;
   touched: readonly Bounds[] = [];
   editMilliseconds = 0;
+  /** The changes of the last notification `items`. They have the shapes before and after. */
+  lastChanges: readonly Change[] = [];
   private readonly listeners: ((topic: Topic, box: Bounds | null) => void)[] = [];
   private readonly tasks: Task[] = [];
-  private live: { changes: readonly Change[]; done: (isAccepted: boolean) => void } | null = null;
+  private live: Drag | null = null;
   private seekTarget: number | null = null;
   private wantsRoutes = false;
   private isPumping = false;
@@ -128,7 +135,10 @@ export class Session {
 
   /** Records the changes of a drag, which the engine has already made: from the first shapes to the last accepted ones. */
   async endDrag(label: string, firsts: readonly Change[]): Promise<void> {
+    const last = this.live;
+    this.live = null;
     await this.enqueue(async () => {
+      if (last !== null) await this.carryOut(last);
       this.isDragging = false;
       const changes = firsts
         .map(({ id, before }) => ({ id, before, after: this.document.items.get(id) ?? null }))
@@ -187,6 +197,7 @@ export class Session {
     this.editMilliseconds = answer.summary.milliseconds;
     if (answer.routes !== null) this.routes = answer.routes;
     this.touched = answer.touched;
+    this.lastChanges = changes;
     for (const { id, after } of changes) this.document.set(id, after);
     this.notify('items');
     this.notify('touched');
@@ -208,8 +219,8 @@ export class Session {
 
   /** Does the next piece of work. Returns false if there is none. */
   private async step(): Promise<boolean> {
-    if (this.live !== null) await this.stepDrag();
-    else if (this.tasks.length > 0) await this.stepTask();
+    if (this.tasks.length > 0) await this.stepTask();
+    else if (this.live !== null) await this.stepDrag();
     else if (this.seekTarget !== null) await this.stepSeek();
     else if (this.wantsRoutes) await this.stepRoutes();
     else return false;
@@ -217,10 +228,16 @@ export class Session {
   }
 
   private async stepDrag(): Promise<void> {
-    const { changes, done } = this.live!;
+    const drag = this.live!;
     this.live = null;
+    await this.carryOut(drag);
+  }
+
+  private async carryOut({ changes, done }: Drag): Promise<void> {
     const isAccepted = await this.attempt(async () => {
-      const current = changes.map(({ id, after }) => ({ id, before: this.document.items.get(id) ?? null, after }));
+      const current = changes
+        .map(({ id, after }) => ({ id, before: this.document.items.get(id) ?? null, after }))
+        .filter(({ before, after }) => before !== after);
       this.accept(await this.engine.ask('edit', toWire(current), this.query), current);
     });
     done(isAccepted);

@@ -205,6 +205,7 @@ export interface Units {
 const STUCK = 2;
 
 export function drawUnits(context: Context, camera: Camera, { radii, states }: Units, theme: Theme): void {
+  if (states.length === 0) return;
   for (const isStuck of [false, true]) {
     context.beginPath();
     for (let i = 0; i < radii.length; ++i) {
