@@ -49,6 +49,8 @@ export class Session {
   private readonly tasks: Task[] = [];
   private live: Drag | null = null;
   private seekTarget: number | null = null;
+  /** Steps forward from there, or from the present position. */
+  private seekSteps = 0;
   private wantsRoutes = false;
   private isPumping = false;
   private idleTimer = 0;
@@ -151,15 +153,17 @@ export class Session {
 
   /** Goes to a position in the log. */
   seek(target: number): void {
-    const { log } = this.document;
-    this.seekTarget = Math.max(0, Math.min(log.length, target));
+    this.seekTarget = target;
+    this.seekSteps = 0;
     void this.pump();
   }
   undo(): void {
-    this.seek((this.seekTarget ?? this.document.cursor) - 1);
+    --this.seekSteps;
+    void this.pump();
   }
   redo(): void {
-    this.seek((this.seekTarget ?? this.document.cursor) + 1);
+    ++this.seekSteps;
+    void this.pump();
   }
 
   askRoutes(): void {
@@ -221,7 +225,7 @@ export class Session {
   private async step(): Promise<boolean> {
     if (this.tasks.length > 0) await this.stepTask();
     else if (this.live !== null) await this.stepDrag();
-    else if (this.seekTarget !== null) await this.stepSeek();
+    else if (this.seekTarget !== null || this.seekSteps !== 0) await this.stepSeek();
     else if (this.wantsRoutes) await this.stepRoutes();
     else return false;
     return true;
@@ -250,8 +254,11 @@ export class Session {
   }
 
   private async stepSeek(): Promise<void> {
-    const target = this.seekTarget!;
+    const { log, cursor } = this.document;
+    const target = Math.max(0, Math.min(log.length, (this.seekTarget ?? cursor) + this.seekSteps));
     this.seekTarget = null;
+    this.seekSteps = 0;
+    if (target === cursor) return;
     await this.attempt(async () => {
       const changes = this.document.changesTo(target);
       const answer = await this.engine.ask('edit', toWire(changes), this.query);

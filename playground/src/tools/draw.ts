@@ -84,13 +84,14 @@ export class PointTool implements Tool {
   constructor(bench: Bench) {
     this.bench = bench;
   }
-  down({ at }: Press): void {
+  down(): void {}
+  move(): void {}
+  up({ at }: Press): void {
     const { session } = this.bench;
     const id = session.document.takeId();
     void session.commit('insert point', [{ id, before: null, after: makeShape('point', [at.x, at.y]) }]);
   }
-  move(): void {}
-  up(): void {}
+  abandon(): void {}
   cancel(): boolean {
     return false;
   }
@@ -113,7 +114,10 @@ abstract class CornersTool implements Tool {
     this.bench = bench;
   }
 
-  down({ at, exact }: Press): void {
+  down(press: Press): void {
+    this.hover(press);
+  }
+  up({ at, exact }: Press): void {
     const { corners } = this;
     const [first, last] = [corners[0], corners.at(-1)];
     const near = reach(this.bench, 10);
@@ -129,7 +133,7 @@ abstract class CornersTool implements Tool {
   move(press: Press): void {
     this.hover(press);
   }
-  up(): void {}
+  abandon(): void {}
   hover({ at }: Press): void {
     this.next = at;
     if (this.corners.length > 0) this.bench.view.refresh();

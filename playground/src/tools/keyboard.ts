@@ -131,9 +131,10 @@ export class Keyboard {
     view.cursor ??= this.position();
     const press = this.pointers.pressAt(view.cursor);
     const { tool } = this.pointers;
-    if (this.isHeld) tool.up(press);
-    else tool.down(press);
-    this.isHeld = !this.isHeld && !['point', 'chain', 'polygon'].includes(tool.id);
+    const isClick = tool.abandon !== undefined;
+    if (!this.isHeld) tool.down(press);
+    if (this.isHeld || isClick) tool.up(press);
+    this.isHeld = !this.isHeld && !isClick;
     this.bench.say(this.isHeld ? `${tool.label}: held; move with the arrow keys, release with the space bar` : tool.label);
     return true;
   }

@@ -90,7 +90,10 @@ export class Pointers {
 
   /** Two fingers move and zoom: the tool gives up its gesture. */
   private giveUp(): void {
-    if (this.isPressed && this.end === null) this.tool.cancel();
+    if (this.isPressed && this.end === null) {
+      if (this.tool.abandon === undefined) this.tool.cancel();
+      else this.tool.abandon();
+    }
     this.end = null;
     this.isPressed = false;
   }

@@ -28,6 +28,8 @@ export interface Tool {
   finish?(): void;
   /** Removes the last corner. Returns whether there was one. */
   stepBack?(): boolean;
+  /** A second finger has come: the press counts no longer. Without this function, `cancel` is called. */
+  abandon?(): void;
   /** Gives up what has begun. Returns whether there was something. */
   cancel(): boolean;
 }

@@ -29,7 +29,7 @@ const MOST_REPAINTS = 200;
 function insets(): Insets {
   return PHONE.matches
     ? { left: 12, right: 12, top: 64, bottom: 176 }
-    : { left: 72, right: 360, top: 68, bottom: 76 };
+    : { left: 72, right: 360, top: 68, bottom: 94 };
 }
 
 function makeTools(bench: Bench): Tool[] {

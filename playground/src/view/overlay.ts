@@ -65,6 +65,7 @@ export function drawRoutes(context: Context, camera: Camera, session: Session, t
   const [first] = routes.routes;
   if (session.wishes.widest && routes.gap?.line) {
     drawBand(context, camera, routes.gap.line, routes.gap.radius, theme['accent-soft']);
+    drawLine(context, camera, routes.gap.line, { colour: theme.gap, width: 2, dash: [] });
   } else if (first !== undefined) {
     drawBand(context, camera, first.line, routes.radius, theme['accent-soft']);
   }
@@ -114,16 +115,31 @@ function outlineItem(context: Context, camera: Camera, shape: Shape | undefined,
   if (shape !== undefined) outline(context, camera, shape, colour, 2);
 }
 
+/** An end: a ring of the size of the agent around a dot. The goal's dot is hollow. */
+function drawEnd(context: Context, at: XY, pixels: number, colour: string, isGoal: boolean, theme: Theme): void {
+  if (pixels > LEAST_END_PIXELS) {
+    context.beginPath();
+    context.arc(at.x, at.y, pixels, 0, 7);
+    context.globalAlpha = 0.16;
+    context.fillStyle = colour;
+    context.fill();
+    context.globalAlpha = 1;
+    context.lineWidth = 1.5;
+    context.strokeStyle = colour;
+    context.stroke();
+  }
+  drawDot(context, at, LEAST_END_PIXELS, isGoal ? theme.ground : colour, isGoal ? colour : theme.ground);
+  if (isGoal) drawDot(context, at, 2.5, colour, colour);
+}
+
 export function drawEnds(context: Context, camera: Camera, session: Session, theme: Theme): void {
   const { start, goal, radius } = session.ends;
   const pixels = endPixels(radius, camera);
   const status = session.routes?.routes[0]?.status;
   const startColour = status === 'start-blocked' ? theme.failed : theme.start;
   const goalColour = status === 'goal-blocked' ? theme.failed : theme.accent;
-  drawDot(context, camera.toScreen(start), pixels, startColour, theme.page);
-  const at = camera.toScreen(goal);
-  drawDot(context, at, pixels, theme.page, goalColour);
-  drawDot(context, at, Math.max(3, pixels - 4), goalColour, theme.page);
+  drawEnd(context, camera.toScreen(start), pixels, startColour, false, theme);
+  drawEnd(context, camera.toScreen(goal), pixels, goalColour, true, theme);
 }
 
 export function drawTouched(context: Context, camera: Camera, boxes: readonly Bounds[], alpha: number, theme: Theme): void {
