@@ -50,9 +50,9 @@ export class ByteWriter {
   }
 }
 
-/** Returns the error for a link that has been changed or cut. */
-export function damaged(what: string, byte?: number): InputError {
-  const where = byte === undefined ? {} : { byte };
+/** Returns the error for a link that has been changed or cut. `column` is a character of its text. */
+export function damaged(what: string, column?: number): InputError {
+  const where = column === undefined ? {} : { column };
   const advice = 'Copy the whole link again, from its first character to its last';
   return new InputError(`the link is damaged: ${what}`, where, advice);
 }
@@ -74,13 +74,13 @@ export class ByteReader {
 
   byte(): number {
     const byte = this.bytes[this.at];
-    if (byte === undefined) throw damaged('it ends too early', this.at + 1);
+    if (byte === undefined) throw damaged('it ends too early');
     ++this.at;
     return byte;
   }
 
   take(count: number): Uint8Array {
-    if (count > this.remaining) throw damaged('it ends too early', this.bytes.length + 1);
+    if (count > this.remaining) throw damaged('it ends too early');
     this.at += count;
     return this.bytes.subarray(this.at - count, this.at);
   }
@@ -100,7 +100,7 @@ export class ByteReader {
 
   private largeId(): ItemId {
     const value = this.bigWhole();
-    if (value > LARGEST_ID) throw damaged('a number in it is too large', this.at);
+    if (value > LARGEST_ID) throw damaged('a number in it is too large');
     return value > BigInt(Number.MAX_SAFE_INTEGER) ? value : Number(value);
   }
 
@@ -112,13 +112,13 @@ export class ByteReader {
       value |= BigInt(byte & 127) << shift;
       if (byte < 128) return value;
     }
-    throw damaged('a number in it is too large', this.at);
+    throw damaged('a number in it is too large');
   }
 
   /** Reads a whole number up to 2^53 - 1. */
   whole(): number {
     const value = this.id();
-    if (typeof value === 'bigint') throw damaged('a number in it is too large', this.at);
+    if (typeof value === 'bigint') throw damaged('a number in it is too large');
     return value;
   }
 
@@ -130,7 +130,7 @@ export class ByteReader {
   /** Reads a count of things of which each takes `size` bytes or more in a whole of `bytes`. */
   count(size: number, bytes = this.remaining): number {
     const count = this.whole();
-    if (count * size > bytes) throw damaged('a count in it is too large', this.at);
+    if (count * size > bytes) throw damaged('a count in it is too large');
     return count;
   }
 }

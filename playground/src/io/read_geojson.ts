@@ -1,4 +1,5 @@
 import { domainAround } from './items';
+import { firstSyntaxError } from './json_place';
 import { quoted } from './text';
 import {
   CornerCount, InputError, isInRange, type Item, type ParsedWorld, rangeError, type Where, type XY,
@@ -35,23 +36,15 @@ function checkDepth(text: string): void {
   }
 }
 
-/** Finds the place in the message of a syntax error. The message depends on the browser, and may have none. */
-function placeOfSyntaxError(text: string, message: string): Where {
-  const position = /position (\d+)/.exec(message);
-  if (position) return placeOf(text, Number(position[1]));
-  const lineAndColumn = /line (\d+) column (\d+)/.exec(message);
-  if (lineAndColumn) return { line: Number(lineAndColumn[1]), column: Number(lineAndColumn[2]) };
-  return /end of/i.test(message) ? placeOf(text, text.length) : {};
-}
-
 function parseJson(text: string): unknown {
   checkDepth(text);
   try {
     return JSON.parse(text);
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
+  } catch {
+    const index = firstSyntaxError(text);
+    const found = index < text.length ? quoted(text.slice(index, index + 20)) : 'the end of the text';
     const advice = 'Look there for a missing bracket, a comma too many, or a word such as NaN that JSON does not have';
-    throw new InputError(`the text is not JSON: ${message}`, placeOfSyntaxError(text, message), advice);
+    throw new InputError(`the text is not JSON: it is wrong at ${found}`, placeOf(text, index), advice);
   }
 }
 

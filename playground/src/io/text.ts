@@ -26,24 +26,25 @@ function foreignEncoding(bytes: Uint8Array): string | null {
   return pattern.startsWith('0a') ? 'UTF-16BE' : null;
 }
 
+function isUtf8(bytes: Uint8Array, options?: TextDecodeOptions): boolean {
+  try {
+    new TextDecoder('utf-8', { fatal: true }).decode(bytes, options);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** Returns the index of the first byte that is not UTF-8. */
 function firstBadByte(bytes: Uint8Array): number {
-  let good = 0;
-  let bad = bytes.length;
-  // The decoder in mode `stream` accepts every start of a correct text.
-  const isGood = (length: number): boolean => {
-    try {
-      new TextDecoder('utf-8', { fatal: true }).decode(bytes.subarray(0, length), { stream: true });
-      return true;
-    } catch {
-      return false;
-    }
-  };
+  let [good, bad] = [0, bytes.length];
+  // In the mode `stream`, the decoder accepts every start of a correct text.
   while (bad - good > 1) {
     const middle = (good + bad) >>> 1;
-    if (isGood(middle)) good = middle;
+    if (isUtf8(bytes.subarray(0, middle), { stream: true })) good = middle;
     else bad = middle;
   }
+  while (!isUtf8(bytes.subarray(0, good))) --good;
   return good;
 }
 
@@ -58,12 +59,11 @@ export function decodeText(bytes: Uint8Array): string {
   if (zero >= 0) {
     throw new InputError('the file is not a text: it has a zero byte', { byte: zero + 1 }, 'Choose a text file');
   }
-  try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
+  if (!isUtf8(bytes)) {
     const advice = "Save the text as UTF-8; 'iconv -f LATIN1 -t UTF-8' converts older texts";
     throw new InputError('the text is not UTF-8', { byte: firstBadByte(bytes) + 1 }, advice);
   }
+  return new TextDecoder().decode(bytes);
 }
 
 /** Returns a word in quotes. Shortens a long word, and writes characters that are not printable as their code. */

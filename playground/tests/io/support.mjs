@@ -8,6 +8,7 @@ export const { parseFile } = await import('../../src/io/formats.ts');
 export const { decodeShare, encodeShare } = await import('../../src/io/share.ts');
 export const { numberText, operationsOf, writeWws } = await import('../../src/io/wws.ts');
 export const { InputError } = await import('../../src/io/types.ts');
+export const { firstSyntaxError } = await import('../../src/io/json_place.ts');
 export const items = await import('../../src/io/items.ts');
 
 const encoder = new TextEncoder();
