@@ -21,8 +21,9 @@ export class Random {
   }
 }
 
-export function rounded(value: number, unit: number): number {
-  return Math.round(value / unit) * unit;
+/** Returns the multiple of 1 / `divisor` that is nearest to a value, and 0 instead of -0. */
+export function rounded(value: number, divisor: number): number {
+  return Math.round(value * divisor) / divisor + 0;
 }
 
 const PI = 3.141592653589793;

@@ -39,9 +39,13 @@ export class OperationWriter {
     this.numbers.push(value);
   }
 
+  flag(value: boolean): void {
+    this.codes.byte(value ? 1 : 0);
+  }
+
   /** Writes whether there is a value, and the value. */
   optional<T>(value: T | null | undefined, write: (value: T) => void): void {
-    this.codes.byte(value === null || value === undefined ? 0 : 1);
+    this.flag(value !== null && value !== undefined);
     if (value !== null && value !== undefined) write(value);
   }
 
@@ -163,8 +167,12 @@ export class OperationReader {
     return value;
   }
 
+  flag(): boolean {
+    return this.oneOf([false, true]);
+  }
+
   optional<T>(read: () => T): T | undefined {
-    return this.oneOf([false, true]) ? read() : undefined;
+    return this.flag() ? read() : undefined;
   }
 
   private oneOf<T>(values: readonly T[]): T {

@@ -26,6 +26,8 @@ export interface View {
 /** The state of the page that a link recreates. */
 export interface ShareState {
   readonly domain: Domain;
+  /** Whether the y axis points down, as in a map of Moving AI. */
+  readonly yDown?: boolean;
   /** All changes since the world was empty. They recreate the items, their ids and the next id. */
   readonly operations: readonly Operation[];
   readonly start: XY | null;
@@ -121,6 +123,7 @@ function writeState(state: ShareState): Uint8Array {
   const [minX, minY, maxX, maxY] = state.domain;
   writer.point([minX, minY]);
   writer.point([maxX, maxY]);
+  writer.flag(state.yDown ?? false);
   writer.optional(state.start, (point) => writer.point(point));
   writer.optional(state.goal, (point) => writer.point(point));
   writer.number(state.radius);
@@ -148,6 +151,7 @@ function readState(bytes: Uint8Array): ShareState {
   const codes = new ByteReader(whole.take(whole.count(1)));
   const reader = new OperationReader(codes, readNumbers(whole, 2), readNumbers(whole, 1));
   const domain = readDomain(reader);
+  const yDown = reader.flag();
   const start = reader.optional(() => reader.point()) ?? null;
   const goal = reader.optional(() => reader.point()) ?? null;
   const radius = reader.number();
@@ -157,7 +161,7 @@ function readState(bytes: Uint8Array): ShareState {
   if (count > LARGEST_OPERATION_COUNT) throw damaged('it has too many operations');
   const operations = Array.from({ length: count }, () => reader.operation());
   if (!reader.isAtEnd || whole.remaining > 0) throw damaged('it has more than its state');
-  return { domain, operations, start, goal, radius, algorithm, view };
+  return { domain, ...(yDown && { yDown }), operations, start, goal, radius, algorithm, view };
 }
 
 /** Returns the text of a link: only letters, digits, `-` and `_`. */

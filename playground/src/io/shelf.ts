@@ -17,6 +17,9 @@ function arena(): ParsedWorld {
   return { ...readWws(highground), start: [90, 80], goal: [422, 304], radius: 2 };
 }
 
+// What other libraries do was measured in Node with poly2tri 1.5.0, cdt2d 1.0.0, earcut 3.2.4, Delaunator 5.1.0 and
+// Constrainautor 4.1.0, which got the corners and sides of the items without preparation. Several of them document that they
+// want sides without crossings and points without repetition.
 export const examples: readonly Example[] = [
   {
     id: 'arena',
@@ -45,7 +48,7 @@ export const examples: readonly Example[] = [
   {
     id: 'squares',
     title: 'Random squares',
-    line: '600 squares that do not touch.',
+    line: 'Scenes like those of the thesis: 600 squares that do not touch.',
     load: scenes.squares,
   },
   {
@@ -69,55 +72,55 @@ export const examples: readonly Example[] = [
   {
     id: 'overlaps',
     title: 'Collinear overlaps',
-    line: 'Walls share parts of their lines. poly2tri stops with "Collinear not supported".',
+    line: 'Walls share parts of their lines. poly2tri, Constrainautor and cdt2d end with errors.',
     load: horrors.overlaps,
   },
   {
     id: 'near-crossings',
     title: 'Almost one crossing',
-    line: 'LINE',
+    line: '48 walls cross in almost one point. cdt2d wants the crossings beforehand, and loses 45 walls without an error.',
     load: horrors.nearCrossings,
   },
   {
     id: 'circle',
     title: 'All points on a circle',
-    line: 'LINE',
+    line: '324 points on one circle: every in-circle test is 0. In plain doubles, 19 % of these tests are wrong.',
     load: horrors.circle,
   },
   {
     id: 'slivers',
     title: 'Slivers',
-    line: 'LINE',
+    line: 'Triangles 10^15 long and 2^-99 wide. cdt2d loses half of the walls, and poly2tri throws an error.',
     load: horrors.slivers,
   },
   {
     id: 'neighbouring-doubles',
     title: 'Neighbouring doubles',
-    line: 'LINE',
+    line: '225 points, each the next double of its neighbour. Delaunator drops 15 of them without an error.',
     load: horrors.neighbouringDoubles,
   },
   {
     id: 'identical',
     title: 'Identical polygons',
-    line: 'LINE',
+    line: 'One polygon 60 times, in both directions. poly2tri does not take a point twice, and throws an error.',
     load: horrors.identical,
   },
   {
     id: 'combs',
     title: 'Two combs',
-    line: 'LINE',
+    line: 'Two combs with gaps of 1/32 between their 400 teeth. The disc fits exactly.',
     load: horrors.combs,
   },
   {
     id: 'nested',
     title: 'Nested contours',
-    line: 'LINE',
+    line: '50 rings in each other, and squares that touch in points. earcut finds 1,548 of the 5,100 units of area.',
     load: horrors.nested,
   },
   {
     id: 'star',
     title: 'A star that crosses itself',
-    line: 'LINE',
+    line: '31 sides that all cross each other, with both fill rules. earcut is wrong by 89 % of the area.',
     load: horrors.star,
   },
 ];

@@ -1,4 +1,4 @@
-import { onCircle, Random } from './numbers';
+import { onCircle, Random, rounded } from './numbers';
 import { polygon, segment, square } from './shelf_scenes';
 import type { Item, ParsedWorld, XY } from './types';
 
@@ -77,7 +77,7 @@ export function neighbouringDoubles(): ParsedWorld {
 export function identical(): ParsedWorld {
   const ring = Array.from({ length: 12 }, (_, i): XY => {
     const [x, y] = onCircle(i / 12);
-    return [Math.round(400 * x) / 10, Math.round(400 * y) / 10];
+    return [rounded(40 * x, 10), rounded(40 * y, 10)];
   });
   const items = Array.from({ length: 60 }, (_, i) => {
     const turned = [...ring.slice(i % 12), ...ring.slice(0, i % 12)];
@@ -117,7 +117,7 @@ export function star(): ParsedWorld {
   const ring = (centre: number): XY[] =>
     Array.from({ length: corners }, (_, i): XY => {
       const [x, y] = onCircle(((i * step) % corners) / corners);
-      return [centre + Math.round(4500 * x) / 100, Math.round(4500 * y) / 100];
+      return [rounded(centre + 45 * x, 100), rounded(45 * y, 100)];
     });
   const items: Item[] = [polygon(ring(-50)), { kind: 'polygon', rings: [ring(50)], fill: 'nonzero' }];
   return { items, domain: [-110, -60, 110, 60], start: [-100, 0], goal: [100, 0] };

@@ -37,7 +37,7 @@ class City {
 
   private at({ origin, axis }: Frame, u: number, v: number): XY {
     const x = origin[0] + u * axis[0] - v * axis[1];
-    return [rounded(x, 0.25), rounded(origin[1] + u * axis[1] + v * axis[0], 0.25)];
+    return [rounded(x, 4), rounded(origin[1] + u * axis[1] + v * axis[0], 4)];
   }
 
   private ring(frame: Frame, corners: readonly XY[]): XY[] {

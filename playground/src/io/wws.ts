@@ -1,13 +1,32 @@
 import { ringsOf } from './items';
 import type { Domain, Item, ItemId, Operation, ParsedWorld, XY } from './types';
 
+/** Returns a number without an exponent. Above 2^53, all its digits count. */
+function fixedText(size: number, digits: string, exponent: number): string {
+  if (exponent < 0) return `0.${'0'.repeat(-exponent - 1)}${digits}`;
+  if (digits.length > exponent + 1) return `${digits.slice(0, exponent + 1)}.${digits.slice(exponent + 1)}`;
+  return String(BigInt(size));
+}
+
 /**
- * Returns the shortest decimal number that reads back as the same double, and `0` for -0. Infinity and NaN become the words
- * that world scripts have for them.
+ * Returns the shortest decimal number that reads back as the same double, and `0` for -0, as the native library writes it.
+ * Infinity and NaN become the words that world scripts have for them.
  */
 export function numberText(value: number): string {
-  if (Number.isFinite(value)) return String(value + 0);
-  return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
+  const size = Math.abs(value);
+  const [mantissa, exponentText] = size.toExponential().split('e') as [string, string];
+  const exponent = Number(exponentText);
+  const scientific = `${mantissa}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
+  const digits = mantissa.replace('.', '');
+  // A number without an exponent is chosen by its length, before a text of many digits is made.
+  const isFixed = fixedLength(digits.length, exponent) <= scientific.length;
+  return `${value < 0 ? '-' : ''}${isFixed ? fixedText(size, digits, exponent) : scientific}`;
+}
+
+function fixedLength(digitCount: number, exponent: number): number {
+  if (exponent < 0) return digitCount + 1 - exponent;
+  return digitCount > exponent + 1 ? digitCount + 1 : exponent + 1;
 }
 
 function numbersText(values: readonly number[]): string {

@@ -197,7 +197,6 @@ test('random items survive a script', () => {
     });
     const [far, operations] = [2 ** 100, operationsOf({ items: list })];
     const world = parse('a.wws', writeWws([-far, -far, far, far], operations));
-    // -0 became 0; deepEqual does not tell them apart, and every other difference shows.
     assert.deepEqual(world.operations, operations, `seed ${seed}`);
     assert.deepEqual(world.items, list);
   }
@@ -209,8 +208,9 @@ test('numbers are written in their shortest form', () => {
     const value = random.coordinate();
     assert.ok(Object.is(Number(numberText(value)), value + 0));
   }
-  const expected = ['0', '1e+21', '7.888609052210118e-31', 'inf', 'nan'];
-  assert.deepEqual([-0, 1e21, 2 ** -100, Infinity, NaN].map(numberText), expected);
+  const expected = ['0', '1e+21', '7.888609052210118e-31', '-0.5', '10000', '1e+05', '0.001', '1e-04', '-2.5', 'inf', 'nan'];
+  const values = [-0, 1e21, 2 ** -100, -0.5, 1e4, 1e5, 1e-3, 1e-4, -2.5, Infinity, NaN];
+  assert.deepEqual(values.map(numberText), expected);
 });
 
 test('the domain around items lies outside them, also at the ends of the range', () => {
