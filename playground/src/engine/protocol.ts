@@ -1,0 +1,173 @@
+// What the page and the worker with the engine say to each other.
+import type { PathAlgorithm, PathStatus } from 'waywright';
+import type { Bounds, Shape } from '../model/shape';
+
+export interface XY {
+  readonly x: number;
+  readonly y: number;
+}
+
+export const ALGORITHMS: readonly PathAlgorithm[] = ['optimal', 'ta', 'tra'];
+
+/** The new shape of an item. Null removes the item. */
+export interface WireChange {
+  readonly id: number;
+  /** Whether the item exists before the change. */
+  readonly exists: boolean;
+  readonly after: Shape | null;
+}
+
+/** Items: `shapes[i]` has the id `ids[i]`. */
+export interface PackedItems {
+  readonly ids: Float64Array;
+  readonly shapes: readonly Shape[];
+}
+
+export interface WorldSummary {
+  readonly itemCount: number;
+  readonly vertexCount: number;
+  readonly triangleCount: number;
+  readonly version: number;
+  readonly memory: number;
+  readonly milliseconds: number;
+}
+
+export interface RouteQuery {
+  readonly start: XY;
+  readonly goal: XY;
+  readonly radius: number;
+  readonly algorithms: readonly PathAlgorithm[];
+  readonly wantsWidest: boolean;
+  readonly wantsChannel: boolean;
+  /** Whether to repeat each search until its time is known well. */
+  readonly measures: boolean;
+}
+
+export interface Route {
+  readonly algorithm: PathAlgorithm;
+  readonly status: PathStatus;
+  readonly length: number;
+  readonly lowerBound: number;
+  readonly expansions: number;
+  readonly milliseconds: number;
+  /** x, y of each point; arcs are flattened. */
+  readonly line: Float64Array;
+  /** The edges that the path crosses: four numbers for each. */
+  readonly channel: Float64Array | null;
+}
+
+/** The largest disc that gets through, and the gap that limits it. */
+export interface Gap {
+  readonly isConnected: boolean;
+  readonly isLimited: boolean;
+  readonly radius: number;
+  readonly from: XY;
+  readonly to: XY;
+  readonly fromItems: readonly number[];
+  readonly toItems: readonly number[];
+  /** The path of this largest disc. */
+  readonly line: Float64Array | null;
+}
+
+export interface RouteAnswer {
+  readonly radius: number;
+  readonly routes: readonly Route[];
+  readonly gap: Gap | null;
+  /** The items that block an end. */
+  readonly blockers: readonly number[];
+}
+
+export interface EditAnswer {
+  readonly summary: WorldSummary;
+  readonly routes: RouteAnswer | null;
+  /** The boxes that the change has touched. */
+  readonly touched: readonly Bounds[];
+}
+
+export interface Hashes {
+  readonly items: string;
+  readonly mesh: string;
+  readonly version: number;
+}
+
+export interface MeshAnswer {
+  readonly version: number;
+  readonly vertices: Float64Array;
+  readonly triangles: Uint32Array;
+  /** The indices of the two ends of each edge that is not constrained. */
+  readonly edges: Uint32Array;
+  /** For each triangle: the number of its component, or -1 under a polygon. */
+  readonly components: Int32Array;
+  readonly componentCount: number;
+  /** For each triangle: 0 under a polygon, 1 dead end, 2 corridor, 3 junction, 4 open region. */
+  readonly levels: Uint8Array;
+}
+
+export interface FilmFrame {
+  readonly isDone: boolean;
+  readonly expansions: number;
+  readonly length: number;
+  readonly lowerBound: number;
+  readonly status: PathStatus;
+  readonly line: Float64Array;
+  readonly channel: Float64Array;
+}
+
+export interface CrowdOptions {
+  readonly count: number;
+  /** Five radii, ascending. */
+  readonly radii: readonly number[];
+  readonly algorithm: PathAlgorithm;
+  /** Units of length per second. */
+  readonly speed: number;
+}
+
+export interface CrowdStats {
+  readonly units: number;
+  readonly walking: number;
+  readonly waiting: number;
+  readonly stuck: number;
+  /** The searches of this tick. */
+  readonly searches: number;
+  readonly searchMilliseconds: number;
+  readonly tickMilliseconds: number;
+  readonly milliseconds95: number;
+}
+
+/** What the worker says without a question. */
+export type EngineEvent =
+  | { readonly event: 'progress'; readonly done: number; readonly total: number }
+  | { readonly event: 'crowd'; readonly states: Float32Array; readonly stats: CrowdStats };
+
+/** The questions of the page. */
+export interface EngineApi {
+  load(module: ArrayBuffer | string): string;
+  open(domain: Bounds, items: PackedItems): WorldSummary;
+  edit(changes: readonly WireChange[], query: RouteQuery | null): EditAnswer;
+  routes(query: RouteQuery): RouteAnswer;
+  hashes(): Hashes;
+  validate(): { readonly isValid: boolean; readonly fault: string; readonly milliseconds: number };
+  mesh(): MeshAnswer;
+  svg(query: RouteQuery | null, dark: boolean): string;
+  filmBegin(query: RouteQuery): void;
+  filmStep(expansions: number): FilmFrame;
+  crowdStart(options: CrowdOptions): Float32Array;
+  crowdStop(): void;
+  crash(): void;
+}
+
+export interface Request {
+  readonly seq: number;
+  readonly name: keyof EngineApi;
+  readonly args: readonly unknown[];
+}
+
+export interface Failure {
+  readonly code: string;
+  readonly message: string;
+  readonly item: number | null;
+}
+
+export type Response =
+  | { readonly seq: number; readonly value: unknown }
+  | { readonly seq: number; readonly failure: Failure };

@@ -1,0 +1,75 @@
+// Path queries of the page.
+import { Path, type PathAlgorithm, type World } from 'waywright';
+import type { FilmFrame, Gap, Route, RouteAnswer, RouteQuery, XY } from './protocol';
+
+/** How long the repetitions of one search may take, in milliseconds. */
+const MEASURE_MILLISECONDS = 8;
+const MOST_REPETITIONS = 200;
+
+const numbers = (ids: readonly (number | bigint)[]): number[] => ids.map(Number);
+
+/** How far the drawn points may be from the arcs of a path. */
+export function drawTolerance(world: World): number {
+  const { min, max } = world.domain;
+  return Math.max(max.x - min.x, max.y - min.y) / 20000;
+}
+
+export function lineOf(path: Path, tolerance: number): Float64Array {
+  return path.isFound ? path.polyline(tolerance) : new Float64Array(0);
+}
+
+export class Router {
+  private readonly path = new Path();
+  private readonly widePath = new Path();
+
+  answer(world: World, query: RouteQuery): RouteAnswer {
+    const routes = query.algorithms.map((algorithm) => this.route(world, query, algorithm));
+    const blockers = numbers(this.path.blockers());
+    const isMissing = routes.some(({ status }) => status === 'no-path');
+    const gap = query.wantsWidest || isMissing ? this.gap(world, query.start, query.goal) : null;
+    return { radius: query.radius, routes, gap, blockers };
+  }
+
+  private route(world: World, query: RouteQuery, algorithm: PathAlgorithm): Route {
+    const { start, goal, radius, wantsChannel } = query;
+    const asked = { start, goal, radius, algorithm, wantsChannel };
+    const begin = performance.now();
+    const { path } = this;
+    world.findPath(asked, path);
+    let milliseconds = performance.now() - begin;
+    if (query.measures) milliseconds = this.measure(world, { ...asked, wantsChannel: false }, milliseconds);
+    const { status, length, lowerBound, expansions } = path.info;
+    const line = lineOf(path, drawTolerance(world));
+    return { algorithm, status, length, lowerBound, expansions, milliseconds, line,
+      channel: wantsChannel && path.isFound ? path.channel() : null };
+  }
+
+  /** Repeats a search, because the clock of a browser is coarse. Returns the mean time. */
+  private measure(world: World, query: Parameters<World['findPath']>[0], first: number): number {
+    const count = Math.min(MOST_REPETITIONS, Math.floor(MEASURE_MILLISECONDS / Math.max(first, 0.02)));
+    if (count < 2) return first;
+    const begin = performance.now();
+    for (let i = 0; i < count; ++i) world.findPath(query, this.widePath);
+    return (performance.now() - begin) / count;
+  }
+
+  private gap(world: World, start: XY, goal: XY): Gap {
+    const { isConnected, isLimited, radius, from, to, fromItems, toItems } = world.widestPath(start, goal);
+    const line = isConnected && isLimited ? this.widestLine(world, start, goal, radius) : null;
+    return { isConnected, isLimited, radius, from, to, fromItems: numbers(fromItems), toItems: numbers(toItems), line };
+  }
+
+  private widestLine(world: World, start: XY, goal: XY, radius: number): Float64Array | null {
+    const path = world.findPath({ start, goal, radius }, this.widePath);
+    return path.isFound ? lineOf(path, drawTolerance(world)) : null;
+  }
+}
+
+export function filmFrame(path: Path, isDone: boolean, tolerance: number): FilmFrame {
+  const { status, length, lowerBound, expansions } = path.info;
+  return {
+    isDone, status, length, lowerBound, expansions,
+    line: lineOf(path, tolerance),
+    channel: path.isFound ? path.channel() : new Float64Array(0),
+  };
+}

@@ -1,0 +1,146 @@
+// Opens files, examples and links, and saves.
+import { parseFile } from '../io/formats';
+import { decodeShare } from '../io/share';
+import { examples, type Example } from '../io/shelf';
+import { linkOf, type Opened, openParsed, openShared, scriptOf } from '../model/convert';
+import type { Session } from '../model/session';
+import type { View } from '../view/view';
+import { h, icon } from './dom';
+import type { Messages } from './messages';
+
+/** Longer links do not survive all mail programs and chats. */
+const LONG_LINK = 30_000;
+const LARGEST_LINK = 1_500_000;
+
+export function download(name: string, text: string, type: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  const link = h('a', { href: url, download: name });
+  link.click();
+  window.setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+export class Files {
+  readonly input = h('input', { type: 'file', hidden: true, accept: '.wws,.map,.poly,.node,.json,.geojson', 'aria-label': 'File' });
+  readonly shelf = h('dialog', { 'aria-label': 'Examples' });
+  readonly dropArea = h('div', { className: 'drop', hidden: true }, 'Drop a world here');
+  private readonly session: Session;
+  private readonly view: View;
+  private readonly messages: Messages;
+  private readonly fit: () => void;
+
+  constructor(session: Session, view: View, messages: Messages, fit: () => void) {
+    this.session = session;
+    this.view = view;
+    this.messages = messages;
+    this.fit = fit;
+    this.input.addEventListener('change', () => {
+      const [file] = this.input.files ?? [];
+      if (file !== undefined) void this.openFile(file);
+      this.input.value = '';
+    });
+    this.buildShelf();
+    this.listenForDrops();
+    window.addEventListener('hashchange', () => void this.openLink(location.hash));
+  }
+
+  private buildShelf(): void {
+    const close = h('button', { 'aria-label': 'Close', onclick: () => this.shelf.close() }, icon('close', 18));
+    const buttons = examples.map((example) => {
+      const button = h('button', {}, h('strong', {}, example.title), h('span', {}, example.line));
+      button.addEventListener('click', () => {
+        this.shelf.close();
+        void this.openExample(example);
+      });
+      return button;
+    });
+    this.shelf.append(h('header', {}, h('h2', {}, 'Examples'), close), h('div', { className: 'body' }, h('div', { className: 'shelf' }, ...buttons)));
+  }
+
+  private listenForDrops(): void {
+    const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
+    window.addEventListener('dragover', (event) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      this.dropArea.hidden = false;
+    });
+    window.addEventListener('dragleave', (event) => {
+      if (event.relatedTarget === null) this.dropArea.hidden = true;
+    });
+    window.addEventListener('drop', (event) => {
+      event.preventDefault();
+      this.dropArea.hidden = true;
+      const file = event.dataTransfer?.files[0];
+      if (file !== undefined) void this.openFile(file);
+    });
+  }
+
+  /** Opens a world. If it cannot be read or built, the page keeps its world and says why. */
+  private async open(name: string, read: () => Opened | Promise<Opened>, after: () => void = this.fit): Promise<boolean> {
+    try {
+      const { document, ends } = await read();
+      await this.session.open(document, ends);
+      if (this.session.document !== document) return false;
+      after();
+      this.messages.say(`${name} is open: ${document.items.size} items`);
+      return true;
+    } catch (reason) {
+      this.messages.toast(`${name}: ${reason instanceof Error ? reason.message : String(reason)} The world on the page has not changed.`);
+      return false;
+    }
+  }
+
+  async openFile(file: File): Promise<boolean> {
+    return this.open(file.name, async () => openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name));
+  }
+
+  openExample(example: Example): Promise<boolean> {
+    if (location.hash !== '') history.replaceState(null, '', location.pathname + location.search);
+    return this.open(example.title, () => openParsed(example.load(), example.title));
+  }
+
+  /** Opens the world of a link. Returns false if there is none, or if it is damaged. */
+  async openLink(hash: string): Promise<boolean> {
+    const text = hash.replace(/^#/, '');
+    if (text === '') return false;
+    const example = examples.find(({ id }) => `example=${id}` === text);
+    if (example !== undefined) return this.open(example.title, () => openParsed(example.load(), example.title));
+    const state = await decodeShare(text).catch((reason: Error) => reason);
+    if (state instanceof Error) {
+      this.messages.toast(`The link: ${state.message}`);
+      return false;
+    }
+    const restoreView = (): void => {
+      this.fit();
+      if (state.view !== null) Object.assign(this.view.camera, state.view);
+      this.session.algorithm = state.algorithm;
+      this.view.refresh();
+    };
+    return this.open('The link', () => openShared(state), restoreView);
+  }
+
+  async share(): Promise<string | null> {
+    const { x, y, scale } = this.view.camera;
+    const text = await linkOf(this.session, { x, y, scale });
+    if (text.length > LARGEST_LINK) {
+      this.messages.toast('This world is too large for a link. Save it as .wws, and send the file.');
+      return null;
+    }
+    const address = new URL(`#${text}`, location.href).href;
+    history.replaceState(null, '', address);
+    const isCopied = await navigator.clipboard?.writeText(address).then(() => true, () => false);
+    const length = text.length > LONG_LINK ? ` It has ${text.length.toLocaleString('en')} characters: some programs cut it.` : '';
+    this.messages.toast((isCopied === true ? 'The link is copied. It contains the whole world.' : 'The link is in the address bar.') + length);
+    return address;
+  }
+
+  saveScript(): void {
+    download('world.wws', scriptOf(this.session), 'text/plain');
+  }
+
+  async saveSvg(): Promise<void> {
+    const isDark = document.documentElement.dataset['theme'] === 'dark';
+    const { session } = this;
+    const text = await session.after(() => session.engine.ask('svg', session.query, isDark));
+    if (text !== undefined) download('world.svg', text, 'image/svg+xml');
+  }
+}
