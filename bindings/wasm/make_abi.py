@@ -13,9 +13,10 @@ import sys
 from pathlib import Path
 
 # What JavaScript does itself: it reads and writes files. The functions with functions of C as parameters, which module.h
-# replaces.
+# replaces. Snapshots for other threads: the module has one thread.
 OMITTED = re.compile(
     r"ww_set_allocator|ww_scene_read|\w*_file|ww_world_save|ww_world_load|ww_world_attempt|ww_replay_writer_create|ww_replay_run"
+    r"|ww_world_publish|ww_snapshot_\w+"
 )
 SIZES = {"double": 8, "uint64_t": 8, "int64_t": 8, "uint32_t": 4, "int32_t": 4, "size_t": 4, "uint8_t": 1, "char": 1}
 

@@ -98,6 +98,8 @@ const actions = {
     if (itemsHash === null || itemsHash === computed) return undefined;
     return { tick, same: false, expected: itemsHash, computed };
   },
+  mark: (world) => void world.mark(),
+  rewind: (world, { tick }) => world.rewind(tick),
   hash: (world) => ({ items: world.itemsHash(), mesh: world.meshHash() }),
 };
 
@@ -122,6 +124,7 @@ export function runScript(text, name) {
   const lines = Array.from({ length: script.length }, (_, i) => script.line(i));
   const needsBridges = lines.some((line) => (line.kind === 'path' || line.hasGoal) && line.radius > 0);
   const world = new World(script.domain, { keepBridges: needsBridges });
+  world.keepHistory(lines.length);
   const answers = [];
   lines.forEach((line, i) => {
     script.item(i, used.items);

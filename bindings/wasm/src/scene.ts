@@ -107,9 +107,11 @@ export class Scene extends Handle {
 }
 
 export type ScriptLineKind =
-  | 'insert' | 'remove' | 'replace' | 'locate' | 'ray' | 'disc' | 'nearest' | 'path' | 'check' | 'hash' | 'clear' | 'tick';
+  | 'insert' | 'remove' | 'replace' | 'locate' | 'ray' | 'disc' | 'nearest' | 'path' | 'check' | 'hash' | 'clear' | 'tick'
+  | 'mark' | 'rewind';
 export const SCRIPT_LINE_KINDS = [
-  'insert', 'remove', 'replace', 'locate', 'ray', 'disc', 'nearest', 'path', 'check', 'hash', 'clear', 'tick',
+  'insert', 'remove', 'replace', 'locate', 'ray', 'disc', 'nearest', 'path', 'check', 'hash', 'clear', 'tick', 'mark',
+  'rewind',
 ] as const;
 
 /** One line of a world script. `Script.item` gives the shape of an insertion or a replacement. */
@@ -130,8 +132,9 @@ export interface ScriptLine {
   readonly algorithm: PathAlgorithm | null;
   readonly endTolerance: number | null;
   readonly hasGoal: boolean;
-  /** Of a line `tick`: its number, and the hash of the items, or null if it has none. */
+  /** Of a line `tick`: its number. Of a line `mark` or `rewind`: the tick of `World.mark`. */
   readonly tick: number;
+  /** Of a line `tick`: the hash of the items, or null if it has none. */
   readonly itemsHash: string | null;
 }
 
