@@ -99,15 +99,20 @@ QUERIES = {
     "tick": tick,
 }
 
+CHANGES = {
+    "remove": lambda world, line: world.remove(line.id),
+    "replace": lambda world, line: world.replace(line.id, line.shape),
+    "mark": lambda world, line: world.mark(),
+    "rewind": lambda world, line: world.rewind(line.tick),
+}
+
 
 def carry_out(world, line):
     """Makes the change of a line, or returns the answer of its query."""
     if line.word in QUERIES:
         return QUERIES[line.word](world, line)
-    if line.word == "remove":
-        world.remove(line.id)
-    elif line.word == "replace":
-        world.replace(line.id, line.shape)
+    if line.word in CHANGES:
+        CHANGES[line.word](world, line)
     else:
         world.insert(line.shape, line.id)
     return None
@@ -118,6 +123,7 @@ def answers(text, name):
     script = waywright.parse_script(text, name)
     needs_bridges = any((line.word == "path" or line.has_goal) and line.radius > 0 for line in script.lines)
     world = waywright.World(script.domain, keep_bridges=needs_bridges)
+    world.keep_history(sum(line.word == "mark" for line in script.lines))
     for line in script.lines:
         try:
             answer = carry_out(world, line)

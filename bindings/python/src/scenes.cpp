@@ -79,7 +79,7 @@ void bind_script_line(py::module_& module) {
           "end_tolerance", [](const ScriptLine& self) { return self.end_tolerance; },
           "The tolerance of a 'path', or None.")
       .def_property_readonly(
-          "tick", [](const ScriptLine& self) { return self.tick; }, "The number of a 'tick'.")
+          "tick", [](const ScriptLine& self) { return self.tick; }, "The number of a 'tick', 'mark' or 'rewind'.")
       .def_property_readonly(
           "items_hash", [](const ScriptLine& self) { return self.items_hash; }, "The hash of a 'tick', or None.")
       .def("__repr__", [](const ScriptLine& self) {
