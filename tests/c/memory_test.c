@@ -8,7 +8,8 @@
 #include "check.h"
 #include "scene.h"
 
-/* A counting allocator. It remembers the alignment of each block in front of the block. */
+/* A counting allocator. It remembers the alignment of each block in front of the block. The library calls it from
+   several threads at once, so the counters change atomically. */
 static size_t live_blocks = 0;
 static size_t allocations = 0;
 static size_t failing_allocation = 0; /* counted from 1; 0 for none */
@@ -16,20 +17,22 @@ static int fails_from_then_on = 0;
 static size_t failures = 0;
 enum { kHeader = 64 };
 
+static size_t increase(size_t* counter) { return __atomic_add_fetch(counter, 1, __ATOMIC_RELAXED); }
+
 static void* allocate(size_t size, size_t alignment, void* user_data) {
   unsigned char* block = NULL;
+  const size_t allocation = increase(&allocations);
   CHECK(user_data == &live_blocks && size > 0 && alignment > 0 && alignment <= kHeader);
-  ++allocations;
   if (failing_allocation != 0 &&
-      (allocations == failing_allocation || (fails_from_then_on && allocations > failing_allocation))) {
-    ++failures;
+      (allocation == failing_allocation || (fails_from_then_on && allocation > failing_allocation))) {
+    increase(&failures);
     return NULL;
   }
   block = malloc(size + kHeader);
   if (block == NULL) return NULL;
   memcpy(block, &alignment, sizeof alignment);
   memset(block + kHeader, 0xA5, size); /* the library must not rely on zeros */
-  ++live_blocks;
+  increase(&live_blocks);
   return block + kHeader;
 }
 
@@ -38,7 +41,7 @@ static void deallocate(void* memory, size_t alignment, void* user_data) {
   size_t allocated_for = 0;
   memcpy(&allocated_for, block, sizeof allocated_for);
   CHECK(user_data == &live_blocks && alignment == allocated_for);
-  --live_blocks;
+  __atomic_sub_fetch(&live_blocks, 1, __ATOMIC_RELAXED);
   free(block);
 }
 
