@@ -323,6 +323,17 @@ test('files of each format open', async () => {
   noErrors();
 });
 
+test('the page names the lines of a script that have no effect', async () => {
+  await fresh();
+  const text = 'waywright 1\ndomain 0 0 10 10\npoint 1 1 1\npoint 1 2 2\nremove 7\n';
+  await page.locator('input[type=file]').setInputFiles({ name: 'twice.wws', mimeType: 'text/plain', buffer: Buffer.from(text) });
+  const toast = page.locator('.toast', { hasText: 'twice.wws' });
+  await toast.waitFor();
+  assert.match(await toast.textContent(), /2 lines .*line 4: an item has id 1 already; line 5: no item has id 7\./);
+  assert.equal(await itemCount(), 1);
+  noErrors();
+});
+
 test('after a crash of the module the page restores the last world', async () => {
   await empty();
   await page.keyboard.press('b');

@@ -54,14 +54,6 @@ export interface Opened {
   readonly ends: Ends;
 }
 
-/** The document of a file or an example. */
-export function openParsed(world: ParsedWorld, title: string): Opened {
-  const items = world.items.map((item, i): IdentifiedShape => [toNumber(world.ids?.[i] ?? i + 1), toShape(item)]);
-  const domain: Bounds = world.domain ?? domainAround(world.items);
-  const document = new Document(domain, items, title, world.yDown ?? false);
-  return { document, ends: endsFor(domain, world) };
-}
-
 /** The changes of an operation. The document has its state before it. */
 function changeOf(document: Document, operation: Operation): Change | null {
   if (operation.kind !== 'insert' && operation.kind !== 'replace' && operation.kind !== 'remove') return null;
@@ -80,13 +72,13 @@ function groups(operations: readonly Operation[]): Operation[][] {
   return result;
 }
 
-/** The document of a link, with its log. */
-export function openShared(state: ShareState): Opened {
-  const [first, ...rest] = groups(state.operations);
-  const items: IdentifiedShape[] = [];
-  for (const operation of first!) if (operation.kind === 'insert') items.push([toNumber(operation.id), toShape(operation.item)]);
-  const document = new Document(state.domain, items, 'from a link');
-  for (const group of rest) {
+/**
+ * The document after operations. Its log has a step for each tick: the operations before the first tick make the world at
+ * the beginning of the log.
+ */
+function replay(domain: Bounds, operations: readonly Operation[], title: string, yDown: boolean): Document {
+  const document = new Document(domain, [], title, yDown);
+  groups(operations).forEach((group, i) => {
     const changes: Change[] = [];
     for (const operation of group) {
       const change = changeOf(document, operation);
@@ -94,17 +86,40 @@ export function openShared(state: ShareState): Opened {
       changes.push(change);
       document.set(change.id, change.after);
     }
-    if (changes.length > 0) document.record({ label: labelOf(changes), changes });
-  }
+    if (i > 0 && changes.length > 0) document.record({ label: labelOf(changes), changes });
+  });
+  return document;
+}
+
+/** Whether the log of the page can show the operations step by step: the page has no marks. */
+function hasSteps(operations: readonly Operation[]): boolean {
+  const has = (...kinds: Operation['kind'][]): boolean => operations.some(({ kind }) => kinds.includes(kind));
+  return has('tick') && !has('mark', 'rewind');
+}
+
+/** The document of a file or an example. */
+export function openParsed(world: ParsedWorld, title: string): Opened {
+  const domain: Bounds = world.domain ?? domainAround(world.items);
+  const ends = endsFor(domain, world);
+  const { operations = [], yDown = false } = world;
+  if (hasSteps(operations)) return { document: replay(domain, operations, title, yDown), ends };
+  const items = world.items.map((item, i): IdentifiedShape => [toNumber(world.ids?.[i] ?? i + 1), toShape(item)]);
+  const document = new Document(domain, items, title, yDown);
+  for (const operation of operations) if (operation.kind === 'insert') document.reserveId(toNumber(operation.id));
+  return { document, ends };
+}
+
+/** The document of a link, with its log. */
+export function openShared(state: ShareState): Opened {
+  const document = replay(state.domain, state.operations, 'from a link', state.yDown ?? false);
   return { document, ends: endsFor(state.domain, state) };
 }
 
 function labelOf(changes: readonly Change[]): string {
-  const [first] = changes;
-  if (first === undefined) return 'nothing';
-  const what = changes.length === 1 ? (first.after ?? first.before)!.kind : `${changes.length} items`;
-  if (first.before === null) return `insert ${what}`;
-  return first.after === null ? `remove ${what}` : `move ${what}`;
+  const what = changes.length === 1 ? (changes[0]!.after ?? changes[0]!.before)!.kind : `${changes.length} items`;
+  if (changes.every(({ before }) => before === null)) return `insert ${what}`;
+  if (changes.every(({ after }) => after === null)) return `remove ${what}`;
+  return changes.every(({ before, after }) => before !== null && after !== null) ? `move ${what}` : `change ${what}`;
 }
 
 function operationOf({ id, before, after }: Change): Operation {
@@ -138,6 +153,7 @@ export function linkOf(session: Session, view: SharedView | null): Promise<strin
   const { document, ends, algorithm } = session;
   return encodeShare({
     domain: document.domain as Domain,
+    yDown: document.yDown,
     operations: operationsOf(document),
     start: toPair(ends.start),
     goal: toPair(ends.goal),

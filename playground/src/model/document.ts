@@ -52,7 +52,12 @@ export class Document {
     }
     this.items.set(id, shape);
     this.grid.set(id, boundsOf(shape));
-    if (id >= this.nextId) this.nextId = id + 1;
+    this.reserveId(id);
+  }
+
+  /** Makes sure that no new item gets this id or a smaller one. */
+  reserveId(id: number): void {
+    this.nextId = Math.max(this.nextId, id + 1);
   }
 
   takeId(): number {

@@ -2,6 +2,7 @@
 import { parseFile } from '../io/formats';
 import { decodeShare } from '../io/share';
 import { examples, type Example } from '../io/shelf';
+import type { RefusedLine } from '../io/types';
 import { linkOf, type Opened, openParsed, openShared, scriptOf } from '../model/convert';
 import type { Session } from '../model/session';
 import type { View } from '../view/view';
@@ -11,6 +12,7 @@ import type { Messages } from './messages';
 /** Longer links do not survive all mail programs and chats. */
 const LONG_LINK = 30_000;
 const LARGEST_LINK = 1_500_000;
+const MOST_REFUSED_SHOWN = 3;
 
 export function download(name: string, text: string, type: string): void {
   const url = URL.createObjectURL(new Blob([text], { type }));
@@ -90,7 +92,22 @@ export class Files {
   }
 
   async openFile(file: File): Promise<boolean> {
-    return this.open(file.name, async () => openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name));
+    let refused: readonly RefusedLine[] = [];
+    const isOpen = await this.open(file.name, async () => {
+      const world = parseFile(file.name, new Uint8Array(await file.arrayBuffer()));
+      refused = world.refused ?? [];
+      return openParsed(world, file.name);
+    });
+    if (isOpen && refused.length > 0) this.explainRefused(file.name, refused);
+    return isOpen;
+  }
+
+  /** Lists the first lines of a script that its world refuses. */
+  private explainRefused(name: string, refused: readonly RefusedLine[]): void {
+    const shown = refused.slice(0, MOST_REFUSED_SHOWN).map(({ line, reason }) => `line ${line}: ${reason}`).join('; ');
+    const more = refused.length > MOST_REFUSED_SHOWN ? `; and ${refused.length - MOST_REFUSED_SHOWN} more` : '';
+    const lines = refused.length === 1 ? 'One line' : `${refused.length} lines`;
+    this.messages.toast(`${lines} of ${name} had no effect, because a world refuses this: ${shown}${more}.`);
   }
 
   openExample(example: Example): Promise<boolean> {
