@@ -40,6 +40,7 @@ PAGE_NAME = re.compile(r"\b(docs/[\w/]+|ARCHITECTURE)\.md\b")
 CLASS = re.compile(r"^(?:enum )?(?:class|struct) (?:\[\[nodiscard\]\] )?(?:WAYWRIGHT_API\w* )?(\w+)\b(?!::|;)", re.MULTILINE)
 MEMBER = re.compile(r"`(\w+)(?:::(\w+))?`")
 BOLD_CODE = re.compile(r"\*\*`([^`*]+)`\*\*")
+LINKED_IMAGE = re.compile(r"\[(!\[[^\]]+\]\([^)\s]+\))\]\([^)\s]+\)")  # Doxygen cannot link an image
 LINK = re.compile(r"(!?)\[([^\]]+)\]\(([^)\s#]*)(?:#([^)\s]+))?\)")
 
 
@@ -126,7 +127,7 @@ def filter_page(page, text, root=Path()):
 
     pieces = FENCE.split(text)
     for i in range(0, len(pieces), 2):
-        piece = LINK.sub(link, HEADING.sub(label, pieces[i]))
+        piece = LINK.sub(link, HEADING.sub(label, LINKED_IMAGE.sub(r"\1", pieces[i])))
         pieces[i] = MEMBER.sub(member, BOLD_CODE.sub(r"<b><code>\1</code></b>", piece))
     return "".join(pieces)
 
