@@ -132,7 +132,7 @@ export class Engine implements EngineApi {
     return lookInside(this.world);
   }
 
-  svg(query: RouteQuery | null, dark: boolean): string {
+  svg(query: RouteQuery | null, dark: boolean, yDown: boolean): string {
     using overlay = new SvgOverlay();
     if (query !== null) {
       const { start, goal, radius } = query;
@@ -142,7 +142,7 @@ export class Engine implements EngineApi {
       else if (radius > 0) overlay.addDiscPath({ start, goal, radius }, path);
       else overlay.addPath(path);
     }
-    return this.world.toSvg(overlay, { theme: dark ? 'dark' : 'light', title: 'Waywright' });
+    return this.world.toSvg(overlay, { theme: dark ? 'dark' : 'light', yDown, title: 'Waywright' });
   }
 
   filmBegin(query: RouteQuery): void {

@@ -148,7 +148,7 @@ export interface EngineApi {
   hashes(): Hashes;
   validate(): { readonly isValid: boolean; readonly fault: string; readonly milliseconds: number };
   mesh(): MeshAnswer;
-  svg(query: RouteQuery | null, dark: boolean): string;
+  svg(query: RouteQuery | null, dark: boolean, yDown: boolean): string;
   filmBegin(query: RouteQuery): void;
   filmStep(expansions: number): FilmFrame;
   crowdStart(options: CrowdOptions): Float32Array;

@@ -1,10 +1,13 @@
 // Converts between files, links and the page's document.
 import { domainAround, toShape as packItem } from '../io/items';
 import { encodeShare, type ShareState, type View as SharedView } from '../io/share';
-import { InputError, type Domain, type Item, type ItemId, type Operation, type ParsedWorld, type XY as Pair } from '../io/types';
-import { writeWws } from '../io/wws';
+import {
+  InputError, type Domain, type Item, type ItemId, type Operation, type ParsedWorld, type RefusedLine, type XY as Pair,
+} from '../io/types';
+import { operationsOf as operationsOfParsed, writeWws } from '../io/wws';
 import type { XY } from '../engine/protocol';
 import { type Change, Document, type IdentifiedShape } from './document';
+import { type Reader, Replay } from './replay';
 import type { Ends, Session } from './session';
 import { type Bounds, ringRanges, type Shape } from './shape';
 
@@ -52,74 +55,26 @@ function endsFor([x0, y0, x1, y1]: Bounds, given: { start?: Pair | null; goal?: 
 export interface Opened {
   readonly document: Document;
   readonly ends: Ends;
+  /** The lines of a script that every world refuses. */
+  readonly refused: readonly RefusedLine[];
 }
 
-/** The changes of an operation. The document has its state before it. */
-function changeOf(document: Document, operation: Operation): Change | null {
-  if (operation.kind !== 'insert' && operation.kind !== 'replace' && operation.kind !== 'remove') return null;
-  const id = toNumber(operation.id);
-  const after = operation.kind === 'remove' ? null : toShape(operation.item);
-  return { id, before: document.items.get(id) ?? null, after };
-}
+const READER: Reader = { id: toNumber, shape: ({ item }) => toShape(item) };
 
-/** Splits operations at their ticks. The first group is the world at the beginning; each further one is a step of the log. */
-function groups(operations: readonly Operation[]): Operation[][] {
-  const result: Operation[][] = [[]];
-  for (const operation of operations) {
-    if (operation.kind === 'tick') result.push([]);
-    else result.at(-1)!.push(operation);
-  }
-  return result;
-}
-
-/**
- * The document after operations. Its log has a step for each tick: the operations before the first tick make the world at
- * the beginning of the log.
- */
-function replay(domain: Bounds, operations: readonly Operation[], title: string, yDown: boolean): Document {
-  const document = new Document(domain, [], title, yDown);
-  groups(operations).forEach((group, i) => {
-    const changes: Change[] = [];
-    for (const operation of group) {
-      const change = changeOf(document, operation);
-      if (change === null) continue;
-      changes.push(change);
-      document.set(change.id, change.after);
-    }
-    if (i > 0 && changes.length > 0) document.record({ label: labelOf(changes), changes });
-  });
-  return document;
-}
-
-/** Whether the log of the page can show the operations step by step: the page has no marks. */
-function hasSteps(operations: readonly Operation[]): boolean {
-  const has = (...kinds: Operation['kind'][]): boolean => operations.some(({ kind }) => kinds.includes(kind));
-  return has('tick') && !has('mark', 'rewind');
-}
-
-/** The document of a file or an example. */
+/** The document of a file or an example. The marks and ticks of a script become steps of the log. */
 export function openParsed(world: ParsedWorld, title: string): Opened {
   const domain: Bounds = world.domain ?? domainAround(world.items);
-  const ends = endsFor(domain, world);
-  const { operations = [], yDown = false } = world;
-  if (hasSteps(operations)) return { document: replay(domain, operations, title, yDown), ends };
-  const items = world.items.map((item, i): IdentifiedShape => [toNumber(world.ids?.[i] ?? i + 1), toShape(item)]);
-  const document = new Document(domain, items, title, yDown);
-  for (const operation of operations) if (operation.kind === 'insert') document.reserveId(toNumber(operation.id));
-  return { document, ends };
+  const document = new Document(domain, [], title, { yDown: world.yDown ?? false, size: world.items.length });
+  new Replay(document, READER).run(operationsOfParsed(world));
+  return { document, ends: endsFor(domain, world), refused: world.refused ?? [] };
 }
 
 /** The document of a link, with its log. */
 export function openShared(state: ShareState): Opened {
-  const document = replay(state.domain, state.operations, 'from a link', state.yDown ?? false);
-  return { document, ends: endsFor(state.domain, state) };
-}
-
-function labelOf(changes: readonly Change[]): string {
-  const what = changes.length === 1 ? (changes[0]!.after ?? changes[0]!.before)!.kind : `${changes.length} items`;
-  if (changes.every(({ before }) => before === null)) return `insert ${what}`;
-  if (changes.every(({ after }) => after === null)) return `remove ${what}`;
-  return changes.every(({ before, after }) => before !== null && after !== null) ? `move ${what}` : `change ${what}`;
+  const { domain, yDown = false, operations } = state;
+  const document = new Document(domain, [], 'from a link', { yDown, size: operations.length });
+  new Replay(document, READER).run(operations);
+  return { document, ends: endsFor(domain, state), refused: [] };
 }
 
 function operationOf({ id, before, after }: Change): Operation {

@@ -27,11 +27,11 @@ export class Document {
   private cursor_ = 0;
   nextId = 1;
 
-  constructor(domain: Bounds, items: readonly IdentifiedShape[], title: string, yDown = false) {
+  constructor(domain: Bounds, items: readonly IdentifiedShape[], title: string, { yDown = false, size = items.length } = {}) {
     this.domain = domain;
     this.title = title;
     this.yDown = yDown;
-    this.grid = new Grid(domain, Math.max(items.length, 1000));
+    this.grid = new Grid(domain, Math.max(size, 1000));
     for (const [id, shape] of items) this.set(id, shape);
   }
 
@@ -52,12 +52,7 @@ export class Document {
     }
     this.items.set(id, shape);
     this.grid.set(id, boundsOf(shape));
-    this.reserveId(id);
-  }
-
-  /** Makes sure that no new item gets this id or a smaller one. */
-  reserveId(id: number): void {
-    this.nextId = Math.max(this.nextId, id + 1);
+    if (id >= this.nextId) this.nextId = id + 1;
   }
 
   takeId(): number {

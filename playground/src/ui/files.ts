@@ -12,13 +12,20 @@ import type { Messages } from './messages';
 /** Longer links do not survive all mail programs and chats. */
 const LONG_LINK = 30_000;
 const LARGEST_LINK = 1_500_000;
-const MOST_REFUSED_SHOWN = 3;
 
 export function download(name: string, text: string, type: string): void {
   const url = URL.createObjectURL(new Blob([text], { type }));
   const link = h('a', { href: url, download: name });
   link.click();
   window.setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** Says which lines of a script the page has left out, and why. */
+function tellRefused(refused: readonly RefusedLine[]): string {
+  const told = refused.slice(0, 3).map(({ line, reason }) => `line ${line}: ${reason}`).join('; ');
+  const more = refused.length > 3 ? `; and ${refused.length - 3} more` : '';
+  const what = refused.length === 1 ? 'One line was refused, as every world does' : `${refused.length} lines were refused, as every world does`;
+  return `${what}: ${told}${more}. Everything else is open.`;
 }
 
 export class Files {
@@ -79,11 +86,12 @@ export class Files {
   /** Opens a world. If it cannot be read or built, the page keeps its world and says why. */
   private async open(name: string, read: () => Opened | Promise<Opened>, after: () => void = this.fit): Promise<boolean> {
     try {
-      const { document, ends } = await read();
+      const { document, ends, refused } = await read();
       await this.session.open(document, ends);
       if (this.session.document !== document) return false;
       after();
       this.messages.say(`${name} is open: ${document.items.size} items`);
+      if (refused.length > 0) this.messages.toast(`${name}: ${tellRefused(refused)}`);
       return true;
     } catch (reason) {
       this.messages.toast(`${name}: ${reason instanceof Error ? reason.message : String(reason)} The world on the page has not changed.`);
@@ -92,22 +100,7 @@ export class Files {
   }
 
   async openFile(file: File): Promise<boolean> {
-    let refused: readonly RefusedLine[] = [];
-    const isOpen = await this.open(file.name, async () => {
-      const world = parseFile(file.name, new Uint8Array(await file.arrayBuffer()));
-      refused = world.refused ?? [];
-      return openParsed(world, file.name);
-    });
-    if (isOpen && refused.length > 0) this.explainRefused(file.name, refused);
-    return isOpen;
-  }
-
-  /** Lists the first lines of a script that its world refuses. */
-  private explainRefused(name: string, refused: readonly RefusedLine[]): void {
-    const shown = refused.slice(0, MOST_REFUSED_SHOWN).map(({ line, reason }) => `line ${line}: ${reason}`).join('; ');
-    const more = refused.length > MOST_REFUSED_SHOWN ? `; and ${refused.length - MOST_REFUSED_SHOWN} more` : '';
-    const lines = refused.length === 1 ? 'One line' : `${refused.length} lines`;
-    this.messages.toast(`${lines} of ${name} had no effect, because a world refuses this: ${shown}${more}.`);
+    return this.open(file.name, async () => openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name));
   }
 
   openExample(example: Example): Promise<boolean> {
@@ -157,7 +150,7 @@ export class Files {
   async saveSvg(): Promise<void> {
     const isDark = document.documentElement.dataset['theme'] === 'dark';
     const { session } = this;
-    const text = await session.after(() => session.engine.ask('svg', session.query, isDark));
+    const text = await session.after(() => session.engine.ask('svg', session.query, isDark, session.document.yDown));
     if (text !== undefined) download('world.svg', text, 'image/svg+xml');
   }
 }
