@@ -286,6 +286,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   if (const std::uint32_t better = dominating_root(turn, corner, reached.root); better != kNone) {
     return go_on(better, turn.then);
   }
+  if (is_reached_sooner(turn, corner)) return;
   const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
   if (face.is_behind_wall) return;
   if (!line_.is_clear(*map_, from.end, end, turn.line, face.h)) {
@@ -365,6 +366,23 @@ std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, st
     }
   }
   return kNone;
+}
+
+/// Returns whether a path that turns around the same vertex in the other direction reaches the end of the line and is
+/// not longer there, if it continues along the circle. Then the turn is not on a shortest path: the two paths meet at a
+/// kink.
+bool DiscOptimal::is_reached_sooner(const Turn& turn, HalfEdge corner) {
+  for (std::uint32_t i = reached_at(turn.vertex, -turn.turn).root; i != kNone; i = roots_[i].next) {
+    const Root& root = roots_[i];
+    if (root.length > turn.length) continue;
+    // A path in the opposite direction with the other turn touches the circle at the same position.
+    const Point position = opposite(root.direction);
+    const int side = cross(position, turn.line.direction) >= 0.0 ? 1 : -1;
+    const double angle = turning_angle(position, turn.line.direction, side);
+    if (root.length + map_->radius * angle > turn.length) continue;
+    if (are_on_one_arc(root.corner, corner, side)) return true;
+  }
+  return false;
 }
 
 /// Returns the entry in `failed_` of the line from the same root to the same contact, or kNone.

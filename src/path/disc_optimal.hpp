@@ -125,6 +125,7 @@ class DiscOptimal {
   void push_limit(std::uint32_t index);
   void go_on(std::uint32_t root, std::uint32_t then);
   [[nodiscard]] std::uint32_t dominating_root(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
+  [[nodiscard]] bool is_reached_sooner(const Turn& turn, mesh::HalfEdge corner);
   [[nodiscard]] std::uint32_t failed_line(const Turn& turn, std::uint32_t first) const;
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
   void leave_root(std::uint32_t root, mesh::HalfEdge corner);
