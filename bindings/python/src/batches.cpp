@@ -56,8 +56,8 @@ class IdLists {
 };
 
 /// Calls `answer(world, context, chunk, query)` for each query of a batch.
-template <class Function>
-void run(const WorldHandle& self, const Batch& batch, const py::object& progress, const Function& answer) {
+template <class Handle, class Function>
+void run(const Handle& self, const Batch& batch, const py::object& progress, const Function& answer) {
   Reporter reporter(progress);
   self.read_long([&](const World& world) {
     batch.run(self.contexts(), reporter, [&](QueryContext& context, const Chunk& chunk) {
@@ -69,7 +69,8 @@ void run(const WorldHandle& self, const Batch& batch, const py::object& progress
   });
 }
 
-py::tuple cast_rays(const WorldHandle& self, const PointsArg& starts, const PointsArg& ends,
+template <class Handle>
+py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg& ends,
                     const std::optional<DoubleArray>& radius, std::size_t threads, const py::object& progress) {
   const std::size_t count = starts.size();
   check_lengths(count, ends.size(), "starts and ends must have the same length");
@@ -98,7 +99,8 @@ py::tuple cast_rays(const WorldHandle& self, const PointsArg& starts, const Poin
                         own_points(std::move(contacts)), items, offsets);
 }
 
-py::object fit_discs(const WorldHandle& self, const PointsArg& centres, const DoubleArray& radius, std::size_t threads,
+template <class Handle>
+py::object fit_discs(const Handle& self, const PointsArg& centres, const DoubleArray& radius, std::size_t threads,
                      const py::object& progress) {
   const Numbers radii(radius, centres.size(), "radius must be one number, or one for each query");
   const Batch batch(centres.size(), checked_threads(threads));
@@ -113,7 +115,8 @@ py::object fit_discs(const WorldHandle& self, const PointsArg& centres, const Do
   return own_numbers(std::move(fits)).attr("view")("bool");
 }
 
-py::tuple nearest_fits(const WorldHandle& self, const PointsArg& points, const DoubleArray& radius, double limit,
+template <class Handle>
+py::tuple nearest_fits(const Handle& self, const PointsArg& points, const DoubleArray& radius, double limit,
                        std::size_t threads, const py::object& progress) {
   const Numbers radii(radius, points.size(), "radius must be one number, or one for each query");
   const Batch batch(points.size(), checked_threads(threads));
@@ -134,8 +137,8 @@ py::tuple nearest_fits(const WorldHandle& self, const PointsArg& points, const D
                         own_numbers(std::move(distances)));
 }
 
-py::tuple items_at_all(const WorldHandle& self, const PointsArg& points, std::size_t threads,
-                       const py::object& progress) {
+template <class Handle>
+py::tuple items_at_all(const Handle& self, const PointsArg& points, std::size_t threads, const py::object& progress) {
   const Batch batch(points.size(), checked_threads(threads));
   IdLists ids(batch, points.size());
   const std::span<const Point> all = points.span();
@@ -149,7 +152,8 @@ py::tuple items_at_all(const WorldHandle& self, const PointsArg& points, std::si
   return py::make_tuple(items, offsets);
 }
 
-py::object are_clear(const WorldHandle& self, const PointsArg& starts, const PointsArg& ends, std::size_t threads,
+template <class Handle>
+py::object are_clear(const Handle& self, const PointsArg& starts, const PointsArg& ends, std::size_t threads,
                      const py::object& progress) {
   check_lengths(starts.size(), ends.size(), "starts and ends must have the same length");
   const Batch batch(starts.size(), checked_threads(threads));
@@ -167,21 +171,24 @@ py::object are_clear(const WorldHandle& self, const PointsArg& starts, const Poi
 
 }  // namespace
 
-void bind_batches(WorldClass& world) {
+template <class Class>
+void bind_batches(Class& world) {
+  using Handle = typename Class::type;
   bind_path_batches(world);
   world
-      .def("_rays", &cast_rays, py::arg("starts"), py::arg("ends"), py::arg("radius"), py::arg("threads"),
+      .def("_rays", &cast_rays<Handle>, py::arg("starts"), py::arg("ends"), py::arg("radius"), py::arg("threads"),
            py::arg("progress"))
-      .def("_nearest_fits", &nearest_fits, py::arg("points"), py::arg("radius"), py::arg("limit"), py::arg("threads"),
-           py::arg("progress"))
-      .def("_items_at_all", &items_at_all, py::arg("points"), py::arg("threads"), py::arg("progress"))
-      .def("fit_discs", &fit_discs, py::arg("centres"), py::arg("radius"), py::kw_only(), py::arg("threads") = 1,
-           py::arg("progress") = py::none(), R"(Returns an array that says for each centre whether a disc fits there.
+      .def("_nearest_fits", &nearest_fits<Handle>, py::arg("points"), py::arg("radius"), py::arg("limit"),
+           py::arg("threads"), py::arg("progress"))
+      .def("_items_at_all", &items_at_all<Handle>, py::arg("points"), py::arg("threads"), py::arg("progress"))
+      .def("fit_discs", &fit_discs<Handle>, py::arg("centres"), py::arg("radius"), py::kw_only(),
+           py::arg("threads") = 1, py::arg("progress") = py::none(),
+           R"(Returns an array that says for each centre whether a disc fits there.
 
 >>> world.fit_discs([(30, 50), (38, 50), (50, 50)], 5)
 array([ True, False, False])
 )")
-      .def("are_clear", &are_clear, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 1,
+      .def("are_clear", &are_clear<Handle>, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 1,
            py::arg("progress") = py::none(),
            R"(Returns an array that says for each segment whether a point agent can walk along it.
 
@@ -189,5 +196,8 @@ array([ True, False, False])
 array([False,  True])
 )");
 }
+
+template void bind_batches(WorldClass& world);
+template void bind_batches(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

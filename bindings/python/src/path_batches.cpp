@@ -112,8 +112,9 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
   }
 }
 
-py::tuple find_paths(const WorldHandle& self, const PointsArg& starts, const PointsArg& goals,
-                     const DoubleArray& radius, PathAlgorithm algorithm, std::optional<double> end_tolerance,
+template <class Handle>
+py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const DoubleArray& radius,
+                     PathAlgorithm algorithm, std::optional<double> end_tolerance,
                      std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
                      std::optional<double> tolerance, bool wants_points, std::size_t threads,
                      const py::object& progress) {
@@ -142,10 +143,15 @@ py::tuple find_paths(const WorldHandle& self, const PointsArg& starts, const Poi
 
 }  // namespace
 
-void bind_path_batches(WorldClass& world) {
-  world.def("_find_paths", &find_paths, py::arg("starts"), py::arg("goals"), py::arg("radius"), py::arg("algorithm"),
-            py::arg("end_tolerance"), py::arg("budget_expansions"), py::arg("budget_time"), py::arg("tolerance"),
-            py::arg("wants_points"), py::arg("threads"), py::arg("progress"));
+template <class Class>
+void bind_path_batches(Class& world) {
+  using Handle = typename Class::type;
+  world.def("_find_paths", &find_paths<Handle>, py::arg("starts"), py::arg("goals"), py::arg("radius"),
+            py::arg("algorithm"), py::arg("end_tolerance"), py::arg("budget_expansions"), py::arg("budget_time"),
+            py::arg("tolerance"), py::arg("wants_points"), py::arg("threads"), py::arg("progress"));
 }
+
+template void bind_path_batches(WorldClass& world);
+template void bind_path_batches(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

@@ -19,7 +19,8 @@ std::vector<Change> changes_of(const py::object& source) {
   return changes;
 }
 
-py::object changes_since(const WorldHandle& self, std::uint64_t since) {
+template <class Handle>
+py::object changes_since(const Handle& self, std::uint64_t since) {
   std::vector<ChangedBox> boxes;
   const bool has_all = self.read([&](const World& world) {
     const auto all = world.changes_since(since);
@@ -104,17 +105,24 @@ True
 
 >>> world.would_disconnect(waywright.Shape.segment((30, 0), (30, 100)), [(10, 50), (90, 50)])
 True
-)")
-      .def(
-          "changes_since", &changes_since, py::arg("version"),
-          R"(Returns the boxes that the operations after a version have changed, or None if the world no longer has them.
+)");
+  bind_history(world);
+}
+
+template <class Class>
+void bind_changes_since(Class& world) {
+  world.def(
+      "changes_since", &changes_since<typename Class::type>, py::arg("version"),
+      R"(Returns the boxes that the operations after a version have changed, or None if the world no longer has them.
 
 >>> before = world.version
 >>> world.remove(1)
 >>> world.changes_since(before)[0].box
 (40.0, 40.0, 60.0, 60.0)
 )");
-  bind_history(world);
 }
+
+template void bind_changes_since(WorldClass& world);
+template void bind_changes_since(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

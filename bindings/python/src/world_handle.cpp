@@ -83,4 +83,15 @@ py::object WorldHandle::attempt(const std::vector<Change>& changes, const py::ob
   return answer;
 }
 
+std::optional<std::size_t> limit_of(const World& world) {
+  const std::size_t limit = world.new_vertex_limit();
+  return limit == kNoVertexLimit ? std::nullopt : std::optional(limit);
+}
+
+std::string facts_of(const World& world) {
+  const Box& box = world.domain();
+  return to_string(box.min) + " to " + to_string(box.max) + ", " + std::to_string(world.item_count()) + " items, " +
+         std::to_string(world.vertex_count()) + " vertices";
+}
+
 }  // namespace waywright::python

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -12,7 +14,7 @@
 
 namespace waywright::python {
 
-/// The contexts of the queries of one world. A thread borrows one for a query.
+/// The contexts of the queries of one world and of its snapshots. A thread borrows one for a query.
 class ContextPool {
  public:
   ContextPool() = default;
@@ -80,7 +82,9 @@ class WorldHandle {
   /// Throws a RuntimeError if the calling thread is inside attempt().
   void refuse_in_attempt() const;
 
-  [[nodiscard]] ContextPool& contexts() const { return contexts_; }
+  [[nodiscard]] ContextPool& contexts() const { return *contexts_; }
+  /// Returns the pool that this world shares with its snapshots, and with nobody else.
+  [[nodiscard]] const std::shared_ptr<ContextPool>& pool() const { return contexts_; }
 
   bool keeps_history = false;  ///< whether mark() is permitted
 
@@ -116,11 +120,16 @@ class WorldHandle {
   [[nodiscard]] bool is_owner() const { return owner_.load() == std::this_thread::get_id(); }
 
   World world_;
-  mutable ContextPool contexts_;
+  std::shared_ptr<ContextPool> contexts_ = std::make_shared<ContextPool>();
   mutable std::shared_mutex mutex_;
   std::atomic<std::thread::id> owner_{};  ///< the thread that has the world alone
   Owner owner_does_ = Owner::changes;
 };
+
+/// Returns the largest number of new vertices, or nothing if there is no limit.
+[[nodiscard]] std::optional<std::size_t> limit_of(const World& world);
+/// Returns the domain and the numbers of items and vertices of a world, for repr().
+[[nodiscard]] std::string facts_of(const World& world);
 
 using WorldPointer = std::shared_ptr<WorldHandle>;
 using WorldClass = py::class_<WorldHandle, WorldPointer>;

@@ -193,47 +193,6 @@ waywright.UnknownIdError: no item has id 99
 >>> world.replace(1, world.shape(1).translated(5, 0))
 >>> world.shape(1).points[0]
 array([45., 40.])
-)");
-}
-
-void bind_reading(WorldClass& world) {
-  world
-      .def(
-          "contains",
-          [](const WorldHandle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
-          py::arg("id"), "Returns whether there is an item with this id. ``id in world`` does the same.")
-      .def(
-          "__contains__",
-          [](const WorldHandle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
-          py::arg("id"))
-      .def(
-          "item_ids",
-          [](const WorldHandle& self) { return own_ids(self.read([](const World& w) { return w.item_ids(); })); },
-          "Returns an array of the ids of all items, ascending.")
-      .def(
-          "shape",
-          [](const WorldHandle& self, ItemId id) {
-            return self.read([&](const World& w) { return w.shape(id).value(); });
-          },
-          py::arg("id"), R"(Returns the shape of an item.
-
->>> world.shape(2)
-<waywright.Shape segment (20, 80) (80, 80)>
-)")
-      .def(
-          "items",
-          [](const WorldHandle& self) {
-            std::vector<Item> items = self.read_long([](const World& w) { return w.items(); });
-            py::list list(items.size());
-            for (std::size_t i = 0; i < items.size(); ++i) {
-              list[i] = py::make_tuple(items[i].id, std::move(items[i].shape));
-            }
-            return list;
-          },
-          R"(Returns all items as pairs (id, shape), ascending by id.
-
->>> [id for id, shape in world.items()]
-[1, 2]
 )")
       .def(
           "reserve_ids",
@@ -247,7 +206,50 @@ void bind_world_items(WorldClass& world) {
   bind_single(world);
   bind_changing(world);
   bind_bulk(world);
-  bind_reading(world);
 }
+
+template <class Class>
+void bind_reading_items(Class& world) {
+  using Handle = typename Class::type;
+  world
+      .def(
+          "contains",
+          [](const Handle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
+          py::arg("id"), "Returns whether there is an item with this id. ``id in world`` does the same.")
+      .def(
+          "__contains__",
+          [](const Handle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
+          py::arg("id"))
+      .def(
+          "item_ids",
+          [](const Handle& self) { return own_ids(self.read([](const World& w) { return w.item_ids(); })); },
+          "Returns an array of the ids of all items, ascending.")
+      .def(
+          "shape",
+          [](const Handle& self, ItemId id) { return self.read([&](const World& w) { return w.shape(id).value(); }); },
+          py::arg("id"), R"(Returns the shape of an item.
+
+>>> world.shape(2)
+<waywright.Shape segment (20, 80) (80, 80)>
+)")
+      .def(
+          "items",
+          [](const Handle& self) {
+            std::vector<Item> items = self.read_long([](const World& w) { return w.items(); });
+            py::list list(items.size());
+            for (std::size_t i = 0; i < items.size(); ++i) {
+              list[i] = py::make_tuple(items[i].id, std::move(items[i].shape));
+            }
+            return list;
+          },
+          R"(Returns all items as pairs (id, shape), ascending by id.
+
+>>> [id for id, shape in world.items()]
+[1, 2]
+)");
+}
+
+template void bind_reading_items(WorldClass& world);
+template void bind_reading_items(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

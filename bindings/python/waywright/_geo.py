@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from waywright import _core
+
+if TYPE_CHECKING:
+    from waywright._batch import AnyWorld
 
 Geometry = Mapping[str, Any]
 
@@ -116,7 +119,7 @@ def path_to_geojson(path: _core.Path) -> dict[str, Any]:
     return {"type": "LineString", "coordinates": _coordinates(points)}
 
 
-def world_to_geojson(self: _core.World) -> dict[str, Any]:
+def world_to_geojson(self: AnyWorld) -> dict[str, Any]:
     """Returns the items as a GeoJSON collection of features, each with its id.
 
     A ring of a polygon is a hole by the rule of the polygon, whatever its index. (Readers of GeoJSON take the first ring

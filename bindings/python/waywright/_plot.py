@@ -11,7 +11,7 @@ from waywright import _core
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from waywright._batch import PathBatch
+    from waywright._batch import AnyWorld, PathBatch
 
 WALL_COLOUR = "#1b1b1b"
 SOLID_COLOUR = "#b9b4a9"
@@ -41,7 +41,7 @@ def _filled(rings: list[np.ndarray]) -> Any:
 
 
 def plot_world(
-    self: _core.World, ax: Axes | None = None, *, mesh: bool = False, paths: Any = (), ids: bool = False
+    self: AnyWorld, ax: Axes | None = None, *, mesh: bool = False, paths: Any = (), ids: bool = False
 ) -> Axes:
     """Draws the world with matplotlib, and paths on top. Returns the axes.
 
@@ -88,6 +88,6 @@ def plot_batch(self: PathBatch, ax: Axes | None = None, **style: Any) -> Axes:
     return ax
 
 
-def world_svg(self: _core.World) -> str:
+def world_svg(self: AnyWorld) -> str:
     """The picture of the world in Jupyter."""
     return self.to_svg(width=800)
