@@ -96,6 +96,19 @@ def test_the_error_names_the_first_refused_query(client):
     assert "Compute Failed" not in logs
 
 
+def test_bad_arguments_do_not_reach_the_workers(client):
+    everywhere = DistributedWorld(client, walls(1))
+    starts, goals = queries(10)
+    for bad in ((starts[0], goals[0]), (starts, goals[:-1]), (starts[:, :1], goals)):
+        with pytest.raises(ValueError, match="starts"):
+            everywhere.find_paths(*bad)
+    with pytest.raises(ValueError, match="chunk_size"):
+        everywhere.find_paths(starts, goals, chunk_size=-3)
+    with pytest.raises(TypeError, match="list of Change"):
+        everywhere.apply(3)
+    assert everywhere.apply(Change.remove(1)) == [1] and len(everywhere.apply(Shape.point((3, 3)))) == 1
+
+
 def test_errors_of_workers(client):
     """The error of a worker reaches the caller. The log of the worker does not contain the bytes of the world."""
     everywhere = DistributedWorld(client, walls(1))

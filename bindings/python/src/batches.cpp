@@ -14,24 +14,18 @@ void check_lengths(std::size_t a, std::size_t b, const char* message) {
   if (a != b) throw py::value_error(message);
 }
 
-/// One number for all queries, or one for each.
-class Numbers {
+/// The radius of each query.
+class Radii {
  public:
-  Numbers(const DoubleArray& array, std::size_t count, const char* message) : data_(array.data()) {
-    is_one_ = array.ndim() == 0;
-    if (!is_one_) check_lengths(static_cast<std::size_t>(array.size()), count, message);
+  Radii(const RadiiArg& radius, std::size_t count) : data_(radius.array.data()), is_one_(radius.is_one()) {
+    radius.check_count(count);
   }
   [[nodiscard]] double operator[](std::size_t i) const { return is_one_ ? *data_ : data_[i]; }
 
  private:
   const double* data_;
-  bool is_one_ = true;
+  bool is_one_;
 };
-
-std::size_t checked_threads(std::size_t threads) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
-  return threads;
-}
 
 /// The ids of a batch: those of each query follow each other.
 class IdLists {
@@ -71,12 +65,12 @@ void run(const Handle& self, const Batch& batch, const py::object& progress, con
 
 template <class Handle>
 py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg& ends,
-                    const std::optional<DoubleArray>& radius, std::size_t threads, const py::object& progress) {
+                    const std::optional<RadiiArg>& radius, ThreadCount threads, const py::object& progress) {
   const std::size_t count = starts.size();
   check_lengths(count, ends.size(), "starts and ends must have the same length");
-  std::optional<Numbers> radii;
-  if (radius) radii.emplace(*radius, count, "radius must be one number, or one for each query");
-  const Batch batch(count, checked_threads(threads));
+  std::optional<Radii> radii;
+  if (radius) radii.emplace(*radius, count);
+  const Batch batch(count, threads.value);
   IdLists ids(batch, count);
   std::vector<std::uint8_t> hits(count);
   std::vector<Point> at(count);
@@ -100,10 +94,10 @@ py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg
 }
 
 template <class Handle>
-py::object fit_discs(const Handle& self, const PointsArg& centres, const DoubleArray& radius, std::size_t threads,
+py::object fit_discs(const Handle& self, const PointsArg& centres, const RadiiArg& radius, ThreadCount threads,
                      const py::object& progress) {
-  const Numbers radii(radius, centres.size(), "radius must be one number, or one for each query");
-  const Batch batch(centres.size(), checked_threads(threads));
+  const Radii radii(radius, centres.size());
+  const Batch batch(centres.size(), threads.value);
   std::vector<std::uint8_t> fits(centres.size());
   const std::span<const Point> points = centres.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk&, std::size_t i) {
@@ -116,10 +110,10 @@ py::object fit_discs(const Handle& self, const PointsArg& centres, const DoubleA
 }
 
 template <class Handle>
-py::tuple nearest_fits(const Handle& self, const PointsArg& points, const DoubleArray& radius, double limit,
-                       std::size_t threads, const py::object& progress) {
-  const Numbers radii(radius, points.size(), "radius must be one number, or one for each query");
-  const Batch batch(points.size(), checked_threads(threads));
+py::tuple nearest_fits(const Handle& self, const PointsArg& points, const RadiiArg& radius, double limit,
+                       ThreadCount threads, const py::object& progress) {
+  const Radii radii(radius, points.size());
+  const Batch batch(points.size(), threads.value);
   std::vector<std::uint8_t> found(points.size());
   std::vector<Point> at(points.size());
   std::vector<double> distances(points.size());
@@ -138,8 +132,8 @@ py::tuple nearest_fits(const Handle& self, const PointsArg& points, const Double
 }
 
 template <class Handle>
-py::tuple items_at_all(const Handle& self, const PointsArg& points, std::size_t threads, const py::object& progress) {
-  const Batch batch(points.size(), checked_threads(threads));
+py::tuple items_at_all(const Handle& self, const PointsArg& points, ThreadCount threads, const py::object& progress) {
+  const Batch batch(points.size(), threads.value);
   IdLists ids(batch, points.size());
   const std::span<const Point> all = points.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk& chunk, std::size_t i) {
@@ -153,10 +147,10 @@ py::tuple items_at_all(const Handle& self, const PointsArg& points, std::size_t 
 }
 
 template <class Handle>
-py::object are_clear(const Handle& self, const PointsArg& starts, const PointsArg& ends, std::size_t threads,
+py::object are_clear(const Handle& self, const PointsArg& starts, const PointsArg& ends, ThreadCount threads,
                      const py::object& progress) {
   check_lengths(starts.size(), ends.size(), "starts and ends must have the same length");
-  const Batch batch(starts.size(), checked_threads(threads));
+  const Batch batch(starts.size(), threads.value);
   std::vector<std::uint8_t> clear(starts.size());
   const std::span<const Point> from = starts.span();
   const std::span<const Point> to = ends.span();

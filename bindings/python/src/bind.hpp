@@ -21,7 +21,7 @@ void bind_replay(py::module_& module);
 void bind_world(WorldClass& world);
 void bind_loading(WorldClass& world);
 void bind_world_items(WorldClass& world);
-void bind_world_changes(WorldClass& world);
+void bind_world_changes(py::module_& module, WorldClass& world);
 void bind_snapshot(SnapshotClass& snapshot);
 
 template <class Class>

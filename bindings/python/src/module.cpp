@@ -71,7 +71,7 @@ changes the world, and neither waits for the other. release() lets the world use
   bind_world(world);
   bind_loading(world);
   bind_world_items(world);
-  bind_world_changes(world);
+  bind_world_changes(module, world);
   bind_snapshot(snapshot);
   bind_queries(world);
   bind_queries(snapshot);

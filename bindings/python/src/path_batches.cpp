@@ -113,29 +113,25 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
 }
 
 template <class Handle>
-py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const DoubleArray& radius,
+py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const RadiiArg& radius,
                      PathAlgorithm algorithm, std::optional<double> end_tolerance,
                      std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
-                     std::optional<double> tolerance, bool wants_points, std::size_t threads,
+                     std::optional<double> tolerance, bool wants_points, ThreadCount threads,
                      const py::object& progress) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
   const std::size_t count = starts.size();
   if (goals.size() != count) throw py::value_error("starts and goals must have the same length");
-  const bool is_one = radius.ndim() == 0;
-  if (!is_one && static_cast<std::size_t>(radius.size()) != count) {
-    throw py::value_error("radius must be one number, or one for each query");
-  }
-  Options options{.query = query_of({}, {}, is_one ? *radius.data() : 0.0, algorithm, end_tolerance, budget_expansions,
-                                    budget_time),
+  radius.check_count(count);
+  const double* const radii = radius.is_one() ? nullptr : radius.array.data();
+  Options options{.query = query_of({}, {}, radius.is_one() ? radius.one() : 0.0, algorithm, end_tolerance,
+                                    budget_expansions, budget_time),
                   .wants_points = wants_points,
                   .tolerance = tolerance};
   Reporter reporter(progress);
-  const Batch batch(count, threads);
+  const Batch batch(count, threads.value);
   PathAnswers answers(batch, count);
   self.read_long([&](const World& world) {
     batch.run(self.contexts(), reporter, [&](QueryContext& context, const Chunk& chunk) {
-      find_chunk(world, context, chunk, starts.span(), goals.span(), is_one ? nullptr : radius.data(), options,
-                 answers);
+      find_chunk(world, context, chunk, starts.span(), goals.span(), radii, options, answers);
     });
   });
   return answers.arrays();

@@ -34,9 +34,11 @@ SnapshotPointer publish(WorldHandle& self) {
 
 WorldPointer clone(const WorldHandle& self) {
   self.refuse_in_attempt();
-  auto copy = self.read_long([](const World& world) { return std::make_shared<WorldHandle>(world.clone()); });
-  copy->keeps_history = self.keeps_history;
-  return copy;
+  return self.read_long([&](const World& world) {
+    auto copy = std::make_shared<WorldHandle>(world.clone());
+    copy->keeps_history = self.keeps_history;
+    return copy;
+  });
 }
 
 template <class Handle>

@@ -14,8 +14,13 @@ std::vector<Change> changes_of(const py::object& source) {
   if (py::isinstance<Shape>(source) || py::isinstance<py::dict>(source) || py::hasattr(source, "__geo_interface__")) {
     return {Change::insert(read_shape(source))};
   }
+  constexpr const char* kWanted = "changes must be a list of Change, or a geometry to insert";
+  if (!py::isinstance<py::iterable>(source)) throw py::type_error(kWanted);
   std::vector<Change> changes;
-  for (const py::handle change : source) changes.push_back(change.cast<const Change&>());
+  for (const py::handle change : source) {
+    if (!py::isinstance<Change>(change)) throw py::type_error(kWanted);
+    changes.push_back(change.cast<const Change&>());
+  }
   return changes;
 }
 
@@ -39,15 +44,19 @@ void bind_history(WorldClass& world) {
       .def(
           "keep_history",
           [](WorldHandle& self, std::size_t ticks) {
-            self.write([&](World& w) { w.keep_history(ticks); });
-            self.keeps_history = ticks > 0;
+            self.write([&](World& w) {
+              w.keep_history(ticks);
+              self.keeps_history = ticks > 0;
+            });
           },
           py::arg("ticks"), "Makes the world remember its last ``ticks`` ticks, so that rewind() can go back to them.")
       .def(
           "mark",
           [](WorldHandle& self) {
-            if (!self.keeps_history) throw py::value_error("call keep_history() with 1 or more before mark()");
-            return self.write([](World& w) { return w.mark(); });
+            return self.write([&](World& w) {
+              if (!self.keeps_history) throw py::value_error("call keep_history() with 1 or more before mark()");
+              return w.mark();
+            });
           },
           "Names the current state of the world. Returns its tick.")
       .def(
@@ -66,7 +75,8 @@ True
 
 }  // namespace
 
-void bind_world_changes(WorldClass& world) {
+void bind_world_changes(py::module_& module, WorldClass& world) {
+  module.def("_changes", &changes_of, py::arg("changes"));
   world
       .def(
           "apply",

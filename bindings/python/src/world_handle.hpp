@@ -50,7 +50,8 @@ class ContextPool {
 };
 
 /// A world that several threads of Python may use at once. Queries read it together, a change waits until it is alone.
-/// No thread waits for the world while it holds the GIL, so the two locks cannot block each other.
+/// No thread waits for the world while it holds the GIL, so the two locks cannot block each other. No thread waits for
+/// itself: a progress function may query the world that its call reads, and a change throws a RuntimeError.
 class WorldHandle {
  public:
   explicit WorldHandle(World world) : world_(std::move(world)) {}
@@ -96,13 +97,21 @@ class WorldHandle {
    public:
     SharedLock(const WorldHandle& handle, bool has_gil);
     ~SharedLock() {
-      if (is_locked_) handle_.mutex_.unlock_shared();
+      if (!is_locked_) return;
+      innermost_ = outer_;
+      handle_.mutex_.unlock_shared();
     }
     SharedLock(const SharedLock&) = delete;
     SharedLock& operator=(const SharedLock&) = delete;
 
+    /// Returns whether the calling thread has locked a world in this manner.
+    [[nodiscard]] static bool is_held_for(const WorldHandle& handle);
+
    private:
+    static thread_local const SharedLock* innermost_;  ///< of the calling thread
+
     const WorldHandle& handle_;
+    const SharedLock* outer_ = innermost_;
     bool is_locked_ = false;
   };
 

@@ -58,12 +58,17 @@ void bind_affected(Class& world) {
       .def(
           "find_affected",
           [](const Handle& self, const py::iterable& paths, std::uint64_t since) {
+            // The iterable may run code of Python, which may use the world.
+            const py::list list(paths);
+            std::vector<const Path*> all;
+            for (const py::handle path : list) {
+              if (!py::isinstance<Path>(path)) throw py::type_error("paths must be a list of Path");
+              all.push_back(&path.cast<const Path&>());
+            }
             std::vector<std::size_t> affected;
             self.read([&](const World& w) {
-              std::size_t index = 0;
-              for (const py::handle path : paths) {
-                if (w.is_affected(path.cast<const Path&>(), since)) affected.push_back(index);
-                ++index;
+              for (std::size_t i = 0; i < all.size(); ++i) {
+                if (w.is_affected(*all[i], since)) affected.push_back(i);
               }
             });
             return affected;

@@ -21,25 +21,23 @@ py::bytes to_bytes(const Handle& self) {
   return bytes;
 }
 
-WorldPointer from_bytes_of(const py::bytes& bytes, std::size_t threads, const py::object& progress) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
+WorldPointer from_bytes_of(const py::bytes& bytes, ThreadCount threads, const py::object& progress) {
   Reporter reporter(progress);
   const std::string text = bytes;
   const WithoutGil no_gil;
   std::istringstream in(text);
-  auto world = load_world(in, {.threads = threads, .progress = reporter.function()}).value();
+  auto world = load_world(in, {.threads = threads.value, .progress = reporter.function()}).value();
   if (in.peek() != std::char_traits<char>::eof()) {
     throw BadResult({ErrorCode::malformed, "the bytes contain more than a saved world", {}, 0});
   }
   return std::make_shared<WorldHandle>(std::move(world));
 }
 
-WorldPointer load(const std::string& file_name, std::size_t threads, const py::object& progress) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
+WorldPointer load(const std::string& file_name, ThreadCount threads, const py::object& progress) {
   Reporter reporter(progress);
   const WithoutGil no_gil;
   return std::make_shared<WorldHandle>(
-      load_world_file(file_name, {.threads = threads, .progress = reporter.function()}).value());
+      load_world_file(file_name, {.threads = threads.value, .progress = reporter.function()}).value());
 }
 
 }  // namespace
@@ -51,7 +49,7 @@ void bind_saving(Class& world) {
       .def(
           "save",
           [](const Handle& self, const py::object& file) {
-            const auto name = py::module_::import("os").attr("fspath")(file).cast<std::string>();
+            const std::string name = file_name_of(file);
             self.read_long([&](const World& w) { save_world_file(w, name).value(); });
           },
           py::arg("file"), "Saves the world to a file (.wwb). At every moment the file is the old one or the new one.")
@@ -69,8 +67,8 @@ void bind_loading(WorldClass& world) {
   world
       .def_static(
           "load",
-          [](const py::object& file, std::size_t threads, const py::object& progress) {
-            return load(py::module_::import("os").attr("fspath")(file).cast<std::string>(), threads, progress);
+          [](const py::object& file, ThreadCount threads, const py::object& progress) {
+            return load(file_name_of(file), threads, progress);
           },
           py::arg("file"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
           "Loads a world from a file that save() has written.")
@@ -81,7 +79,7 @@ void bind_loading(WorldClass& world) {
             return py::make_tuple(to_bytes(self), self.read([](const World& w) { return limit_of(w); }));
           },
           [](const py::tuple& state) {
-            WorldPointer loaded = from_bytes_of(state[0].cast<py::bytes>(), 1, py::none());
+            WorldPointer loaded = from_bytes_of(state[0].cast<py::bytes>(), {}, py::none());
             const auto limit = state[1].cast<std::optional<std::size_t>>();
             if (limit) loaded->write([&](World& w) { w.set_new_vertex_limit(*limit); });
             return loaded;

@@ -29,12 +29,28 @@ def _axes(ax: Axes | None) -> Axes:
     return ax
 
 
-def _filled(rings: list[np.ndarray]) -> Any:
+def _directed(rings: list[np.ndarray]) -> list[np.ndarray]:
+    """Returns rings whose directions alternate from ring to ring inside it.
+
+    matplotlib fills by the rule 'nonzero'. Directed in this manner, rings that do not cross show what 'even-odd' fills.
+    """
+    from matplotlib.path import Path as Outline
+
+    directed = []
+    for ring in rings:
+        around = [other for other in rings if other is not ring and Outline(other).contains_points(ring).mean() > 0.5]
+        x, y = ring.T
+        is_left = np.dot(x, np.roll(y, -1)) > np.dot(np.roll(x, -1), y)
+        directed.append(ring if is_left == (len(around) % 2 == 0) else ring[::-1])
+    return directed
+
+
+def _filled(shape: _core.Shape) -> Any:
     """Returns a path of matplotlib with all rings."""
     from matplotlib.path import Path as Outline
 
     vertices, codes = [], []
-    for ring in rings:
+    for ring in _directed(shape.rings) if shape.fill == "even-odd" and len(shape.rings) > 1 else shape.rings:
         vertices.append(np.vstack([ring, ring[:1]]))
         codes += [Outline.MOVETO] + [Outline.LINETO] * (len(ring) - 1) + [Outline.CLOSEPOLY]
     return Outline(np.concatenate(vertices), codes)
@@ -57,7 +73,7 @@ def plot_world(
         snapshot = self.snapshot()
         ax.triplot(*snapshot.vertices.T, snapshot.triangles, color=MESH_COLOUR, linewidth=0.5, zorder=1)
     items = self.items()
-    solids = [_filled(shape.rings) for _, shape in items if shape.kind == "polygon"]
+    solids = [_filled(shape) for _, shape in items if shape.kind == "polygon"]
     walls = [shape.points for _, shape in items if shape.kind in ("segment", "polyline")]
     points = [shape.points[0] for _, shape in items if shape.kind == "point"]
     ax.add_collection(PathCollection(solids, facecolor=SOLID_COLOUR, edgecolor=WALL_COLOUR, zorder=2))

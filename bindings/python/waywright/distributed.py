@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from distributed import Client, Future, as_completed
 
-from waywright import PathBatch, WaywrightError, World, _progress
+from waywright import PathBatch, WaywrightError, World, _core, _progress
 
 Progress = Callable[[int, int], object]
 
@@ -179,9 +179,9 @@ class DistributedWorld:
         """The number of operations since the copy was made."""
         return self._version
 
-    def apply(self, changes: Iterable[Any]) -> list[int]:
+    def apply(self, changes: Any) -> list[int]:
         """Makes changes, as World.apply() does. Returns the id of the item of each change."""
-        changes = list(changes)
+        changes = _core._changes(changes)
         ids = self._world.apply(changes)
         self._version += 1
         self._updates.append(self._send(Update(changes, self._state()), f"update-{self._version}"))
@@ -222,6 +222,10 @@ class DistributedWorld:
         self, starts: Any, goals: Any, radius: Any, chunk_size: int | None, options: dict[str, Any]
     ) -> list[Future]:
         starts, goals, radius = (np.ascontiguousarray(each, np.float64) for each in (starts, goals, radius))
+        if any(each.size > 0 and (each.ndim != 2 or each.shape[1] != 2) for each in (starts, goals)):
+            raise ValueError("starts and goals must be arrays of shape (N, 2)")
+        if chunk_size is not None and chunk_size < 1:
+            raise ValueError("chunk_size must be 1 or more")
         if len(starts) != len(goals) or radius.ndim > 0 and radius.size not in (1, len(starts)):
             raise ValueError("starts, goals and radius must have the same length")
         radius = radius.reshape(()) if radius.size == 1 else radius
