@@ -87,14 +87,43 @@ def test_many_worlds_over_one_batch(client):
 def test_the_error_names_the_first_refused_query(client):
     starts, goals = queries(1000)
     goals[[555, 700, 901]] = 500
+    began = time.monotonic()
     with pytest.raises(waywright.BadValueError) as caught:
         DistributedWorld(client, walls(1)).find_paths(starts, goals, chunk_size=50)
     assert caught.value.index == 555 and "query 555" in str(caught.value)
+    assert time.monotonic() - began < 5
+    logs = "".join(message for log in client.get_worker_logs().values() for _, message in log)
+    assert "Compute Failed" not in logs
+
+
+def test_bad_arguments_do_not_reach_the_workers(client):
+    everywhere = DistributedWorld(client, walls(1))
+    starts, goals = queries(10)
+    for bad in ((starts[0], goals[0]), (starts, goals[:-1]), (starts[:, :1], goals)):
+        with pytest.raises(ValueError, match="starts"):
+            everywhere.find_paths(*bad)
+    with pytest.raises(ValueError, match="chunk_size"):
+        everywhere.find_paths(starts, goals, chunk_size=-3)
+    with pytest.raises(TypeError, match="list of Change"):
+        everywhere.apply(3)
+    assert everywhere.apply(Change.remove(1)) == [1] and len(everywhere.apply(Shape.point((3, 3)))) == 1
+
+
+def test_errors_of_workers(client):
+    """The error of a worker reaches the caller. The log of the worker does not contain the bytes of the world."""
+    everywhere = DistributedWorld(client, walls(1))
+    everywhere._base_state = everywhere._base_state._replace(items_hash="0" * 32)
+    with pytest.raises(WorkerError, match="0{32}"):
+        everywhere.find_paths(*queries(10))
+    with pytest.raises(TypeError, match="algoritm"):
+        DistributedWorld(client, walls(1)).find_paths(*queries(10), algoritm="ta")
+    logs = "".join(message for log in client.get_worker_logs().values() for _, message in log)
+    assert "<saved world of" in logs and "WWORLD" not in logs
 
 
 def test_a_worker_that_dies_changes_nothing(cluster, client):
-    world = walls(3, 3000)
-    starts, goals = queries(20_000)
+    world = walls(3, 1500)
+    starts, goals = queries(4000)
     everywhere = DistributedWorld(client, world)
     everywhere.apply([Change.insert(Shape.segment((50, 10), (50, 90)))])
     workers = {address: worker["pid"] for address, worker in client.run(lambda dask_worker: {"pid": os.getpid()}).items()}
@@ -107,13 +136,13 @@ def test_a_worker_that_dies_changes_nothing(cluster, client):
             killed.append(list(workers.values())[0])
             os.kill(killed[0], signal.SIGKILL)
 
-    batch = everywhere.find_paths(starts, goals, chunk_size=500, progress=report)
+    batch = everywhere.find_paths(starts, goals, chunk_size=100, progress=report)
     assert killed and len(done) == 40
     client.wait_for_workers(2, timeout=60)
     assert killed[0] not in client.run(os.getpid).values()
     assert batch.to_bytes() == everywhere.world.find_paths(starts, goals).to_bytes()
     # The new worker answers, too.
-    assert everywhere.find_paths(starts, goals, chunk_size=500).to_bytes() == batch.to_bytes()
+    assert everywhere.find_paths(starts, goals, chunk_size=100).to_bytes() == batch.to_bytes()
 
 
 def test_a_worker_that_joins_late_changes_nothing(client, cluster):

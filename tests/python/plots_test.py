@@ -1,5 +1,6 @@
 """Pictures: matplotlib and SVG."""
 
+import numpy as np
 import pytest
 import waywright
 from xml.etree import ElementTree
@@ -33,6 +34,24 @@ def test_holes_are_holes_in_a_plot():
     outline = ax.collections[0].get_paths()[0]
     assert len(outline.vertices) == 10
     pyplot.close(figure)
+
+
+@pytest.mark.parametrize("fill", ["even-odd", "nonzero"])
+def test_the_directions_of_rings_do_not_matter_for_even_odd(fill):
+    """The colours of the picture, whatever the directions: a house with a court, in which there is a shed."""
+    squares = [[(a, a), (10 - a, a), (10 - a, 10 - a), (a, 10 - a)] for a in (1, 3, 4)]
+    for directions in [(1, 1, 1), (-1, 1, 1), (1, -1, 1), (-1, -1, -1)]:
+        world = waywright.World((0, 0, 10, 10))
+        world.insert_polygon([ring[::direction] for ring, direction in zip(squares, directions)], fill=fill)
+        figure = pyplot.figure(figsize=(1, 1), dpi=100)
+        ax = figure.add_axes((0, 0, 1, 1))
+        world.plot(ax)
+        figure.canvas.draw()
+        picture = np.asarray(figure.canvas.buffer_rgba())[:, :, 0]
+        for x, y in [(2, 5), (3.5, 5), (5, 5), (0.5, 0.5)]:
+            is_solid = world.locate((x, y)).polygons == [1]
+            assert (picture[99 - round(y * 10), round(x * 10)] < 250) == is_solid, (directions, x, y)
+        pyplot.close(figure)
 
 
 def test_svg(world):

@@ -31,7 +31,7 @@ function exists(name) {
 
 test('every name in the table exists', () => {
   assert.ok(names.length > 100);
-  assert.ok(rows.every((cells) => cells.length === 4), 'a row without four columns');
+  assert.ok(rows.every((cells) => cells.length === 5), 'a row without five columns');
   assert.deepEqual(names.filter((name) => !exists(name) && !/^(invalid-argument|x|y|init)$/.test(name)), []);
 });
 

@@ -48,6 +48,7 @@ void bind_location(py::module_& module) {
             return py::make_tuple(self.kind, self.vertices, self.vertex_count, bytes_of(self.polygons));
           },
           [](const py::tuple& state) {
+            if (state[2].cast<std::size_t>() > 3) throw py::value_error("the pickled location is damaged");
             return Location{state[0].cast<LocationKind>(), state[1].cast<std::array<Point, 3>>(),
                             state[2].cast<std::size_t>(), from_bytes<ItemId>(state[3].cast<py::bytes>())};
           }));

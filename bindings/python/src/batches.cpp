@@ -14,24 +14,18 @@ void check_lengths(std::size_t a, std::size_t b, const char* message) {
   if (a != b) throw py::value_error(message);
 }
 
-/// One number for all queries, or one for each.
-class Numbers {
+/// The radius of each query.
+class Radii {
  public:
-  Numbers(const DoubleArray& array, std::size_t count, const char* message) : data_(array.data()) {
-    is_one_ = array.ndim() == 0;
-    if (!is_one_) check_lengths(static_cast<std::size_t>(array.size()), count, message);
+  Radii(const RadiiArg& radius, std::size_t count) : data_(radius.array.data()), is_one_(radius.is_one()) {
+    radius.check_count(count);
   }
   [[nodiscard]] double operator[](std::size_t i) const { return is_one_ ? *data_ : data_[i]; }
 
  private:
   const double* data_;
-  bool is_one_ = true;
+  bool is_one_;
 };
-
-std::size_t checked_threads(std::size_t threads) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
-  return threads;
-}
 
 /// The ids of a batch: those of each query follow each other.
 class IdLists {
@@ -56,8 +50,8 @@ class IdLists {
 };
 
 /// Calls `answer(world, context, chunk, query)` for each query of a batch.
-template <class Function>
-void run(const WorldHandle& self, const Batch& batch, const py::object& progress, const Function& answer) {
+template <class Handle, class Function>
+void run(const Handle& self, const Batch& batch, const py::object& progress, const Function& answer) {
   Reporter reporter(progress);
   self.read_long([&](const World& world) {
     batch.run(self.contexts(), reporter, [&](QueryContext& context, const Chunk& chunk) {
@@ -69,13 +63,14 @@ void run(const WorldHandle& self, const Batch& batch, const py::object& progress
   });
 }
 
-py::tuple cast_rays(const WorldHandle& self, const PointsArg& starts, const PointsArg& ends,
-                    const std::optional<DoubleArray>& radius, std::size_t threads, const py::object& progress) {
+template <class Handle>
+py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg& ends,
+                    const std::optional<RadiiArg>& radius, ThreadCount threads, const py::object& progress) {
   const std::size_t count = starts.size();
   check_lengths(count, ends.size(), "starts and ends must have the same length");
-  std::optional<Numbers> radii;
-  if (radius) radii.emplace(*radius, count, "radius must be one number, or one for each query");
-  const Batch batch(count, checked_threads(threads));
+  std::optional<Radii> radii;
+  if (radius) radii.emplace(*radius, count);
+  const Batch batch(count, threads.value);
   IdLists ids(batch, count);
   std::vector<std::uint8_t> hits(count);
   std::vector<Point> at(count);
@@ -98,10 +93,11 @@ py::tuple cast_rays(const WorldHandle& self, const PointsArg& starts, const Poin
                         own_points(std::move(contacts)), items, offsets);
 }
 
-py::object fit_discs(const WorldHandle& self, const PointsArg& centres, const DoubleArray& radius, std::size_t threads,
+template <class Handle>
+py::object fit_discs(const Handle& self, const PointsArg& centres, const RadiiArg& radius, ThreadCount threads,
                      const py::object& progress) {
-  const Numbers radii(radius, centres.size(), "radius must be one number, or one for each query");
-  const Batch batch(centres.size(), checked_threads(threads));
+  const Radii radii(radius, centres.size());
+  const Batch batch(centres.size(), threads.value);
   std::vector<std::uint8_t> fits(centres.size());
   const std::span<const Point> points = centres.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk&, std::size_t i) {
@@ -113,10 +109,11 @@ py::object fit_discs(const WorldHandle& self, const PointsArg& centres, const Do
   return own_numbers(std::move(fits)).attr("view")("bool");
 }
 
-py::tuple nearest_fits(const WorldHandle& self, const PointsArg& points, const DoubleArray& radius, double limit,
-                       std::size_t threads, const py::object& progress) {
-  const Numbers radii(radius, points.size(), "radius must be one number, or one for each query");
-  const Batch batch(points.size(), checked_threads(threads));
+template <class Handle>
+py::tuple nearest_fits(const Handle& self, const PointsArg& points, const RadiiArg& radius, double limit,
+                       ThreadCount threads, const py::object& progress) {
+  const Radii radii(radius, points.size());
+  const Batch batch(points.size(), threads.value);
   std::vector<std::uint8_t> found(points.size());
   std::vector<Point> at(points.size());
   std::vector<double> distances(points.size());
@@ -134,9 +131,9 @@ py::tuple nearest_fits(const WorldHandle& self, const PointsArg& points, const D
                         own_numbers(std::move(distances)));
 }
 
-py::tuple items_at_all(const WorldHandle& self, const PointsArg& points, std::size_t threads,
-                       const py::object& progress) {
-  const Batch batch(points.size(), checked_threads(threads));
+template <class Handle>
+py::tuple items_at_all(const Handle& self, const PointsArg& points, ThreadCount threads, const py::object& progress) {
+  const Batch batch(points.size(), threads.value);
   IdLists ids(batch, points.size());
   const std::span<const Point> all = points.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk& chunk, std::size_t i) {
@@ -149,10 +146,11 @@ py::tuple items_at_all(const WorldHandle& self, const PointsArg& points, std::si
   return py::make_tuple(items, offsets);
 }
 
-py::object are_clear(const WorldHandle& self, const PointsArg& starts, const PointsArg& ends, std::size_t threads,
+template <class Handle>
+py::object are_clear(const Handle& self, const PointsArg& starts, const PointsArg& ends, ThreadCount threads,
                      const py::object& progress) {
   check_lengths(starts.size(), ends.size(), "starts and ends must have the same length");
-  const Batch batch(starts.size(), checked_threads(threads));
+  const Batch batch(starts.size(), threads.value);
   std::vector<std::uint8_t> clear(starts.size());
   const std::span<const Point> from = starts.span();
   const std::span<const Point> to = ends.span();
@@ -167,21 +165,24 @@ py::object are_clear(const WorldHandle& self, const PointsArg& starts, const Poi
 
 }  // namespace
 
-void bind_batches(WorldClass& world) {
+template <class Class>
+void bind_batches(Class& world) {
+  using Handle = typename Class::type;
   bind_path_batches(world);
   world
-      .def("_rays", &cast_rays, py::arg("starts"), py::arg("ends"), py::arg("radius"), py::arg("threads"),
+      .def("_rays", &cast_rays<Handle>, py::arg("starts"), py::arg("ends"), py::arg("radius"), py::arg("threads"),
            py::arg("progress"))
-      .def("_nearest_fits", &nearest_fits, py::arg("points"), py::arg("radius"), py::arg("limit"), py::arg("threads"),
-           py::arg("progress"))
-      .def("_items_at_all", &items_at_all, py::arg("points"), py::arg("threads"), py::arg("progress"))
-      .def("fit_discs", &fit_discs, py::arg("centres"), py::arg("radius"), py::kw_only(), py::arg("threads") = 1,
-           py::arg("progress") = py::none(), R"(Returns an array that says for each centre whether a disc fits there.
+      .def("_nearest_fits", &nearest_fits<Handle>, py::arg("points"), py::arg("radius"), py::arg("limit"),
+           py::arg("threads"), py::arg("progress"))
+      .def("_items_at_all", &items_at_all<Handle>, py::arg("points"), py::arg("threads"), py::arg("progress"))
+      .def("fit_discs", &fit_discs<Handle>, py::arg("centres"), py::arg("radius"), py::kw_only(),
+           py::arg("threads") = 1, py::arg("progress") = py::none(),
+           R"(Returns an array that says for each centre whether a disc fits there.
 
 >>> world.fit_discs([(30, 50), (38, 50), (50, 50)], 5)
 array([ True, False, False])
 )")
-      .def("are_clear", &are_clear, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 1,
+      .def("are_clear", &are_clear<Handle>, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 1,
            py::arg("progress") = py::none(),
            R"(Returns an array that says for each segment whether a point agent can walk along it.
 
@@ -189,5 +190,8 @@ array([ True, False, False])
 array([False,  True])
 )");
 }
+
+template void bind_batches(WorldClass& world);
+template void bind_batches(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

@@ -11,6 +11,9 @@ constexpr std::chrono::milliseconds kPause{50};
 Reporter::Reporter(const py::object& progress) : progress_(progress), last_(std::chrono::steady_clock::now()) {
   if (progress.ptr() == Py_False) progress_ = py::none();
   if (progress.ptr() == Py_True) progress_ = py::module_::import("waywright._progress").attr("bar")();
+  if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0) {
+    throw py::type_error("progress must be a function of two numbers (what is done, and the total), True or None");
+  }
 }
 
 void Reporter::operator()(std::size_t done, std::size_t total) {

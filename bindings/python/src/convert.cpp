@@ -98,6 +98,33 @@ py::handle new_pair(double x, double y) {
   return pair;
 }
 
+DoubleArray doubles_of(py::handle source, const char* what) {
+  constexpr std::string_view kNumbers = "biufO";  // NumPy would also read text, dates and complex numbers as doubles
+  if (py::isinstance<py::array>(source)) {
+    const char kind = py::reinterpret_borrow<py::array>(source).dtype().kind();
+    if (kNumbers.find(kind) == std::string_view::npos) throw py::type_error(what);
+  }
+  try {
+    return DoubleArray(py::reinterpret_borrow<py::object>(source));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError)) throw;
+    py::raise_from(error, PyExc_TypeError, what);
+    throw py::error_already_set();
+  }
+}
+
+std::string file_name_of(py::handle source) {
+  auto name = py::module_::import("os").attr("fsencode")(source).cast<std::string>();
+  if (name.find('\0') != std::string::npos) throw py::value_error("the name of a file must not contain a zero byte");
+  return name;
+}
+
+void RadiiArg::check_count(std::size_t count) const {
+  if (!is_one() && static_cast<std::size_t>(array.size()) != count) {
+    throw py::value_error("radius must be one number, or one for each query");
+  }
+}
+
 std::span<const Point> PointsArg::span() const { return {reinterpret_cast<const Point*>(array.data()), size()}; }
 
 py::array view_points(std::span<const Point> points, py::handle owner) {

@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -46,6 +47,14 @@ struct ShapeArg {
 using DoubleArray =
     py::array_t<double, py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 
+/// Returns an array of doubles: `source` itself if it contains doubles in C order, otherwise a copy. `what` names the
+/// argument in an error: "points must be numbers: an array of shape (N, 2)".
+/// Exceptions: throws a TypeError, whose cause is the exception of NumPy, if the elements are no real numbers.
+[[nodiscard]] DoubleArray doubles_of(py::handle source, const char* what);
+/// Returns the name of a file from text, bytes or an object with `__fspath__`.
+/// Exceptions: py::value_error, if there is a zero byte in the name. The exception of os.fsencode.
+[[nodiscard]] std::string file_name_of(py::handle source);
+
 /// An argument that is a list of points: an array of shape (N, 2). It refers to the memory of the caller's array if
 /// this array contains doubles in C order. Otherwise it contains a copy.
 struct PointsArg {
@@ -53,6 +62,21 @@ struct PointsArg {
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(array.size()) / 2; }
   [[nodiscard]] std::span<const Point> span() const;
+};
+
+/// An argument that is one radius for all queries of a batch, or a list with one for each query.
+struct RadiiArg {
+  DoubleArray array;
+
+  [[nodiscard]] bool is_one() const { return array.ndim() == 0; }
+  [[nodiscard]] double one() const { return *array.data(); }
+  /// Exceptions: py::value_error, if it is a list that has not `count` elements.
+  void check_count(std::size_t count) const;
+};
+
+/// An argument that is a number of threads.
+struct ThreadCount {
+  std::size_t value = 1;
 };
 
 /// Returns an array of points that refers to `points`. `owner` is the object of Python that owns their memory. Nobody
@@ -213,11 +237,33 @@ template <>
 struct type_caster<waywright::python::PointsArg> {
   PYBIND11_TYPE_CASTER(waywright::python::PointsArg, const_name("points"));
   bool load(handle source, bool) {
-    value.array = waywright::python::DoubleArray::ensure(source);
-    if (!value.array) return false;
+    value.array = waywright::python::doubles_of(source, "points must be numbers: an array of shape (N, 2)");
     if (value.array.ndim() == 2 && value.array.shape(1) == 2) return true;
     if (value.array.size() == 0) return true;
-    throw value_error("points must be an array of shape (N, 2)");
+    throw value_error("points must be an array of shape (N, 2), not " +
+                      std::string(str(static_cast<object>(value.array.attr("shape")))));
+  }
+};
+
+template <>
+struct type_caster<waywright::python::RadiiArg> {
+  PYBIND11_TYPE_CASTER(waywright::python::RadiiArg, const_name("radius"));
+  bool load(handle source, bool) {
+    value.array = waywright::python::doubles_of(source, "radius must be a number, or an array of numbers");
+    return true;
+  }
+};
+
+template <>
+struct type_caster<waywright::python::ThreadCount> {
+  PYBIND11_TYPE_CASTER(waywright::python::ThreadCount, const_name("int"));
+  bool load(handle source, bool) {
+    const auto number = reinterpret_steal<object>(PyNumber_Index(source.ptr()));
+    if (!number) throw error_already_set();
+    if (number < int_(1)) throw value_error("threads must be 1 or more");
+    value.value = PyLong_AsSize_t(number.ptr());
+    if (PyErr_Occurred() != nullptr) throw error_already_set();
+    return true;
   }
 };
 

@@ -25,6 +25,8 @@ void translate(std::exception_ptr exception) {
     } catch (py::error_already_set& failure) {
       failure.restore();
     }
+  } catch (const py::cast_error& bad) {
+    PyErr_SetString(PyExc_TypeError, bad.what());
   }
 }
 

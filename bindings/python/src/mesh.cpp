@@ -25,7 +25,9 @@ std::vector<std::int64_t> id_offsets(const MeshSnapshot& mesh) {
   return offsets;
 }
 
-void bind_snapshot(py::module_& module) {
+}  // namespace
+
+void bind_mesh_snapshot(py::module_& module) {
   py::class_<MeshSnapshot>(module, "MeshSnapshot", R"(
 A copy of the mesh of a world in canonical order. Its arrays share its memory.
 
@@ -79,14 +81,13 @@ A copy of the mesh of a world in canonical order. Its arrays share its memory.
           }));
 }
 
-}  // namespace
-
-void bind_mesh(py::module_& module, WorldClass& world) {
-  bind_snapshot(module);
+template <class Class>
+void bind_mesh(Class& world) {
+  using Handle = typename Class::type;
   world
       .def(
           "snapshot",
-          [](const WorldHandle& self) {
+          [](const Handle& self) {
             auto mesh = std::make_unique<MeshSnapshot>();
             const ContextPool::Loan context(self.contexts());
             self.read_long([&](const World& w) { w.snapshot(*context, *mesh); });
@@ -94,17 +95,15 @@ void bind_mesh(py::module_& module, WorldClass& world) {
           },
           "Returns a copy of the mesh.")
       .def(
-          "dump", [](const WorldHandle& self) { return self.read_long([](const World& w) { return w.dump(); }); },
+          "dump", [](const Handle& self) { return self.read_long([](const World& w) { return w.dump(); }); },
           "Returns the mesh as canonical text with exact coordinates.")
       .def(
           "mesh_hash",
-          [](const WorldHandle& self) {
-            return self.read_long([](const World& w) { return to_string(w.mesh_hash()); });
-          },
+          [](const Handle& self) { return self.read_long([](const World& w) { return to_string(w.mesh_hash()); }); },
           "Returns the SHA-256 of dump(), as 64 hexadecimal digits.")
       .def(
           "validate",
-          [](const WorldHandle& self) {
+          [](const Handle& self) {
             const Validation result = self.read_long([](const World& w) { return w.validate(); });
             return result.ok ? py::object(py::none()) : py::str(result.fault);
           },
@@ -114,5 +113,8 @@ void bind_mesh(py::module_& module, WorldClass& world) {
 True
 )");
 }
+
+template void bind_mesh(WorldClass& world);
+template void bind_mesh(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

@@ -2,6 +2,28 @@
 
 // The module waywright._core. The package waywright shows its names.
 
+namespace waywright::python {
+
+namespace {
+
+/// Adds what worlds and snapshots have.
+template <class Class>
+void bind_queries(Class& world) {
+  bind_facts(world);
+  bind_saving(world);
+  bind_reading_items(world);
+  bind_changes_since(world);
+  bind_world_queries(world);
+  bind_world_paths(world);
+  bind_batches(world);
+  bind_mesh(world);
+  bind_svg(world);
+}
+
+}  // namespace
+
+}  // namespace waywright::python
+
 PYBIND11_MODULE(_core, module) {
   using namespace waywright::python;
   module.attr("__version__") = WAYWRIGHT_VERSION;
@@ -34,16 +56,28 @@ In the examples, ``world`` is the world that this example makes:
 >>> world.insert_segment((20, 80), (80, 80))
 2
 )");
+  SnapshotClass snapshot(module, "Snapshot", R"(
+A world that never changes: the state that a world had when its World.publish() was called.
+
+It has all queries of World, with the same answers as the world gave. Any number of threads may use it while another thread
+changes the world, and neither waits for the other. release() lets the world use its memory again, and so does the end of a
+``with`` statement or of the last reference.
+
+>>> with world.publish() as snapshot:
+...     world.remove(1)
+...     1 in snapshot, 1 in world
+(True, False)
+)");
   bind_world(world);
+  bind_loading(world);
   bind_world_items(world);
-  bind_world_changes(world);
-  bind_world_queries(world);
-  bind_world_paths(world);
-  bind_batches(world);
-  bind_mesh(module, world);
+  bind_world_changes(module, world);
+  bind_snapshot(snapshot);
+  bind_queries(world);
+  bind_queries(snapshot);
+  bind_mesh_snapshot(module);
   bind_search(module);
   bind_watch(module);
   bind_scenes(module, world);
   bind_replay(module);
-  bind_svg(world);
 }

@@ -1,5 +1,6 @@
 #include "path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -18,6 +19,9 @@ constexpr double kNanosecondsPerSecond = 1e9;
 
 const Path& found(const Path& path) {
   if (path.status != PathStatus::found) throw py::value_error("this path was not found: it has no positions");
+  if (path.points.empty() && path.pieces.empty()) {
+    throw py::value_error("this path has no points: find_paths_from() gives them with wants_points=True");
+  }
   return path;
 }
 
@@ -47,6 +51,26 @@ std::optional<MovedEnd> moved_from(const py::object& end) {
   return MovedEnd{pair.first, pair.second};
 }
 
+std::size_t segment_count(const Path& path) {
+  return path.pieces.empty() ? std::max<std::size_t>(path.points.size(), 2) - 1 : path.pieces.size();
+}
+
+std::vector<Point> walk(const Path& path, double step) {
+  constexpr double kMostSteps = 1e7;
+  if (!(step > 0.0)) throw py::value_error("the step must be above 0");
+  if (!(path.length / step <= kMostSteps)) {
+    throw py::value_error("the step is too small: a walk along this path would take more than 10,000,000 steps");
+  }
+  PathPosition position = path.at(0.0);
+  std::vector<Point> points = {position.at};
+  for (double before = -1.0; position.distance < path.length && position.distance > before;) {
+    before = position.distance;
+    position = path.advance(position, step);
+    points.push_back(position.at);
+  }
+  return points;
+}
+
 std::string repr_of(const Path& path) {
   if (path.status != PathStatus::found) return "<waywright.Path " + std::string(to_string(path.status)) + ">";
   const py::str length = py::repr(py::float_(path.length));
@@ -61,6 +85,22 @@ py::tuple state_of(const Path& path) {
                         bytes_of(path.pieces), bytes_of(path.channel), path.expansions, path.time.count(),
                         moved(path.moved_start), moved(path.moved_goal), bytes_of(path.blockers),
                         path.widest ? py::cast(*path.widest) : py::none());
+}
+
+/// Returns whether a piece is so sound that the functions of paths return.
+bool is_usable(const PathPiece& piece) {
+  constexpr double kLargestAngle = 16.0;  // an arc starts between -pi and pi, and turns by less than a circle
+  const bool has_kind = piece.kind == PathPiece::Kind::line || piece.kind == PathPiece::Kind::arc;
+  const bool has_angles = std::abs(piece.start_angle) <= kLargestAngle && std::abs(piece.end_angle) <= kLargestAngle;
+  return has_kind && has_angles && is_in_range(piece.from) && is_in_range(piece.to) && is_in_range(piece.centre) &&
+         is_in_range(piece.radius);
+}
+
+/// Returns the same for a path. A damaged pickle can fail here.
+bool is_usable(const Path& path) {
+  return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.radius) && path.radius >= 0.0 &&
+         std::ranges::all_of(path.points, [](const Point& point) { return is_in_range(point); }) &&
+         std::ranges::all_of(path.pieces, [](const PathPiece& piece) { return is_usable(piece); });
 }
 
 std::unique_ptr<Path> path_from(const py::tuple& state) {
@@ -79,6 +119,7 @@ std::unique_ptr<Path> path_from(const py::tuple& state) {
   path->moved_goal = moved_from(state[10]);
   path->blockers = from_bytes<ItemId>(state[11].cast<py::bytes>());
   if (!state[12].is_none()) path->widest = state[12].cast<WidestPath>();
+  if (!is_usable(*path)) throw py::value_error("the pickled path is damaged");
   return path;
 }
 
@@ -127,7 +168,10 @@ The result is rounded so that it does not lie beyond a wall. ``precision`` is 'f
       .def(
           "advance",
           [](const Path& self, const PathPosition& position, double step, Precision precision) {
-            return found(self).advance(position, step, precision);
+            if (position.segment >= segment_count(found(self))) {
+              throw py::value_error("the position is not on this path: take one that this path has returned");
+            }
+            return self.advance(position, step, precision);
           },
           py::arg("position"), py::arg("step"), py::arg("precision") = Precision::float64,
           "Returns the position that lies ``step`` farther along the path than a position that this path has returned.")
@@ -137,21 +181,7 @@ The result is rounded so that it does not lie beyond a wall. ``precision`` is 'f
           py::arg("point"), py::arg("precision") = Precision::float64,
           "Returns the position on the path that is nearest to a point.")
       .def(
-          "walk",
-          [](const Path& self, double step) {
-            if (!(step > 0.0)) throw py::value_error("the step must be above 0");
-            std::vector<Point> points;
-            PathPosition position = found(self).at(0.0);
-            points.push_back(position.at);
-            while (position.distance < self.length) {
-              const double before = position.distance;
-              position = self.advance(position, step);
-              if (!(position.distance > before)) throw py::value_error("the step is too small for this path");
-              points.push_back(position.at);
-            }
-            return own_points(std::move(points));
-          },
-          py::arg("step"),
+          "walk", [](const Path& self, double step) { return own_points(walk(found(self), step)); }, py::arg("step"),
           R"(Returns the points that an agent reaches which starts at the start and walks ``step`` in each tick.
 
 >>> world.find_path((10, 70), (30, 70)).walk(8)

@@ -112,29 +112,26 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
   }
 }
 
-py::tuple find_paths(const WorldHandle& self, const PointsArg& starts, const PointsArg& goals,
-                     const DoubleArray& radius, PathAlgorithm algorithm, std::optional<double> end_tolerance,
+template <class Handle>
+py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const RadiiArg& radius,
+                     PathAlgorithm algorithm, std::optional<double> end_tolerance,
                      std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
-                     std::optional<double> tolerance, bool wants_points, std::size_t threads,
+                     std::optional<double> tolerance, bool wants_points, ThreadCount threads,
                      const py::object& progress) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
   const std::size_t count = starts.size();
   if (goals.size() != count) throw py::value_error("starts and goals must have the same length");
-  const bool is_one = radius.ndim() == 0;
-  if (!is_one && static_cast<std::size_t>(radius.size()) != count) {
-    throw py::value_error("radius must be one number, or one for each query");
-  }
-  Options options{.query = query_of({}, {}, is_one ? *radius.data() : 0.0, algorithm, end_tolerance, budget_expansions,
-                                    budget_time),
+  radius.check_count(count);
+  const double* const radii = radius.is_one() ? nullptr : radius.array.data();
+  Options options{.query = query_of({}, {}, radius.is_one() ? radius.one() : 0.0, algorithm, end_tolerance,
+                                    budget_expansions, budget_time),
                   .wants_points = wants_points,
                   .tolerance = tolerance};
   Reporter reporter(progress);
-  const Batch batch(count, threads);
+  const Batch batch(count, threads.value);
   PathAnswers answers(batch, count);
   self.read_long([&](const World& world) {
     batch.run(self.contexts(), reporter, [&](QueryContext& context, const Chunk& chunk) {
-      find_chunk(world, context, chunk, starts.span(), goals.span(), is_one ? nullptr : radius.data(), options,
-                 answers);
+      find_chunk(world, context, chunk, starts.span(), goals.span(), radii, options, answers);
     });
   });
   return answers.arrays();
@@ -142,10 +139,15 @@ py::tuple find_paths(const WorldHandle& self, const PointsArg& starts, const Poi
 
 }  // namespace
 
-void bind_path_batches(WorldClass& world) {
-  world.def("_find_paths", &find_paths, py::arg("starts"), py::arg("goals"), py::arg("radius"), py::arg("algorithm"),
-            py::arg("end_tolerance"), py::arg("budget_expansions"), py::arg("budget_time"), py::arg("tolerance"),
-            py::arg("wants_points"), py::arg("threads"), py::arg("progress"));
+template <class Class>
+void bind_path_batches(Class& world) {
+  using Handle = typename Class::type;
+  world.def("_find_paths", &find_paths<Handle>, py::arg("starts"), py::arg("goals"), py::arg("radius"),
+            py::arg("algorithm"), py::arg("end_tolerance"), py::arg("budget_expansions"), py::arg("budget_time"),
+            py::arg("tolerance"), py::arg("wants_points"), py::arg("threads"), py::arg("progress"));
 }
+
+template void bind_path_batches(WorldClass& world);
+template void bind_path_batches(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

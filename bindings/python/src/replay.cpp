@@ -41,7 +41,7 @@ A log is a world script: ``waywright run`` reads it, too. Use it in a ``with`` s
 )")
       .def(py::init([](const py::object& file, const WorldHandle& world, std::uint64_t ticks_per_hash) {
              if (ticks_per_hash < 1) throw py::value_error("ticks_per_hash must be 1 or more");
-             const auto name = py::module_::import("os").attr("fspath")(file).cast<std::string>();
+             const std::string name = file_name_of(file);
              return std::make_unique<LogHandle>(name, world, ticks_per_hash);
            }),
            py::arg("file"), py::arg("world"), py::arg("ticks_per_hash") = 1)

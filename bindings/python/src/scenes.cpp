@@ -26,14 +26,13 @@ void bind_scene(py::module_& module, WorldClass& world) {
            [](const Scene& self) { return "<waywright.Scene of " + std::to_string(self.items.size()) + " items>"; });
   world.def_static(
       "from_scene",
-      [](const Scene& scene, bool keep_abstraction, bool keep_bridges, std::size_t threads,
+      [](const Scene& scene, bool keep_abstraction, bool keep_bridges, ThreadCount threads,
          const py::object& progress) {
-        if (threads < 1) throw py::value_error("threads must be 1 or more");
         Reporter reporter(progress);
         const WithoutGil no_gil;
         World made =
             World::create(scene.domain, {.keep_abstraction = keep_abstraction, .keep_bridges = keep_bridges}).value();
-        made.insert_all(scene.items, {.threads = threads, .progress = reporter.function()}).value();
+        made.insert_all(scene.items, {.threads = threads.value, .progress = reporter.function()}).value();
         return std::make_shared<WorldHandle>(std::move(made));
       },
       py::arg("scene"), py::kw_only(), py::arg("keep_abstraction") = true, py::arg("keep_bridges") = false,
@@ -117,7 +116,7 @@ void bind_scenes(py::module_& module, WorldClass& world) {
   module.def(
       "read_scene",
       [](const py::object& file) {
-        const auto name = py::module_::import("os").attr("fspath")(file).cast<std::string>();
+        const std::string name = file_name_of(file);
         const WithoutGil no_gil;
         return read_scene(name).value();
       },

@@ -1,6 +1,9 @@
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "bind.hpp"
 #include "path.hpp"
@@ -11,25 +14,43 @@ namespace waywright::python {
 
 namespace {
 
-/// A search, and the world that it searches.
+/// A search, and the world or the snapshot that it searches. The search has its own handle of the snapshot, so that
+/// Snapshot.release() cannot take away what it searches.
 struct SearchHandle {
+  WorldOrSnapshot searched;
   PathSearch search;
-  WorldPointer world;
 };
 
-void begin(SearchHandle& self, const WorldPointer& world, Point start, Point goal, double radius,
+WorldPointer kept(const WorldPointer& world) { return world; }
+SnapshotPointer kept(const SnapshotPointer& snapshot) { return std::make_shared<SnapshotHandle>(snapshot->copy()); }
+
+// To wait for a world releases the GIL. Another thread can begin another search before the wait ends.
+void begin(SearchHandle& self, const WorldOrSnapshot& world, Point start, Point goal, double radius,
            PathAlgorithm algorithm, std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
            std::optional<double> budget_time) {
-  world->refuse_in_attempt();
   const PathQuery query = query_of(start, goal, radius, algorithm, end_tolerance, budget_expansions, budget_time);
-  self.world = world;
-  world->read([&](const World& w) { self.search.begin(w, query).value(); });
+  const auto begin_in = [&](const auto& pointer) {
+    pointer->refuse_in_attempt();
+    const auto searched = kept(pointer);
+    return searched->read([&](const World& w) {
+      self.search.begin(w, query).value();
+      return std::exchange(self.searched, searched);
+    });
+  };
+  static_cast<void>(std::visit(begin_in, world));
 }
 
 bool step(SearchHandle& self, std::size_t expansions) {
   if (!self.search.is_running()) return true;
-  self.world->refuse_in_attempt();
-  return self.world->read([&](const World&) { return self.search.step(expansions).value(); });
+  const WorldOrSnapshot searched = self.searched;
+  const auto step_in = [&](const auto& pointer) {
+    pointer->refuse_in_attempt();
+    return pointer->read([&](const World&) {
+      if (self.searched != searched) throw std::runtime_error("another thread has begun another search");
+      return self.search.step(expansions).value();
+    });
+  };
+  return std::visit(step_in, searched);
 }
 
 }  // namespace
@@ -48,10 +69,11 @@ Between the slices the world may change: the search then continues, or starts ag
 True
 )")
       .def(py::init([] { return std::make_unique<SearchHandle>(); }))
-      .def("begin", &begin, py::arg("world"), py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
+      .def("begin", &begin, py::arg("world").none(false), py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
            py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
            py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
-           "Starts a search, and cancels the search that is running, if there is one. See World.find_path().")
+           "Starts a search in a world or a snapshot, and cancels the search that is running, if there is one. See "
+           "World.find_path().")
       .def("step", &step, py::arg("expansions"),
            "Continues the search for this number of triangles. Returns whether the search is done.")
       .def_property_readonly(

@@ -50,10 +50,12 @@ SvgOverlay overlay_of(const py::object& paths, const py::object& polylines, cons
 
 }  // namespace
 
-void bind_svg(WorldClass& world) {
+template <class Class>
+void bind_svg(Class& world) {
+  using Handle = typename Class::type;
   world.def(
       "to_svg",
-      [](const WorldHandle& self, const py::object& paths, const py::object& polylines, const py::object& discs,
+      [](const Handle& self, const py::object& paths, const py::object& polylines, const py::object& discs,
          const py::object& labels, double width, bool mesh, bool axes, bool ids, bool y_down, SvgTheme theme,
          std::optional<Box> crop, const std::string& title) {
         const SvgOverlay overlay = overlay_of(paths, polylines, discs, labels);
@@ -81,5 +83,8 @@ void bind_svg(WorldClass& world) {
 True
 )");
 }
+
+template void bind_svg(WorldClass& world);
+template void bind_svg(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

@@ -1,5 +1,7 @@
 #include <memory>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "bind.hpp"
 
@@ -9,20 +11,47 @@ namespace waywright::python {
 
 namespace {
 
-/// A watch, and its world.
+/// A watch, and its world. A watch that was made for a snapshot has no world: it reads snapshots only.
 struct WatchHandle {
-  explicit WatchHandle(WorldPointer of)
-      : world(std::move(of)), watch(world->read([](const World& w) { return PathWatch(w); })) {}
+  template <class Handle>
+  WatchHandle(WorldPointer own, const Handle& handle)
+      : world(std::move(own)), pool(handle.pool()), watch(handle.read([&](const World& w) {
+          version = w.version();
+          return PathWatch(w);
+        })) {}
 
   WorldPointer world;
+  std::shared_ptr<ContextPool> pool;  ///< of the world, and of no other one
+  std::uint64_t version = 0;          ///< of the world at the last update
   PathWatch watch;
 };
 
-PathChanges update(WatchHandle& self) {
-  PathChanges changes;
-  self.world->refuse_in_attempt();
-  self.world->read([&](const World& world) { self.watch.update(world, changes); });
-  return changes;
+std::unique_ptr<WatchHandle> make(const WorldOrSnapshot& world) {
+  const auto* const snapshot = std::get_if<SnapshotPointer>(&world);
+  if (snapshot != nullptr) return std::make_unique<WatchHandle>(nullptr, **snapshot);
+  const auto& own = std::get<WorldPointer>(world);
+  return std::make_unique<WatchHandle>(own, *own);
+}
+
+template <class Handle>
+PathChanges update_from(WatchHandle& self, const Handle& handle) {
+  handle.refuse_in_attempt();
+  return handle.read([&](const World& world) {
+    if (world.version() < self.version) throw py::value_error("the snapshot is older than the last update");
+    PathChanges changes;
+    self.watch.update(world, changes);
+    self.version = world.version();
+    return changes;
+  });
+}
+
+PathChanges update(WatchHandle& self, const SnapshotHandle* snapshot) {
+  if (snapshot == nullptr) {
+    if (!self.world) throw py::value_error("this watch was made for a snapshot: give update() a later snapshot");
+    return update_from(self, *self.world);
+  }
+  if (snapshot->pool() != self.pool) throw py::value_error("the snapshot is of another world than the watch");
+  return update_from(self, *snapshot);
 }
 
 std::string repr_of(const PathChanges& changes) {
@@ -63,15 +92,26 @@ Watches the paths of many agents. After operations, it finds the paths that the 
 >>> watch.update().blocked
 [7]
 )")
-      .def(py::init([](WorldPointer world) { return std::make_unique<WatchHandle>(std::move(world)); }),
-           py::arg("world"))
+      .def(py::init(&make), py::arg("world").none(false))
       .def(
           "add", [](WatchHandle& self, std::uint64_t key, const Path& path) { self.watch.add(key, path); },
           py::arg("key"), py::arg("path"), "Watches a path under a key.")
       .def(
           "remove", [](WatchHandle& self, std::uint64_t key) { return self.watch.remove(key); }, py::arg("key"),
           "Stops watching the path under a key. Returns whether there was one.")
-      .def("update", &update, "Finds out what the operations since the last update mean for the paths.")
+      .def("update", &update, py::arg("snapshot") = py::none(),
+           R"(Finds out what the operations since the last update mean for the paths.
+
+Without ``snapshot``, it asks the world as it is now. The snapshot must be one of this world, and not be older than the
+last update.
+
+>>> watch = waywright.PathWatch(world)
+>>> watch.add(7, world.find_path((10, 70), (90, 70)))
+>>> world.insert_segment((30, 65), (30, 75))
+3
+>>> watch.update(world.publish())
+<waywright.PathChanges 1 blocked, 0 may be blocked, 0 may be too long>
+)")
       .def(
           "__contains__", [](const WatchHandle& self, std::uint64_t key) { return self.watch.contains(key); },
           py::arg("key"))

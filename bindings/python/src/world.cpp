@@ -1,32 +1,23 @@
-#include <cstring>
-#include <iterator>
 #include <optional>
-#include <sstream>
 #include <string>
 
 #include "bind.hpp"
 
-// Worlds: making, copying, saving, and facts about the whole world.
+// Worlds: making, copying, and facts about the whole world.
 
 namespace waywright::python {
 
 namespace {
 
-WorldPointer handle_of(World world) { return std::make_shared<WorldHandle>(std::move(world)); }
-
 WorldPointer create(const Box& domain, bool keep_abstraction, bool keep_bridges, std::optional<std::size_t> limit) {
-  return handle_of(World::create(domain, {.keep_abstraction = keep_abstraction,
-                                          .keep_bridges = keep_bridges,
-                                          .new_vertex_limit = limit.value_or(kNoVertexLimit)})
-                       .value());
+  return std::make_shared<WorldHandle>(World::create(domain, {.keep_abstraction = keep_abstraction,
+                                                              .keep_bridges = keep_bridges,
+                                                              .new_vertex_limit = limit.value_or(kNoVertexLimit)})
+                                           .value());
 }
 
-std::optional<std::size_t> limit_of(const World& world) {
-  const std::size_t limit = world.new_vertex_limit();
-  return limit == kNoVertexLimit ? std::nullopt : std::optional(limit);
-}
-
-py::dict options_of(const WorldHandle& self) {
+template <class Handle>
+py::dict options_of(const Handle& self) {
   const auto [options, limit] =
       self.read([](const World& world) { return std::pair(world.options(), limit_of(world)); });
   py::dict result;
@@ -36,43 +27,22 @@ py::dict options_of(const WorldHandle& self) {
   return result;
 }
 
+SnapshotPointer publish(WorldHandle& self) {
+  self.refuse_in_attempt();
+  return std::make_shared<SnapshotHandle>(self.write([](World& world) { return world.publish(); }), self.pool());
+}
+
 WorldPointer clone(const WorldHandle& self) {
   self.refuse_in_attempt();
-  auto copy = self.read_long([](const World& world) { return handle_of(world.clone()); });
-  copy->keeps_history = self.keeps_history;
-  return copy;
-}
-
-py::bytes to_bytes(const WorldHandle& self) {
-  const std::string bytes = self.read_long([](const World& world) {
-    std::ostringstream out;
-    save_world(world, out).value();
-    return std::move(out).str();
+  return self.read_long([&](const World& world) {
+    auto copy = std::make_shared<WorldHandle>(world.clone());
+    copy->keeps_history = self.keeps_history;
+    return copy;
   });
-  return bytes;
 }
 
-WorldPointer from_bytes_of(const py::bytes& bytes, std::size_t threads, const py::object& progress) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
-  Reporter reporter(progress);
-  const std::string text = bytes;
-  const WithoutGil no_gil;
-  std::istringstream in(text);
-  auto world = load_world(in, {.threads = threads, .progress = reporter.function()}).value();
-  if (in.peek() != std::char_traits<char>::eof()) {
-    throw BadResult({ErrorCode::malformed, "the bytes contain more than a saved world", {}, 0});
-  }
-  return handle_of(std::move(world));
-}
-
-WorldPointer load(const std::string& file_name, std::size_t threads, const py::object& progress) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
-  Reporter reporter(progress);
-  const WithoutGil no_gil;
-  return handle_of(load_world_file(file_name, {.threads = threads, .progress = reporter.function()}).value());
-}
-
-py::dict memory_of(const WorldHandle& self) {
+template <class Handle>
+py::dict memory_of(const Handle& self) {
   const MemoryUse use = self.read([](const World& world) { return world.memory(); });
   py::dict result;
   result["vertices"] = use.vertices;
@@ -89,53 +59,60 @@ py::dict memory_of(const WorldHandle& self) {
   return result;
 }
 
-std::string repr_of(const WorldHandle& self) {
-  return self.read([](const World& world) {
-    const Box& box = world.domain();
-    return "<waywright.World " + to_string(box.min) + " to " + to_string(box.max) + ", " +
-           std::to_string(world.item_count()) + " items, " + std::to_string(world.vertex_count()) + " vertices>";
-  });
-}
+}  // namespace
 
-void bind_saving(WorldClass& world) {
+void bind_world(WorldClass& world) {
   world
-      .def(
-          "save",
-          [](const WorldHandle& self, const py::object& file) {
-            const auto name = py::module_::import("os").attr("fspath")(file).cast<std::string>();
-            self.read_long([&](const World& w) { save_world_file(w, name).value(); });
-          },
-          py::arg("file"), "Saves the world to a file (.wwb). At every moment the file is the old one or the new one.")
-      .def_static(
-          "load",
-          [](const py::object& file, std::size_t threads, const py::object& progress) {
-            return load(py::module_::import("os").attr("fspath")(file).cast<std::string>(), threads, progress);
-          },
-          py::arg("file"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-          "Loads a world from a file that save() has written.")
-      .def("to_bytes", &to_bytes, R"(Returns the world as bytes in the format of saved worlds (.wwb).
+      .def(py::init(&create), py::arg("domain"), py::kw_only(), py::arg("keep_abstraction") = true,
+           py::arg("keep_bridges") = false, py::arg("new_vertex_limit") = py::none())
+      .def("clone", &clone, R"(Returns an independent copy, with the same answers and the same ids for later items.
 
->>> waywright.World.from_bytes(world.to_bytes()).items_hash == world.items_hash
+>>> copy = world.clone()
+>>> copy.remove(1)
+>>> 1 in world, 1 in copy
+(True, False)
+)")
+      .def("__copy__", &clone)
+      .def(
+          "__deepcopy__", [](const WorldHandle& self, const py::dict&) { return clone(self); }, py::arg("memo"))
+      .def(
+          "shrink_to_fit",
+          [](WorldHandle& self) {
+            self.write([](World& w) { w.shrink_to_fit(); });
+            self.contexts().clear();
+          },
+          "Frees most of the spare memory.")
+      .def_property(
+          "new_vertex_limit",
+          [](const WorldHandle& self) { return self.read([](const World& w) { return limit_of(w); }); },
+          [](WorldHandle& self, std::optional<std::size_t> limit) {
+            self.write([&](World& w) { w.set_new_vertex_limit(limit.value_or(kNoVertexLimit)); });
+          },
+          "The largest number of vertices that one operation may make; None for no limit.")
+      .def("publish", &publish,
+           R"(Returns a snapshot: an immutable world with the state of this moment, for readers on other threads.
+
+The first call copies the world. A later call repeats what has changed in the memory of a snapshot that has been released,
+so its cost depends on the changes.
+
+>>> snapshot = world.publish()
+>>> world.remove(1)
+>>> snapshot.find_path((10, 50), (90, 50)).length > world.find_path((10, 50), (90, 50)).length
 True
 )")
-      .def_static("from_bytes", &from_bytes_of, py::arg("data"), py::kw_only(), py::arg("threads") = 1,
-                  py::arg("progress") = py::none(), "Returns the world that to_bytes() has written.")
-      .def(py::pickle(
-          [](const WorldHandle& self) {
-            return py::make_tuple(to_bytes(self), self.read([](const World& w) { return limit_of(w); }));
-          },
-          [](const py::tuple& state) {
-            WorldPointer loaded = from_bytes_of(state[0].cast<py::bytes>(), 1, py::none());
-            const auto limit = state[1].cast<std::optional<std::size_t>>();
-            if (limit) loaded->write([&](World& w) { w.set_new_vertex_limit(*limit); });
-            return loaded;
-          }));
+      .def("__repr__", [](const WorldHandle& self) {
+        return self.read([](const World& w) { return "<waywright.World " + facts_of(w) + ">"; });
+      });
 }
 
-void bind_facts(WorldClass& world) {
+template <class Class>
+void bind_facts(Class& world) {
+  using Handle = typename Class::type;
+  world.def("memory", &memory_of<Handle>,
+            "Returns the bytes that the world takes, by purpose, and their sum as 'total'.");
   const auto fact = [&world](const char* name, auto read, const char* doc) {
     world.def_property_readonly(
-        name, [read](const WorldHandle& self) { return self.read(read); }, doc);
+        name, [read](const Handle& self) { return self.read(read); }, doc);
   };
   fact(
       "domain", [](const World& w) { return w.domain(); }, "The smallest x and y and the largest x and y.");
@@ -156,46 +133,14 @@ void bind_facts(WorldClass& world) {
   fact(
       "default_end_tolerance", [](const World& w) { return w.default_end_tolerance(); },
       "The default of ``end_tolerance`` in path queries.");
-  world.def_property_readonly("options", &options_of, R"(The options, as World() takes them.
+  world.def_property_readonly("options", &options_of<Handle>, R"(The options, as World() takes them.
 
 >>> waywright.World((0, 0, 1, 1), **world.options).options["keep_bridges"]
 True
 )");
-  world.def_property(
-      "new_vertex_limit", [](const WorldHandle& self) { return self.read([](const World& w) { return limit_of(w); }); },
-      [](WorldHandle& self, std::optional<std::size_t> limit) {
-        self.write([&](World& w) { w.set_new_vertex_limit(limit.value_or(kNoVertexLimit)); });
-      },
-      "The largest number of vertices that one operation may make; None for no limit.");
 }
 
-}  // namespace
-
-void bind_world(WorldClass& world) {
-  world
-      .def(py::init(&create), py::arg("domain"), py::kw_only(), py::arg("keep_abstraction") = true,
-           py::arg("keep_bridges") = false, py::arg("new_vertex_limit") = py::none())
-      .def("clone", &clone, R"(Returns an independent copy, with the same answers and the same ids for later items.
-
->>> copy = world.clone()
->>> copy.remove(1)
->>> 1 in world, 1 in copy
-(True, False)
-)")
-      .def("__copy__", &clone)
-      .def(
-          "__deepcopy__", [](const WorldHandle& self, const py::dict&) { return clone(self); }, py::arg("memo"))
-      .def("memory", &memory_of, "Returns the bytes that the world takes, by purpose, and their sum as 'total'.")
-      .def(
-          "shrink_to_fit",
-          [](WorldHandle& self) {
-            self.write([](World& w) { w.shrink_to_fit(); });
-            self.contexts().clear();
-          },
-          "Frees most of the spare memory.")
-      .def("__repr__", &repr_of);
-  bind_saving(world);
-  bind_facts(world);
-}
+template void bind_facts(WorldClass& world);
+template void bind_facts(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

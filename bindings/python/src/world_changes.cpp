@@ -14,12 +14,18 @@ std::vector<Change> changes_of(const py::object& source) {
   if (py::isinstance<Shape>(source) || py::isinstance<py::dict>(source) || py::hasattr(source, "__geo_interface__")) {
     return {Change::insert(read_shape(source))};
   }
+  constexpr const char* kWanted = "changes must be a list of Change, or a geometry to insert";
+  if (!py::isinstance<py::iterable>(source)) throw py::type_error(kWanted);
   std::vector<Change> changes;
-  for (const py::handle change : source) changes.push_back(change.cast<const Change&>());
+  for (const py::handle change : source) {
+    if (!py::isinstance<Change>(change)) throw py::type_error(kWanted);
+    changes.push_back(change.cast<const Change&>());
+  }
   return changes;
 }
 
-py::object changes_since(const WorldHandle& self, std::uint64_t since) {
+template <class Handle>
+py::object changes_since(const Handle& self, std::uint64_t since) {
   std::vector<ChangedBox> boxes;
   const bool has_all = self.read([&](const World& world) {
     const auto all = world.changes_since(since);
@@ -38,15 +44,19 @@ void bind_history(WorldClass& world) {
       .def(
           "keep_history",
           [](WorldHandle& self, std::size_t ticks) {
-            self.write([&](World& w) { w.keep_history(ticks); });
-            self.keeps_history = ticks > 0;
+            self.write([&](World& w) {
+              w.keep_history(ticks);
+              self.keeps_history = ticks > 0;
+            });
           },
           py::arg("ticks"), "Makes the world remember its last ``ticks`` ticks, so that rewind() can go back to them.")
       .def(
           "mark",
           [](WorldHandle& self) {
-            if (!self.keeps_history) throw py::value_error("call keep_history() with 1 or more before mark()");
-            return self.write([](World& w) { return w.mark(); });
+            return self.write([&](World& w) {
+              if (!self.keeps_history) throw py::value_error("call keep_history() with 1 or more before mark()");
+              return w.mark();
+            });
           },
           "Names the current state of the world. Returns its tick.")
       .def(
@@ -65,7 +75,8 @@ True
 
 }  // namespace
 
-void bind_world_changes(WorldClass& world) {
+void bind_world_changes(py::module_& module, WorldClass& world) {
+  module.def("_changes", &changes_of, py::arg("changes"));
   world
       .def(
           "apply",
@@ -104,17 +115,24 @@ True
 
 >>> world.would_disconnect(waywright.Shape.segment((30, 0), (30, 100)), [(10, 50), (90, 50)])
 True
-)")
-      .def(
-          "changes_since", &changes_since, py::arg("version"),
-          R"(Returns the boxes that the operations after a version have changed, or None if the world no longer has them.
+)");
+  bind_history(world);
+}
+
+template <class Class>
+void bind_changes_since(Class& world) {
+  world.def(
+      "changes_since", &changes_since<typename Class::type>, py::arg("version"),
+      R"(Returns the boxes that the operations after a version have changed, or None if the world no longer has them.
 
 >>> before = world.version
 >>> world.remove(1)
 >>> world.changes_since(before)[0].box
 (40.0, 40.0, 60.0, 60.0)
 )");
-  bind_history(world);
 }
+
+template void bind_changes_since(WorldClass& world);
+template void bind_changes_since(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

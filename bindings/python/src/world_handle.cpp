@@ -34,11 +34,20 @@ void ContextPool::clear() {
   others_.clear();
 }
 
+thread_local const WorldHandle::SharedLock* WorldHandle::SharedLock::innermost_ = nullptr;
+
+bool WorldHandle::SharedLock::is_held_for(const WorldHandle& handle) {
+  const SharedLock* lock = innermost_;
+  while (lock != nullptr && &lock->handle_ != &handle) lock = lock->outer_;
+  return lock != nullptr;
+}
+
 WorldHandle::SharedLock::SharedLock(const WorldHandle& handle, bool has_gil) : handle_(handle) {
   if (handle.is_owner()) {
     if (handle.owner_does_ == Owner::asks) return;
     throw std::runtime_error("a progress function must not use the world that the call changes");
   }
+  if (is_held_for(handle)) return;
   if (!has_gil) {
     handle.mutex_.lock_shared();
   } else if (!handle.mutex_.try_lock_shared()) {
@@ -46,11 +55,15 @@ WorldHandle::SharedLock::SharedLock(const WorldHandle& handle, bool has_gil) : h
     handle.mutex_.lock_shared();
   }
   is_locked_ = true;
+  innermost_ = this;
 }
 
 WorldHandle::ExclusiveLock::ExclusiveLock(WorldHandle& handle) : handle_(handle) {
   if (handle.is_owner()) {
     throw std::runtime_error("the question of attempt() and a progress function must not change the world");
+  }
+  if (SharedLock::is_held_for(handle)) {
+    throw std::runtime_error("a progress function must not change the world that the call reads");
   }
   handle.mutex_.lock();
   handle.owner_does_ = Owner::changes;
@@ -81,6 +94,17 @@ py::object WorldHandle::attempt(const std::vector<Change>& changes, const py::ob
         .value();
   });
   return answer;
+}
+
+std::optional<std::size_t> limit_of(const World& world) {
+  const std::size_t limit = world.new_vertex_limit();
+  return limit == kNoVertexLimit ? std::nullopt : std::optional(limit);
+}
+
+std::string facts_of(const World& world) {
+  const Box& box = world.domain();
+  return to_string(box.min) + " to " + to_string(box.max) + ", " + std::to_string(world.item_count()) + " items, " +
+         std::to_string(world.vertex_count()) + " vertices";
 }
 
 }  // namespace waywright::python

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -12,7 +14,7 @@
 
 namespace waywright::python {
 
-/// The contexts of the queries of one world. A thread borrows one for a query.
+/// The contexts of the queries of one world and of its snapshots. A thread borrows one for a query.
 class ContextPool {
  public:
   ContextPool() = default;
@@ -48,7 +50,8 @@ class ContextPool {
 };
 
 /// A world that several threads of Python may use at once. Queries read it together, a change waits until it is alone.
-/// No thread waits for the world while it holds the GIL, so the two locks cannot block each other.
+/// No thread waits for the world while it holds the GIL, so the two locks cannot block each other. No thread waits for
+/// itself: a progress function may query the world that its call reads, and a change throws a RuntimeError.
 class WorldHandle {
  public:
   explicit WorldHandle(World world) : world_(std::move(world)) {}
@@ -80,7 +83,9 @@ class WorldHandle {
   /// Throws a RuntimeError if the calling thread is inside attempt().
   void refuse_in_attempt() const;
 
-  [[nodiscard]] ContextPool& contexts() const { return contexts_; }
+  [[nodiscard]] ContextPool& contexts() const { return *contexts_; }
+  /// Returns the pool that this world shares with its snapshots, and with nobody else.
+  [[nodiscard]] const std::shared_ptr<ContextPool>& pool() const { return contexts_; }
 
   bool keeps_history = false;  ///< whether mark() is permitted
 
@@ -92,13 +97,21 @@ class WorldHandle {
    public:
     SharedLock(const WorldHandle& handle, bool has_gil);
     ~SharedLock() {
-      if (is_locked_) handle_.mutex_.unlock_shared();
+      if (!is_locked_) return;
+      innermost_ = outer_;
+      handle_.mutex_.unlock_shared();
     }
     SharedLock(const SharedLock&) = delete;
     SharedLock& operator=(const SharedLock&) = delete;
 
+    /// Returns whether the calling thread has locked a world in this manner.
+    [[nodiscard]] static bool is_held_for(const WorldHandle& handle);
+
    private:
+    static thread_local const SharedLock* innermost_;  ///< of the calling thread
+
     const WorldHandle& handle_;
+    const SharedLock* outer_ = innermost_;
     bool is_locked_ = false;
   };
 
@@ -116,11 +129,16 @@ class WorldHandle {
   [[nodiscard]] bool is_owner() const { return owner_.load() == std::this_thread::get_id(); }
 
   World world_;
-  mutable ContextPool contexts_;
+  std::shared_ptr<ContextPool> contexts_ = std::make_shared<ContextPool>();
   mutable std::shared_mutex mutex_;
   std::atomic<std::thread::id> owner_{};  ///< the thread that has the world alone
   Owner owner_does_ = Owner::changes;
 };
+
+/// Returns the largest number of new vertices, or nothing if there is no limit.
+[[nodiscard]] std::optional<std::size_t> limit_of(const World& world);
+/// Returns the domain and the numbers of items and vertices of a world, for repr().
+[[nodiscard]] std::string facts_of(const World& world);
 
 using WorldPointer = std::shared_ptr<WorldHandle>;
 using WorldClass = py::class_<WorldHandle, WorldPointer>;

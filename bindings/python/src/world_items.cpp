@@ -8,45 +8,39 @@ namespace waywright::python {
 
 namespace {
 
-std::size_t checked_threads(std::size_t threads) {
-  if (threads < 1) throw py::value_error("threads must be 1 or more");
-  return threads;
-}
-
-std::vector<ItemId> insert_items(WorldHandle& self, const std::vector<Item>& items, std::size_t threads,
+std::vector<ItemId> insert_items(WorldHandle& self, const std::vector<Item>& items, ThreadCount threads,
                                  const py::object& progress) {
   Reporter reporter(progress);
-  const BulkOptions options{.threads = checked_threads(threads), .progress = reporter.function()};
+  const BulkOptions options{.threads = threads.value, .progress = reporter.function()};
   return self.write([&](World& world) { return world.insert_all(items, options).value(); });
 }
 
-/// Returns an item of an element of a list: a shape, or a pair of an id and a shape.
-Item item_of(const py::handle& element) {
-  if (py::isinstance<py::tuple>(element) && py::len(element) == 2) {
-    const auto pair = py::reinterpret_borrow<py::tuple>(element);
-    ItemId id;
-    if (read_id(pair[0], id)) return {id, read_shape(pair[1])};
-  }
-  return {{}, read_shape(element)};
-}
-
-std::vector<ItemId> insert_all(WorldHandle& self, const py::object& items, std::size_t threads,
+std::vector<ItemId> insert_all(WorldHandle& self, const py::object& items, ThreadCount threads,
                                const py::object& progress) {
   std::vector<Item> list;
-  for (const py::handle element : py::module_::import("waywright._geo").attr("items_of")(items)) {
-    list.push_back(item_of(element));
+  for (const py::handle pair : py::module_::import("waywright._geo").attr("items_of")(items)) {
+    auto [id, shape] = pair.cast<std::pair<ItemId, ShapeArg>>();
+    list.push_back({id, shape.shape != nullptr ? *shape.shape : std::move(shape.made)});
   }
   return insert_items(self, list, threads, progress);
 }
 
-ItemId insert_points(WorldHandle& self, const PointsArg& points, ItemId first, std::size_t threads,
+ItemId insert_points(WorldHandle& self, const PointsArg& points, ItemId first, ThreadCount threads,
                      const py::object& progress) {
   Reporter reporter(progress);
-  const BulkOptions options{.threads = checked_threads(threads), .progress = reporter.function()};
+  const BulkOptions options{.threads = threads.value, .progress = reporter.function()};
   return self.write([&](World& world) { return world.insert_points(points.span(), first, options).value(); });
 }
 
 using Offsets = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+/// Exceptions: py::type_error, if the offsets are no integers.
+Offsets offsets_of(const py::object& source) {
+  const py::array array = py::array::ensure(source);
+  const char kind = array ? array.dtype().kind() : 'O';
+  if (kind != 'i' && kind != 'u' && (!array || array.size() > 0)) throw py::type_error("offsets must be integers");
+  return Offsets(array);
+}
 
 /// Returns the elements of a list of offsets, which must ascend from 0 to `end`.
 std::span<const std::int64_t> checked_offsets(const Offsets& offsets, std::size_t end) {
@@ -64,7 +58,7 @@ std::vector<Item> ragged_items(ItemKind kind, std::span<const Point> points, con
   const auto rings = checked_offsets(offsets, points.size());
   const std::size_t ring_count = rings.size() - 1;
   Offsets of_items;
-  if (!item_offsets.is_none()) of_items = item_offsets.cast<Offsets>();
+  if (!item_offsets.is_none()) of_items = offsets_of(item_offsets);
   const auto ends = item_offsets.is_none() ? std::span<const std::int64_t>() : checked_offsets(of_items, ring_count);
   const std::size_t count = item_offsets.is_none() ? ring_count : ends.size() - 1;
   std::vector<Item> items(count);
@@ -108,10 +102,10 @@ An array of shape (N, 2) of doubles in C order is read where it is, without a co
 )")
       .def(
           "insert_ragged",
-          [](WorldHandle& self, ItemKind kind, const PointsArg& points, const Offsets& offsets,
-             const py::object& item_offsets, FillRule fill, ItemId first, std::size_t threads,
+          [](WorldHandle& self, ItemKind kind, const PointsArg& points, const py::object& offsets,
+             const py::object& item_offsets, FillRule fill, ItemId first, ThreadCount threads,
              const py::object& progress) {
-            const auto items = ragged_items(kind, points.span(), offsets, item_offsets, fill, first);
+            const auto items = ragged_items(kind, points.span(), offsets_of(offsets), item_offsets, fill, first);
             return own_ids(insert_items(self, items, threads, progress));
           },
           py::arg("kind"), py::arg("points"), py::arg("offsets"), py::arg("item_offsets") = py::none(), py::kw_only(),
@@ -193,47 +187,6 @@ waywright.UnknownIdError: no item has id 99
 >>> world.replace(1, world.shape(1).translated(5, 0))
 >>> world.shape(1).points[0]
 array([45., 40.])
-)");
-}
-
-void bind_reading(WorldClass& world) {
-  world
-      .def(
-          "contains",
-          [](const WorldHandle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
-          py::arg("id"), "Returns whether there is an item with this id. ``id in world`` does the same.")
-      .def(
-          "__contains__",
-          [](const WorldHandle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
-          py::arg("id"))
-      .def(
-          "item_ids",
-          [](const WorldHandle& self) { return own_ids(self.read([](const World& w) { return w.item_ids(); })); },
-          "Returns an array of the ids of all items, ascending.")
-      .def(
-          "shape",
-          [](const WorldHandle& self, ItemId id) {
-            return self.read([&](const World& w) { return w.shape(id).value(); });
-          },
-          py::arg("id"), R"(Returns the shape of an item.
-
->>> world.shape(2)
-<waywright.Shape segment (20, 80) (80, 80)>
-)")
-      .def(
-          "items",
-          [](const WorldHandle& self) {
-            std::vector<Item> items = self.read_long([](const World& w) { return w.items(); });
-            py::list list(items.size());
-            for (std::size_t i = 0; i < items.size(); ++i) {
-              list[i] = py::make_tuple(items[i].id, std::move(items[i].shape));
-            }
-            return list;
-          },
-          R"(Returns all items as pairs (id, shape), ascending by id.
-
->>> [id for id, shape in world.items()]
-[1, 2]
 )")
       .def(
           "reserve_ids",
@@ -247,7 +200,50 @@ void bind_world_items(WorldClass& world) {
   bind_single(world);
   bind_changing(world);
   bind_bulk(world);
-  bind_reading(world);
 }
+
+template <class Class>
+void bind_reading_items(Class& world) {
+  using Handle = typename Class::type;
+  world
+      .def(
+          "contains",
+          [](const Handle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
+          py::arg("id"), "Returns whether there is an item with this id. ``id in world`` does the same.")
+      .def(
+          "__contains__",
+          [](const Handle& self, ItemId id) { return self.read([&](const World& w) { return w.contains(id); }); },
+          py::arg("id"))
+      .def(
+          "item_ids",
+          [](const Handle& self) { return own_ids(self.read([](const World& w) { return w.item_ids(); })); },
+          "Returns an array of the ids of all items, ascending.")
+      .def(
+          "shape",
+          [](const Handle& self, ItemId id) { return self.read([&](const World& w) { return w.shape(id).value(); }); },
+          py::arg("id"), R"(Returns the shape of an item.
+
+>>> world.shape(2)
+<waywright.Shape segment (20, 80) (80, 80)>
+)")
+      .def(
+          "items",
+          [](const Handle& self) {
+            std::vector<Item> items = self.read_long([](const World& w) { return w.items(); });
+            py::list list(items.size());
+            for (std::size_t i = 0; i < items.size(); ++i) {
+              list[i] = py::make_tuple(items[i].id, std::move(items[i].shape));
+            }
+            return list;
+          },
+          R"(Returns all items as pairs (id, shape), ascending by id.
+
+>>> [id for id, shape in world.items()]
+[1, 2]
+)");
+}
+
+template void bind_reading_items(WorldClass& world);
+template void bind_reading_items(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

@@ -10,10 +10,10 @@ namespace waywright::python {
 
 namespace {
 
-std::unique_ptr<Path> find_path(const WorldHandle& self, Point start, Point goal, double radius,
-                                PathAlgorithm algorithm, std::optional<double> end_tolerance,
-                                std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
-                                bool wants_channel, bool wants_time) {
+template <class Handle>
+std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, double radius, PathAlgorithm algorithm,
+                                std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
+                                std::optional<double> budget_time, bool wants_channel, bool wants_time) {
   PathQuery query = query_of(start, goal, radius, algorithm, end_tolerance, budget_expansions, budget_time);
   query.wants_channel = wants_channel;
   query.wants_time = wants_time;
@@ -23,7 +23,8 @@ std::unique_ptr<Path> find_path(const WorldHandle& self, Point start, Point goal
   return path;
 }
 
-std::vector<Path> find_paths_from(const WorldHandle& self, Point start, const PointsArg& goals, double radius,
+template <class Handle>
+std::vector<Path> find_paths_from(const Handle& self, Point start, const PointsArg& goals, double radius,
                                   bool wants_points, std::optional<double> end_tolerance) {
   const ManyGoalsQuery query{.start = start,
                              .goals = goals.span(),
@@ -38,11 +39,13 @@ std::vector<Path> find_paths_from(const WorldHandle& self, Point start, const Po
   });
 }
 
-void bind_affected(WorldClass& world) {
+template <class Class>
+void bind_affected(Class& world) {
+  using Handle = typename Class::type;
   world
       .def(
           "is_affected",
-          [](const WorldHandle& self, const py::object& path, std::uint64_t since) {
+          [](const Handle& self, const py::object& path, std::uint64_t since) {
             if (py::isinstance<Path>(path)) {
               const auto& known = path.cast<const Path&>();
               return self.read([&](const World& w) { return w.is_affected(known, since); });
@@ -54,13 +57,18 @@ void bind_affected(WorldClass& world) {
           "Returns whether a path or a list of points meets a box that an operation after a version has changed.")
       .def(
           "find_affected",
-          [](const WorldHandle& self, const py::iterable& paths, std::uint64_t since) {
+          [](const Handle& self, const py::iterable& paths, std::uint64_t since) {
+            // The iterable may run code of Python, which may use the world.
+            const py::list list(paths);
+            std::vector<const Path*> all;
+            for (const py::handle path : list) {
+              if (!py::isinstance<Path>(path)) throw py::type_error("paths must be a list of Path");
+              all.push_back(&path.cast<const Path&>());
+            }
             std::vector<std::size_t> affected;
             self.read([&](const World& w) {
-              std::size_t index = 0;
-              for (const py::handle path : paths) {
-                if (w.is_affected(path.cast<const Path&>(), since)) affected.push_back(index);
-                ++index;
+              for (std::size_t i = 0; i < all.size(); ++i) {
+                if (w.is_affected(*all[i], since)) affected.push_back(i);
               }
             });
             return affected;
@@ -70,9 +78,11 @@ void bind_affected(WorldClass& world) {
 
 }  // namespace
 
-void bind_world_paths(WorldClass& world) {
+template <class Class>
+void bind_world_paths(Class& world) {
+  using Handle = typename Class::type;
   world
-      .def("find_path", &find_path, py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
+      .def("find_path", &find_path<Handle>, py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
            py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
            py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
            py::arg("wants_channel") = false, py::arg("wants_time") = false,
@@ -88,7 +98,7 @@ triangles, ``budget_time``: the number of seconds that a search by 'ta' may use.
 >>> world.find_path((50, 50), (90, 45)).status
 'start-blocked'
 )")
-      .def("find_paths_from", &find_paths_from, py::arg("start"), py::arg("goals"), py::arg("radius") = 0.0,
+      .def("find_paths_from", &find_paths_from<Handle>, py::arg("start"), py::arg("goals"), py::arg("radius") = 0.0,
            py::kw_only(), py::arg("wants_points") = false, py::arg("end_tolerance") = py::none(),
            R"(Finds the shortest path from a start to each goal. Returns a list of paths.
 
@@ -99,5 +109,8 @@ With ``wants_points=False`` the paths have a status and a length only.
 )");
   bind_affected(world);
 }
+
+template void bind_world_paths(WorldClass& world);
+template void bind_world_paths(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

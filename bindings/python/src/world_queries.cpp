@@ -10,11 +10,13 @@ namespace waywright::python {
 
 namespace {
 
-void bind_locating(WorldClass& world) {
+template <class Class>
+void bind_locating(Class& world) {
+  using Handle = typename Class::type;
   world
       .def(
           "locate",
-          [](const WorldHandle& self, Point point) {
+          [](const Handle& self, Point point) {
             Location location;
             const ContextPool::Loan context(self.contexts());
             self.read([&](const World& w) { w.locate(point, *context, location).value(); });
@@ -27,7 +29,7 @@ void bind_locating(WorldClass& world) {
 )")
       .def(
           "items_at",
-          [](const WorldHandle& self, Point point) {
+          [](const Handle& self, Point point) {
             std::vector<ItemId> items;
             const ContextPool::Loan context(self.contexts());
             self.read([&](const World& w) { w.items_at(point, *context, items).value(); });
@@ -36,7 +38,7 @@ void bind_locating(WorldClass& world) {
           py::arg("point"), "Returns the ids of the items that contain a point, ascending.")
       .def(
           "items_in",
-          [](const WorldHandle& self, const Box& box) {
+          [](const Handle& self, const Box& box) {
             const ContextPool::Loan context(self.contexts());
             return own_ids(self.read_long([&](const World& w) {
               std::vector<ItemId> items;
@@ -48,11 +50,13 @@ void bind_locating(WorldClass& world) {
           "Returns an array of the ids of the items that have a position in common with a box, ascending.");
 }
 
-void bind_segments(WorldClass& world) {
+template <class Class>
+void bind_segments(Class& world) {
+  using Handle = typename Class::type;
   world
       .def(
           "items_crossed",
-          [](const WorldHandle& self, Point start, Point end) {
+          [](const Handle& self, Point start, Point end) {
             std::vector<CrossedItem> items;
             const ContextPool::Loan context(self.contexts());
             self.read([&](const World& w) { w.items_crossed(start, end, *context, items).value(); });
@@ -68,7 +72,7 @@ void bind_segments(WorldClass& world) {
 )")
       .def(
           "ray",
-          [](const WorldHandle& self, Point start, Point end) {
+          [](const Handle& self, Point start, Point end) {
             RayHit hit;
             self.read([&](const World& w) { w.ray(start, end, hit).value(); });
             return hit;
@@ -80,11 +84,13 @@ void bind_segments(WorldClass& world) {
 )");
 }
 
-void bind_discs(WorldClass& world) {
+template <class Class>
+void bind_discs(Class& world) {
+  using Handle = typename Class::type;
   world
       .def(
           "sweep_disc",
-          [](const WorldHandle& self, Point start, Point end, double radius) {
+          [](const Handle& self, Point start, Point end, double radius) {
             RayHit hit;
             const ContextPool::Loan context(self.contexts());
             self.read([&](const World& w) { w.sweep_disc(start, end, radius, *context, hit).value(); });
@@ -98,7 +104,7 @@ void bind_discs(WorldClass& world) {
 )")
       .def(
           "fit_disc",
-          [](const WorldHandle& self, Point centre, double radius) {
+          [](const Handle& self, Point centre, double radius) {
             DiscFit fit;
             const ContextPool::Loan context(self.contexts());
             self.read([&](const World& w) { w.fit_disc(centre, radius, *context, fit).value(); });
@@ -111,7 +117,7 @@ void bind_discs(WorldClass& world) {
 )")
       .def(
           "nearest_fit",
-          [](const WorldHandle& self, Point point, double radius, std::optional<Point> goal, double limit) {
+          [](const Handle& self, Point point, double radius, std::optional<Point> goal, double limit) {
             NearestFit fit;
             const ContextPool::Loan context(self.contexts());
             const NearestFitQuery query{.point = point, .radius = radius, .goal = goal, .limit = limit};
@@ -127,7 +133,7 @@ void bind_discs(WorldClass& world) {
 )")
       .def(
           "widest_path",
-          [](const WorldHandle& self, Point start, Point goal) {
+          [](const Handle& self, Point start, Point goal) {
             WidestPath widest;
             const ContextPool::Loan context(self.contexts());
             self.read_long([&](const World& w) { w.widest_path(start, goal, *context, widest).value(); });
@@ -142,13 +148,15 @@ void bind_discs(WorldClass& world) {
 
 }  // namespace
 
-void bind_world_queries(WorldClass& world) {
+template <class Class>
+void bind_world_queries(Class& world) {
+  using Handle = typename Class::type;
   bind_locating(world);
   bind_segments(world);
   bind_discs(world);
   world.def(
       "is_clear",
-      [](const WorldHandle& self, const PointsArg& points) {
+      [](const Handle& self, const PointsArg& points) {
         const ContextPool::Loan context(self.contexts());
         return self.read_long([&](const World& w) { return w.is_clear(points.span(), *context).value(); });
       },
@@ -158,5 +166,8 @@ void bind_world_queries(WorldClass& world) {
 (True, False)
 )");
 }
+
+template void bind_world_queries(WorldClass& world);
+template void bind_world_queries(SnapshotClass& snapshot);
 
 }  // namespace waywright::python

@@ -33,6 +33,7 @@ from waywright._core import (
     Script,
     ScriptLine,
     Shape,
+    Snapshot,
     WidestPath,
     World,
     __version__,
@@ -57,18 +58,19 @@ from waywright._errors import (
     WaywrightError,
 )
 
-World.find_paths = _batch.find_paths
-World.rays = _batch.rays
-World.nearest_fits = _batch.nearest_fits
-World.items_at_all = _batch.items_at_all
-World.to_geojson = _geo.world_to_geojson
-World.__geo_interface__ = property(_geo.world_to_geojson)
+for _class in (World, Snapshot):
+    _class.find_paths = _batch.find_paths
+    _class.rays = _batch.rays
+    _class.nearest_fits = _batch.nearest_fits
+    _class.items_at_all = _batch.items_at_all
+    _class.to_geojson = _geo.world_to_geojson
+    _class.__geo_interface__ = property(_geo.world_to_geojson)
+    _class.plot = _plot.plot_world
+    _class._repr_svg_ = _plot.world_svg
 Shape.__geo_interface__ = property(_geo.shape_to_geojson)
 Path.__geo_interface__ = property(_geo.path_to_geojson)
-World.plot = _plot.plot_world
 Path.plot = _plot.plot_path
 PathBatch.plot = _plot.plot_batch
-World._repr_svg_ = _plot.world_svg
 
 __all__ = [
     "LARGEST_COORDINATE",
@@ -102,6 +104,7 @@ __all__ = [
     "Script",
     "ScriptLine",
     "Shape",
+    "Snapshot",
     "TickError",
     "UnknownIdError",
     "WaywrightError",
@@ -124,4 +127,4 @@ for _name in __all__:
     _object = globals()[_name]
     if getattr(_object, "__module__", "").startswith("waywright._") and isinstance(_object, type):
         _object.__module__ = "waywright"
-del _name, _object
+del _class, _name, _object

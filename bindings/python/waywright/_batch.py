@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from waywright import _core
 
+AnyWorld = Union[_core.World, _core.Snapshot]
 Progress = Union[Callable[[int, int], object], bool, None]
 
 
@@ -122,7 +123,7 @@ def _joined_offsets(lists: Sequence[NDArray[np.int64]]) -> NDArray[np.int64]:
 
 
 def find_paths(
-    self: _core.World,
+    self: AnyWorld,
     starts: ArrayLike,
     goals: ArrayLike,
     radius: ArrayLike = 0.0,
@@ -164,7 +165,7 @@ def find_paths(
 
 
 def rays(
-    self: _core.World,
+    self: AnyWorld,
     starts: ArrayLike,
     ends: ArrayLike,
     radius: ArrayLike | None = None,
@@ -181,7 +182,7 @@ def rays(
 
 
 def nearest_fits(
-    self: _core.World,
+    self: AnyWorld,
     points: ArrayLike,
     radius: ArrayLike,
     *,
@@ -198,7 +199,7 @@ def nearest_fits(
 
 
 def items_at_all(
-    self: _core.World, points: ArrayLike, *, threads: int = 1, progress: Progress = None
+    self: AnyWorld, points: ArrayLike, *, threads: int = 1, progress: Progress = None
 ) -> tuple[NDArray[np.uint64], NDArray[np.int64]]:
     """Returns the ids of the items that contain each point, and offsets.
 

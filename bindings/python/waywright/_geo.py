@@ -3,28 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from operator import index
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from waywright import _core
 
+if TYPE_CHECKING:
+    from waywright._batch import AnyWorld
+
 Geometry = Mapping[str, Any]
+COLLECTIONS = ("FeatureCollection", "GeometryCollection", "MultiPoint", "MultiLineString")
 
 
 def geometry_of(source: Any) -> Geometry:
     """Returns the GeoJSON geometry of an object: of a feature its geometry."""
     if not isinstance(source, Mapping):
-        source = getattr(source, "__geo_interface__", None)
-        if not isinstance(source, Mapping):
-            raise TypeError("a geometry must be a Shape, a GeoJSON geometry, or an object with __geo_interface__")
+        geometry = getattr(source, "__geo_interface__", None)
+        if not isinstance(geometry, Mapping):
+            wanted = "a Shape, a GeoJSON geometry, or an object with __geo_interface__"
+            raise TypeError(f"a geometry must be {wanted}, not {type(source).__name__}")
+        source = geometry
     if source.get("type") == "Feature":
+        if source.get("geometry") is None:
+            raise ValueError("this feature has no geometry")
         return geometry_of(source["geometry"])
     return source
 
 
+def _member(geometry: Geometry, name: str) -> Any:
+    if geometry.get(name) is None:
+        raise ValueError(f"a GeoJSON object of the type {geometry.get('type')} needs {name}")
+    return geometry[name]
+
+
 def _points(coordinates: Any) -> np.ndarray:
-    points = np.asarray(coordinates, dtype=np.float64)
+    try:
+        points = np.asarray(coordinates, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError("the coordinates of a geometry must be pairs of numbers") from error
     if points.size == 0:
         return points.reshape(0, 2)
     if points.ndim != 2 or points.shape[1] < 2:
@@ -45,8 +63,15 @@ def shape_of(source: Any) -> _core.Shape:
 
     A multi-polygon is one item with the rings of all its polygons.
     """
+    if isinstance(source, _core.Shape):
+        return source
     geometry = geometry_of(source)
-    kind, coordinates = geometry.get("type"), geometry.get("coordinates")
+    kind = geometry.get("type")
+    if kind not in ("Point", "LineString", "LinearRing", "Polygon", "MultiPolygon"):
+        if kind in COLLECTIONS:
+            raise ValueError(f"a geometry of the type {kind} is not one item; use insert_all() for a collection")
+        raise ValueError(f"a geometry has a type of GeoJSON, such as 'Polygon', not {kind!r}")
+    coordinates = _member(geometry, "coordinates")
     if kind == "Point":
         points = _points([coordinates])
         return _core._shape("point", points, [0, 1])
@@ -55,28 +80,29 @@ def shape_of(source: Any) -> _core.Shape:
         return _core._shape("segment" if len(points) == 2 else "polyline", points, [0, len(points)])
     if kind == "Polygon":
         return _polygon(coordinates)
-    if kind == "MultiPolygon":
-        return _polygon(ring for rings in coordinates for ring in rings)
-    raise ValueError(f"a geometry of the type {kind} is not one item; use insert_all() for a collection")
+    return _polygon(ring for rings in coordinates for ring in rings)
 
 
 def _geometries(geometry: Geometry) -> Iterator[Any]:
-    """Yields the geometries of a collection, each of which is one item."""
+    """Yields the geometries of a collection, each of which is one item, and pairs (id, geometry)."""
     kind = geometry.get("type")
     if kind == "FeatureCollection":
-        for feature in geometry["features"]:
+        for feature in _member(geometry, "features"):
             yield from _items_of_feature(feature)
     elif kind == "GeometryCollection":
-        for member in geometry["geometries"]:
+        for member in _member(geometry, "geometries"):
             yield from _geometries(member)
     elif kind in ("MultiPoint", "MultiLineString"):
-        for coordinates in geometry["coordinates"]:
+        for coordinates in _member(geometry, "coordinates"):
             yield {"type": kind[len("Multi") :], "coordinates": coordinates}
     else:
         yield geometry
 
 
-def _items_of_feature(feature: Geometry) -> Iterator[Any]:
+def _items_of_feature(feature: Any) -> Iterator[Any]:
+    if not isinstance(feature, Mapping) or feature.get("geometry") is None:
+        yield feature  # shape_of() says what is wrong
+        return
     shapes = list(_geometries(geometry_of(feature)))
     number = feature.get("id")
     if isinstance(number, int) and len(shapes) == 1:
@@ -85,15 +111,33 @@ def _items_of_feature(feature: Geometry) -> Iterator[Any]:
         yield from shapes
 
 
-def items_of(source: Any) -> Iterator[Any]:
-    """Yields what insert_all() inserts: geometries, and pairs (id, geometry)."""
+def _elements(source: Any) -> Iterable[Any]:
+    """Returns the elements of a list of items or of a collection."""
     if isinstance(source, _core.Shape):
-        yield source
-    elif isinstance(source, Mapping) or hasattr(source, "__geo_interface__"):
+        return [source]
+    if isinstance(source, Mapping) or hasattr(source, "__geo_interface__"):
         geometry = source if isinstance(source, Mapping) else source.__geo_interface__
-        yield from _items_of_feature(geometry) if geometry.get("type") == "Feature" else _geometries(geometry)
-    else:
-        yield from source
+        return _items_of_feature(geometry) if geometry.get("type") == "Feature" else _geometries(geometry)
+    if not isinstance(source, Iterable):
+        raise TypeError(f"items must be geometries, or a collection of GeoJSON or Shapely, not {type(source).__name__}")
+    return source
+
+
+def _item(element: Any) -> tuple[int | None, _core.Shape]:
+    if isinstance(element, tuple) and len(element) == 2:
+        number, element = element
+        return None if number is None else index(number), shape_of(element)
+    return None, shape_of(element)
+
+
+def items_of(source: Any) -> Iterator[tuple[int | None, _core.Shape]]:
+    """Yields what insert_all() inserts. An error names the index of its item."""
+    for count, element in enumerate(_elements(source)):
+        try:
+            yield _item(element)
+        except (TypeError, ValueError) as error:
+            kind = TypeError if isinstance(error, TypeError) else ValueError
+            raise kind(f"item {count}: {error}") from error
 
 
 def _coordinates(points: np.ndarray) -> list[tuple[float, float]]:
@@ -116,7 +160,7 @@ def path_to_geojson(path: _core.Path) -> dict[str, Any]:
     return {"type": "LineString", "coordinates": _coordinates(points)}
 
 
-def world_to_geojson(self: _core.World) -> dict[str, Any]:
+def world_to_geojson(self: AnyWorld) -> dict[str, Any]:
     """Returns the items as a GeoJSON collection of features, each with its id.
 
     A ring of a polygon is a hole by the rule of the polygon, whatever its index. (Readers of GeoJSON take the first ring

@@ -11,7 +11,7 @@ from waywright import _core
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from waywright._batch import PathBatch
+    from waywright._batch import AnyWorld, PathBatch
 
 WALL_COLOUR = "#1b1b1b"
 SOLID_COLOUR = "#b9b4a9"
@@ -29,19 +29,35 @@ def _axes(ax: Axes | None) -> Axes:
     return ax
 
 
-def _filled(rings: list[np.ndarray]) -> Any:
+def _directed(rings: list[np.ndarray]) -> list[np.ndarray]:
+    """Returns rings whose directions alternate from ring to ring inside it.
+
+    matplotlib fills by the rule 'nonzero'. Directed in this manner, rings that do not cross show what 'even-odd' fills.
+    """
+    from matplotlib.path import Path as Outline
+
+    directed = []
+    for ring in rings:
+        around = [other for other in rings if other is not ring and Outline(other).contains_points(ring).mean() > 0.5]
+        x, y = ring.T
+        is_left = np.dot(x, np.roll(y, -1)) > np.dot(np.roll(x, -1), y)
+        directed.append(ring if is_left == (len(around) % 2 == 0) else ring[::-1])
+    return directed
+
+
+def _filled(shape: _core.Shape) -> Any:
     """Returns a path of matplotlib with all rings."""
     from matplotlib.path import Path as Outline
 
     vertices, codes = [], []
-    for ring in rings:
+    for ring in _directed(shape.rings) if shape.fill == "even-odd" and len(shape.rings) > 1 else shape.rings:
         vertices.append(np.vstack([ring, ring[:1]]))
         codes += [Outline.MOVETO] + [Outline.LINETO] * (len(ring) - 1) + [Outline.CLOSEPOLY]
     return Outline(np.concatenate(vertices), codes)
 
 
 def plot_world(
-    self: _core.World, ax: Axes | None = None, *, mesh: bool = False, paths: Any = (), ids: bool = False
+    self: AnyWorld, ax: Axes | None = None, *, mesh: bool = False, paths: Any = (), ids: bool = False
 ) -> Axes:
     """Draws the world with matplotlib, and paths on top. Returns the axes.
 
@@ -57,7 +73,7 @@ def plot_world(
         snapshot = self.snapshot()
         ax.triplot(*snapshot.vertices.T, snapshot.triangles, color=MESH_COLOUR, linewidth=0.5, zorder=1)
     items = self.items()
-    solids = [_filled(shape.rings) for _, shape in items if shape.kind == "polygon"]
+    solids = [_filled(shape) for _, shape in items if shape.kind == "polygon"]
     walls = [shape.points for _, shape in items if shape.kind in ("segment", "polyline")]
     points = [shape.points[0] for _, shape in items if shape.kind == "point"]
     ax.add_collection(PathCollection(solids, facecolor=SOLID_COLOUR, edgecolor=WALL_COLOUR, zorder=2))
@@ -88,6 +104,6 @@ def plot_batch(self: PathBatch, ax: Axes | None = None, **style: Any) -> Axes:
     return ax
 
 
-def world_svg(self: _core.World) -> str:
+def world_svg(self: AnyWorld) -> str:
     """The picture of the world in Jupyter."""
     return self.to_svg(width=800)

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from distributed import Client, Future, as_completed
 
-from waywright import PathBatch, WaywrightError, World, _progress
+from waywright import PathBatch, WaywrightError, World, _core, _progress
 
 Progress = Callable[[int, int], object]
 
@@ -111,23 +111,39 @@ def _checked(kept: _Kept) -> _Kept:
 _worlds = _Worlds()
 
 
+class _Base(NamedTuple):
+    """The bytes of a saved world. Logs of Dask show the repr() of a task's arguments, so it is short."""
+
+    data: bytes
+
+    def __repr__(self) -> str:
+        return f"<saved world of {len(self.data)} bytes>"
+
+
 def _value(value: Any) -> Any:
     """A task whose result is its argument. If the worker that has the result dies, the scheduler repeats the task."""
     return value
 
 
+@dataclass(frozen=True)
+class _Refused:
+    """The answer of a chunk with a refused query. A task that raised the error would fill the log of its worker."""
+
+    error: WaywrightError
+
+
 def _answer(
-    base: bytes, base_state: State, updates: list[Update], arrays: tuple, first: int, options: dict[str, Any]
-) -> PathBatch:
+    base: _Base, base_state: State, updates: list[Update], arrays: tuple, first: int, options: dict[str, Any]
+) -> PathBatch | _Refused:
     """Answers the queries of one chunk, on a worker. ``first`` is the index of its first query in the batch."""
     starts, goals, radius = arrays
-    with _worlds.use(base, base_state, updates) as world:
+    with _worlds.use(base.data, base_state, updates) as world:
         try:
             return world.find_paths(starts, goals, radius, **options)
         except WaywrightError as error:
             index = first + error.index
             message = error.message.replace(f"query {error.index}", f"query {index}", 1)
-            raise type(error)(error.code, message, index, error.item) from None
+            return _Refused(type(error)(error.code, message, index, error.item))
 
 
 class DistributedWorld:
@@ -163,9 +179,9 @@ class DistributedWorld:
         """The number of operations since the copy was made."""
         return self._version
 
-    def apply(self, changes: Iterable[Any]) -> list[int]:
+    def apply(self, changes: Any) -> list[int]:
         """Makes changes, as World.apply() does. Returns the id of the item of each change."""
-        changes = list(changes)
+        changes = _core._changes(changes)
         ids = self._world.apply(changes)
         self._version += 1
         self._updates.append(self._send(Update(changes, self._state()), f"update-{self._version}"))
@@ -199,13 +215,17 @@ class DistributedWorld:
 
     def _rebase(self) -> None:
         self._base_state = self._state()
-        self._base = self._send(self._world.to_bytes(), f"base-{self._version}")
+        self._base = self._send(_Base(self._world.to_bytes()), f"base-{self._version}")
         self._updates: list[Future] = []
 
     def _submit(
         self, starts: Any, goals: Any, radius: Any, chunk_size: int | None, options: dict[str, Any]
     ) -> list[Future]:
         starts, goals, radius = (np.ascontiguousarray(each, np.float64) for each in (starts, goals, radius))
+        if any(each.size > 0 and (each.ndim != 2 or each.shape[1] != 2) for each in (starts, goals)):
+            raise ValueError("starts and goals must be arrays of shape (N, 2)")
+        if chunk_size is not None and chunk_size < 1:
+            raise ValueError("chunk_size must be 1 or more")
         if len(starts) != len(goals) or radius.ndim > 0 and radius.size not in (1, len(starts)):
             raise ValueError("starts, goals and radius must have the same length")
         radius = radius.reshape(()) if radius.size == 1 else radius
@@ -262,21 +282,28 @@ def _gather(chunks: Sequence[Future], progress: Progress | bool | None) -> list[
     """
     report = _progress.bar() if progress is True else progress or (lambda done, total: None)
     index_of = {chunk.key: index for index, chunk in enumerate(chunks)}
-    failed, done = len(chunks), 0
+    answers: list[Any] = [None] * len(chunks)
+    failed = len(chunks)
     try:
-        for chunk in as_completed(chunks):
-            done += 1
+        for done, chunk in enumerate(as_completed(chunks), 1):
             report(done, len(chunks))
             index = index_of[chunk.key]
-            if chunk.status != "error" or index >= failed:
+            if index > failed:
                 continue
-            for later in chunks[index + 1 : failed]:
-                later.cancel()
-            failed = index
+            answers[index] = chunk.result()
+            if isinstance(answers[index], _Refused):
+                _cancel(chunks[index + 1 : failed])
+                failed = index
         if failed < len(chunks):
-            chunks[failed].result()
-        return [chunk.result() for chunk in chunks]
+            raise answers[failed].error
+        return answers
     except BaseException:
-        for chunk in chunks:
-            chunk.cancel()
+        _cancel(chunks)
         raise
+
+
+def _cancel(chunks: Sequence[Future]) -> None:
+    """Cancels the chunks that still run, all at once: the scheduler takes its time for each call."""
+    running = [chunk for chunk in chunks if not chunk.done()]
+    if running:
+        running[0].client.cancel(running)

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "world_handle.hpp"
+
+namespace waywright::python {
+
+/// A snapshot of a world that several threads of Python may use at once. Its members are those of WorldHandle with the
+/// same name, but no query waits for anything. Requires of all members: the thread holds the GIL.
+class SnapshotHandle {
+ public:
+  /// `contexts` is the pool of the world.
+  SnapshotHandle(WorldSnapshot snapshot, std::shared_ptr<ContextPool> contexts)
+      : snapshot_(std::move(snapshot)), contexts_(std::move(contexts)) {}
+
+  /// Exceptions: py::value_error, if the snapshot has been released.
+  template <class Function>
+  auto read(Function&& function) const {
+    const WorldSnapshot snapshot = held();
+    return function(*snapshot);
+  }
+  /// Exceptions: py::value_error, if the snapshot has been released. If another thread releases it during the call, the
+  /// call continues, and its end is the end of the snapshot.
+  template <class Function>
+  auto read_long(Function&& function) const {
+    WorldSnapshot snapshot = held();
+    const WithoutGil no_gil;
+    const WorldSnapshot used = std::move(snapshot);
+    return function(*used);
+  }
+  void refuse_in_attempt() const {}
+
+  [[nodiscard]] ContextPool& contexts() const { return *contexts_; }
+  [[nodiscard]] const std::shared_ptr<ContextPool>& pool() const { return contexts_; }
+
+  /// Returns another handle of the same immutable world.
+  /// Exceptions: py::value_error, if the snapshot has been released.
+  [[nodiscard]] SnapshotHandle copy() const { return {held(), contexts_}; }
+  [[nodiscard]] bool is_held() const { return static_cast<bool>(snapshot_); }
+  void release();
+
+ private:
+  /// Returns the snapshot. The copy lives on when another thread releases this handle during a query.
+  [[nodiscard]] WorldSnapshot held() const;
+
+  WorldSnapshot snapshot_;
+  std::shared_ptr<ContextPool> contexts_;
+};
+
+using SnapshotPointer = std::shared_ptr<SnapshotHandle>;
+using SnapshotClass = py::class_<SnapshotHandle, SnapshotPointer>;
+using WorldOrSnapshot = std::variant<WorldPointer, SnapshotPointer>;
+
+}  // namespace waywright::python
