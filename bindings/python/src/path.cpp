@@ -99,8 +99,8 @@ bool is_usable(const PathPiece& piece) {
 /// Returns the same for a path. A damaged pickle can fail here.
 bool is_usable(const Path& path) {
   return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.radius) && path.radius >= 0.0 &&
-         std::ranges::all_of(path.points, [](const Point& point) { return is_in_range(point); }) &&
-         std::ranges::all_of(path.pieces, [](const PathPiece& piece) { return is_usable(piece); });
+         std::all_of(path.points.begin(), path.points.end(), [](const Point& point) { return is_in_range(point); }) &&
+         std::all_of(path.pieces.begin(), path.pieces.end(), [](const PathPiece& piece) { return is_usable(piece); });
 }
 
 std::unique_ptr<Path> path_from(const py::tuple& state) {

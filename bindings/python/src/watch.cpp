@@ -109,8 +109,8 @@ last update.
 >>> watch.add(7, world.find_path((10, 70), (90, 70)))
 >>> world.insert_segment((30, 65), (30, 75))
 3
->>> watch.update(world.publish())
-<waywright.PathChanges 1 blocked, 0 may be blocked, 0 may be too long>
+>>> list(watch.update(world.publish()).blocked)
+[7]
 )")
       .def(
           "__contains__", [](const WatchHandle& self, std::uint64_t key) { return self.watch.contains(key); },
