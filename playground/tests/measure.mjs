@@ -40,7 +40,7 @@ async function record(page, act) {
   await page.evaluate(() => {
     const { view, session } = window.waywright;
     view.frameTimes.length = 0;
-    window.record = { frames: [], trips: [], isRunning: true };
+    window.record = { frames: [], trips: [], changes: [], searches: [], isRunning: true };
     let last = performance.now();
     const frame = (now) => {
       window.record.frames.push(now - last);
@@ -53,7 +53,10 @@ async function record(page, act) {
     engine.ask = async (name, ...args) => {
       const begin = performance.now();
       const answer = await ask(name, ...args);
-      if (name === 'edit') window.record.trips.push(performance.now() - begin);
+      if (name !== 'edit') return answer;
+      window.record.trips.push(performance.now() - begin);
+      window.record.changes.push(answer.summary.milliseconds);
+      window.record.searches.push(answer.routes.routes[0].milliseconds);
       return answer;
     };
   });
@@ -105,7 +108,9 @@ try {
   const drag = await record(page, () => dragObstacle(page));
   summarise('10,000 obstacles, drag, between frames', drag.frames);
   summarise('10,000 obstacles, drag, drawing of a frame', drag.draws);
-  summarise('10,000 obstacles, drag, change and path', drag.trips);
+  summarise('10,000 obstacles, drag, change and path, until the page has them', drag.trips);
+  summarise('10,000 obstacles, drag, change', drag.changes);
+  summarise('10,000 obstacles, drag, path', drag.searches);
   const pan = await record(page, () => panAndZoom(page));
   summarise('10,000 obstacles, pan and zoom, between frames', pan.frames);
   summarise('10,000 obstacles, pan and zoom, drawing of a frame', pan.draws);

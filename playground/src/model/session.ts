@@ -31,6 +31,9 @@ interface Task {
 export type Topic = 'document' | 'items' | 'log' | 'routes' | 'ends' | 'summary' | 'hashes' | 'busy' | 'touched';
 
 const IDLE_MILLISECONDS = 140;
+/** The hash of the mesh of a large world takes long, and people wait for it if they go on. The pause before it grows. */
+const VERTICES_PER_IDLE_MILLISECOND = 80;
+const LONGEST_IDLE_MILLISECONDS = 1500;
 
 export class Session {
   readonly engine: EngineClient;
@@ -217,7 +220,8 @@ export class Session {
       while (await this.step());
     } finally {
       this.isPumping = false;
-      this.idleTimer = window.setTimeout(() => void this.whenIdle(), IDLE_MILLISECONDS);
+      const pause = IDLE_MILLISECONDS + (this.summary?.vertexCount ?? 0) / VERTICES_PER_IDLE_MILLISECOND;
+      this.idleTimer = window.setTimeout(() => void this.whenIdle(), Math.min(pause, LONGEST_IDLE_MILLISECONDS));
     }
   }
 

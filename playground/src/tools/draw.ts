@@ -23,12 +23,13 @@ abstract class DragTool implements Tool {
 
   down({ at }: Press): void {
     this.item = { id: this.bench.session.document.takeId(), from: at };
-    this.bench.view.lift([this.item.id]);
   }
   move({ at }: Press): void {
     if (this.item === null) return;
     const after = this.shape(this.item.from, at);
-    if (after !== null) void this.bench.session.drag([{ id: this.item.id, before: null, after }]);
+    if (after === null) return;
+    this.bench.view.lift([[this.item.id, after]]);
+    void this.bench.session.drag([{ id: this.item.id, before: null, after }]);
   }
   up(press: Press): void {
     const { item } = this;

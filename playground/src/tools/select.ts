@@ -101,11 +101,11 @@ export class SelectTool implements Tool {
     if (moving === null) return this.pan.move(press);
     const [dx, dy] = [press.at.x - moving.from.x, press.at.y - moving.from.y];
     if (!moving.hasMoved && Math.hypot(dx, dy) < reach(this.bench, 3)) return;
-    if (!moving.hasMoved) this.bench.view.lift(moving.shapes.map(([id]) => id));
     moving.hasMoved = true;
     const changed = (shape: Shape): Shape =>
       moving.corner < 0 ? translate(shape, dx, dy) : withPoint(shape, moving.corner, press.at.x, press.at.y);
     const changes = moving.shapes.map(([id, before]): Change => ({ id, before, after: changed(before) }));
+    this.bench.view.lift(changes.map(({ id, after }) => [id, after!]));
     void this.bench.session.drag(changes);
   }
 

@@ -219,20 +219,51 @@ export interface Units {
 }
 
 const STUCK = 2;
+/** A picture of one unit is copied faster than a circle is drawn. Larger circles are drawn. */
+const LARGEST_SPRITE = 48;
+
+/** Pictures of discs, by colour and radius in pixels. */
+class Sprites {
+  private readonly pictures = new Map<string, OffscreenCanvas>();
+
+  get(radius: number, colour: string, ratio: number): OffscreenCanvas {
+    const key = `${radius} ${colour} ${ratio}`;
+    const known = this.pictures.get(key);
+    if (known !== undefined) return known;
+    if (this.pictures.size > 64) this.pictures.clear();
+    const size = 2 * Math.ceil(radius * ratio) + 2;
+    const picture = new OffscreenCanvas(size, size);
+    const context = picture.getContext('2d')!;
+    context.beginPath();
+    context.arc(size / 2, size / 2, radius * ratio, 0, 7);
+    context.fillStyle = colour;
+    context.fill();
+    this.pictures.set(key, picture);
+    return picture;
+  }
+}
+
+const sprites = new Sprites();
 
 export function drawUnits(context: Context, camera: Camera, { radii, states }: Units, theme: Theme): void {
   if (states.length === 0) return;
-  for (const isStuck of [false, true]) {
-    context.beginPath();
-    for (let i = 0; i < radii.length; ++i) {
-      if ((states[3 * i + 2] === STUCK) !== isStuck) continue;
-      const radius = Math.max(1, radii[i]! * camera.scale);
-      const [x, y] = [camera.screenX(states[3 * i]!), camera.screenY(states[3 * i + 1]!)];
-      context.moveTo(x + radius, y);
+  const ratio = context.getTransform().a;
+  const { width, height, scale } = camera;
+  for (let i = 0; i < radii.length; ++i) {
+    const radius = Math.max(1, radii[i]! * scale);
+    const [x, y] = [camera.screenX(states[3 * i]!), camera.screenY(states[3 * i + 1]!)];
+    if (x + radius < 0 || y + radius < 0 || x - radius > width || y - radius > height) continue;
+    const colour = states[3 * i + 2] === STUCK ? theme.failed : theme.unit;
+    if (radius > LARGEST_SPRITE) {
+      context.beginPath();
       context.arc(x, y, radius, 0, 7);
+      context.fillStyle = colour;
+      context.fill();
+      continue;
     }
-    context.fillStyle = isStuck ? theme.failed : theme.unit;
-    context.fill();
+    const picture = sprites.get(radius, colour, ratio);
+    const size = picture.width / ratio;
+    context.drawImage(picture, x - size / 2, y - size / 2, size, size);
   }
 }
 

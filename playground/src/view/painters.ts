@@ -80,7 +80,7 @@ export function outline(context: Context, camera: Camera, shape: Shape, colour: 
 
 /** Draws the items of a document, without the hidden ones: polygons first, then walls and points. */
 export function* paintItems(
-  context: Context, camera: Camera, box: Bounds, document: Document, theme: Theme, hidden: ReadonlySet<number>,
+  context: Context, camera: Camera, box: Bounds, document: Document, theme: Theme, hidden: ReadonlyMap<number, Shape>,
 ): Generator<void> {
   const found = document.find(box).filter((id) => !hidden.has(id));
   let painted = 0;

@@ -39,7 +39,8 @@ export class View {
   readonly frameTimes: number[] = [];
   private readonly context: CanvasRenderingContext2D;
   private readonly session: Session;
-  private readonly lifted = new Set<number>();
+  /** The shapes that people drag, where the pointer has them. */
+  private readonly lifted = new Map<number, Shape>();
   private readonly items: Layer;
   private readonly edges: Layer;
   private readonly faces: Layer;
@@ -102,18 +103,18 @@ export class View {
     this.refresh();
   }
 
-  /** Takes items out of the layer while people drag them. */
-  lift(ids: Iterable<number>): void {
-    for (const id of ids) {
-      if (this.lifted.has(id)) continue;
-      this.lifted.add(id);
+  /** Takes items out of the layer while people drag them. They are drawn at once; the engine may need longer. */
+  lift(shapes: readonly (readonly [id: number, shape: Shape])[]): void {
+    for (const [id, shape] of shapes) {
+      const isNew = !this.lifted.has(id);
+      this.lifted.set(id, shape);
       const box = this.session.document.boundsOf(id);
-      if (box !== undefined) this.items.repaint(box);
+      if (isNew && box !== undefined) this.items.repaint(box);
     }
     this.refresh();
   }
   drop(): void {
-    const ids = [...this.lifted];
+    const ids = [...this.lifted.keys()];
     this.lifted.clear();
     for (const id of ids) {
       const box = this.session.document.boundsOf(id);
@@ -180,7 +181,7 @@ export class View {
 
   private drawOverlay(): void {
     const { context, camera, session, theme, mesh } = this;
-    for (const id of this.lifted) this.drawLifted(session.document.items.get(id));
+    for (const shape of this.lifted.values()) paintShape(context, camera, shape, theme);
     if (this.look.circles && mesh !== null && this.pointer !== null) {
       const face = overlay.faceAt(mesh, this.pointer);
       if (face >= 0) overlay.drawFace(context, camera, mesh, face, theme);
@@ -194,10 +195,6 @@ export class View {
     overlay.drawEnds(context, camera, session, theme);
     this.preview?.(context, camera, theme);
     this.drawCursor();
-  }
-
-  private drawLifted(shape: Shape | undefined): void {
-    if (shape !== undefined) paintShape(this.context, this.camera, shape, this.theme);
   }
 
   private drawTouched(): void {
