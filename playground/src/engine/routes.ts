@@ -4,7 +4,7 @@ import type { FilmFrame, Gap, Route, RouteAnswer, RouteQuery, XY } from './proto
 
 /** How long the repetitions of one search may take, in milliseconds. */
 const MEASURE_MILLISECONDS = 8;
-const MOST_REPETITIONS = 200;
+const MOST_REPETITIONS = 5000;
 
 const numbers = (ids: readonly (number | bigint)[]): number[] => ids.map(Number);
 
@@ -46,11 +46,13 @@ export class Router {
 
   /** Repeats a search, because the clock of a browser is coarse. Returns the mean time. */
   private measure(world: World, query: Parameters<World['findPath']>[0], first: number): number {
-    const count = Math.min(MOST_REPETITIONS, Math.floor(MEASURE_MILLISECONDS / Math.max(first, 0.02)));
-    if (count < 2) return first;
+    if (first >= MEASURE_MILLISECONDS) return first;
     const begin = performance.now();
-    for (let i = 0; i < count; ++i) world.findPath(query, this.widePath);
-    return (performance.now() - begin) / count;
+    for (let count = 1; ; ++count) {
+      world.findPath(query, this.widePath);
+      const elapsed = performance.now() - begin;
+      if (elapsed >= MEASURE_MILLISECONDS || count >= MOST_REPETITIONS) return elapsed / count;
+    }
   }
 
   private gap(world: World, start: XY, goal: XY): Gap {

@@ -61,6 +61,7 @@ export function short(value: number): string {
 }
 
 export function milliseconds(value: number): string {
+  if (value <= 0) return 'under 0.1 ms';
   if (value < 0.0995) return `${(value * 1000).toFixed(value < 0.01 ? 1 : 0)} µs`;
   return `${value.toFixed(value < 10 ? 2 : 0)} ms`;
 }

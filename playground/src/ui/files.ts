@@ -31,6 +31,8 @@ function tellRefused(refused: readonly RefusedLine[]): string {
 export class Files {
   readonly input = h('input', { type: 'file', hidden: true, accept: '.wws,.map,.poly,.node,.json,.geojson', 'aria-label': 'File' });
   readonly shelf = h('dialog', { 'aria-label': 'Examples' });
+  /** The names of the examples in links: `#example=NAME`. */
+  readonly exampleIds = examples.map(({ id }) => id);
   readonly dropArea = h('div', { className: 'drop', hidden: true }, 'Drop a world here');
   private readonly session: Session;
   private readonly view: View;

@@ -1,10 +1,13 @@
 // What the page shows of the inside: the mesh, circumcircles, components, corridors, a search step by step.
+import type { FilmFrame } from '../engine/protocol';
 import type { Session } from '../model/session';
 import type { View } from '../view/view';
 import { check, count, h, milliseconds, short } from './dom';
 
 const LARGEST_LIVE_MESH = 30_000;
 const FILM_STEP_MILLISECONDS = 60;
+/** About how many steps a whole film has. */
+const FILM_STEPS = 120;
 
 export class InsidePanel {
   readonly element = h('section', { className: 'sheet', 'aria-label': 'Inside', hidden: true });
@@ -18,6 +21,7 @@ export class InsidePanel {
   private isAsking = false;
   private timer = 0;
   private hasFilm = false;
+  private isStepping = false;
 
   constructor(session: Session, view: View) {
     this.session = session;
@@ -115,24 +119,33 @@ export class InsidePanel {
   }
 
   private async filmStep(): Promise<void> {
+    if (this.isStepping) return;
+    this.isStepping = true;
     const { session, view } = this;
+    const total = session.routes?.routes[0]?.expansions ?? 0;
     await session.after(async () => {
       if (!this.hasFilm) await session.engine.ask('filmBegin', session.query);
       this.hasFilm = true;
-      const frame = await session.engine.ask('filmStep', 1);
+      const frame = await session.engine.ask('filmStep', Math.max(1, Math.round(total / FILM_STEPS)));
       view.film = frame;
       view.refresh();
-      this.film.replaceChildren(
-        h('dt', {}, 'Triangles entered'), h('dd', {}, count(frame.expansions)),
-        h('dt', {}, 'No path is shorter than'), h('dd', {}, short(frame.lowerBound)),
-        h('dt', {}, frame.isDone ? 'The path' : 'Best path until now'),
-        h('dd', {}, frame.status === 'found' ? short(frame.length) : 'none'),
-      );
-      if (frame.isDone) {
-        if (this.timer !== 0) this.togglePlay();
-        this.hasFilm = false;
-      }
+      this.renderFilm(frame, total);
+      if (!frame.isDone) return;
+      if (this.timer !== 0) this.togglePlay();
+      this.hasFilm = false;
     });
+    this.isStepping = false;
+  }
+
+  private renderFilm(frame: FilmFrame, total: number): void {
+    const rows: [string, string][] = [
+      ['Triangles entered', total === 0 ? count(frame.expansions) : `${count(frame.expansions)} of ${count(total)}`],
+      [frame.isDone ? 'The path' : 'Best path until now', frame.status === 'found' ? short(frame.length) : 'none'],
+    ];
+    if (frame.lowerBound > 0) rows.push(['No path is shorter than', short(frame.lowerBound)]);
+    const part = total === 0 ? 1 : Math.min(1, frame.expansions / total);
+    const bar = h('progress', { max: 1, value: frame.isDone ? 1 : part, 'aria-label': 'Progress of the search' });
+    this.film.replaceChildren(...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]), bar);
   }
 
   private stopFilm(): void {

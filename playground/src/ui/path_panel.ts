@@ -63,7 +63,7 @@ export class PathPanel {
       h('div', { className: 'stack' },
         check('Draw all three', false, wish('compares')),
         check('Widest path', false, wish('widest')),
-        check('Triangles on the path', false, wish('channel'))),
+        check('Triangles on the path (radius 0)', false, wish('channel'))),
       h('p', { className: 'quiet' }, 'Drag the two ends, or drag obstacles: the path follows.'),
     );
   }
