@@ -1,6 +1,6 @@
 // What the page shows of the inside of a world. It computes components and corridors from a copy of the mesh.
 import { Mesh, type World } from 'waywright';
-import type { MeshAnswer } from './protocol';
+import { LEVEL, type MeshAnswer } from './protocol';
 
 /** For each side of each triangle: the triangle on its other side, -1 for none, -2 if the edge is a wall. */
 interface Adjacency {
@@ -97,8 +97,6 @@ function leaveOutCovered(
   for (let face = 0; face < numbers.length; ++face) numbers[face] = renumbered[numbers[face]!]!;
   return free;
 }
-
-export const LEVEL = { covered: 0, deadEnd: 1, corridor: 2, junction: 3 } as const;
 
 /** Removes dead ends again and again; of the rest, a triangle with two passages is in a corridor, one with three a junction. */
 function findLevels(neighbours: Int32Array, components: Int32Array): Uint8Array {

@@ -99,9 +99,12 @@ export interface MeshAnswer {
   /** For each triangle: the number of its component, or -1 under a polygon. */
   readonly components: Int32Array;
   readonly componentCount: number;
-  /** For each triangle: 0 under a polygon, 1 dead end, 2 corridor, 3 junction, 4 open region. */
+  /** For each triangle: a value of LEVEL. */
   readonly levels: Uint8Array;
 }
+
+/** What a triangle is in the abstraction, as in `MeshAnswer.levels`. */
+export const LEVEL = { covered: 0, deadEnd: 1, corridor: 2, junction: 3 } as const;
 
 export interface FilmFrame {
   readonly isDone: boolean;

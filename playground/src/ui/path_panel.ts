@@ -122,15 +122,17 @@ export class PathPanel {
       this.detail.textContent = '';
       return;
     }
+    const known = this.measured?.routes.find(({ algorithm }) => algorithm === route.algorithm);
+    const time = milliseconds((known ?? route).milliseconds);
     if (route.status === 'found') {
       this.length.textContent = short(route.length);
       const kind = routes.radius > 0 ? `for a disc of radius ${short(routes.radius)}` : 'for a point';
-      this.detail.textContent = `length of the path ${kind}, found in ${milliseconds(route.milliseconds)}`;
+      this.detail.textContent = `length of the path ${kind}, found in ${time}`;
       if (this.session.wishes.widest && routes.gap !== null) this.why.append(this.widest(routes.gap));
       return;
     }
     this.length.textContent = 'No path';
-    this.detail.textContent = `proven in ${milliseconds(route.milliseconds)}`;
+    this.detail.textContent = `proven in ${time}`;
     this.why.append(this.whyNot(route, routes));
   }
 

@@ -1,6 +1,5 @@
 // Draws items and the mesh into layers.
-import { LEVEL } from '../engine/inside';
-import type { MeshAnswer } from '../engine/protocol';
+import { LEVEL, type MeshAnswer } from '../engine/protocol';
 import type { Document } from '../model/document';
 import { type Bounds, ringRanges, type Shape } from '../model/shape';
 import type { Camera } from './camera';
