@@ -79,7 +79,8 @@ def test_errors_do_not_print_whole_lists(world):
 
 def test_changes_of_other_types(world):
     for bad in ([3], [None], None, 7):
-        for call in (lambda: world.apply(bad), lambda: world.attempt(bad, len), lambda: world.would_disconnect(bad, [(1, 1)])):
+        calls = [lambda: world.apply(bad), lambda: world.attempt(bad, len), lambda: world.would_disconnect(bad, [(1, 1)])]
+        for call in calls:
             with pytest.raises(TypeError, match="changes must be a list of Change"):
                 call()
     for bad in (None, world.clone(), 3):

@@ -17,8 +17,8 @@ NAMES = {name for cell in CELLS for name in re.findall(r"`([\w.]+)`", cell)}
 ARGUMENTS = {name for cell in CELLS if cell.startswith("the argument") for name in re.findall(r"`([a-z_]+)`", cell)}
 
 # The classes whose public members the table must name. The members of the other classes are data of an answer.
-CLASSES = ["Change", "MeshSnapshot", "Path", "PathBatch", "PathSearch", "PathWatch", "ReplayWriter", "Scene", "Script", "Shape"]
-CLASSES += ["Snapshot", "WaywrightError", "World"]
+CLASSES = ["Change", "MeshSnapshot", "Path", "PathBatch", "PathSearch", "PathWatch", "ReplayWriter", "Scene", "Script"]
+CLASSES += ["Shape", "Snapshot", "WaywrightError", "World"]
 # What only Python has: pictures by matplotlib, GeoJSON for Shapely and others, and the methods of Exception.
 ONLY_PYTHON = {"World.plot", "Path.plot", "PathBatch.plot", "World.to_geojson"}
 ONLY_PYTHON |= {f"WaywrightError.{name}" for name in dir(Exception)}
