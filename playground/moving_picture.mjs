@@ -106,7 +106,7 @@ async function dragAlong(page, camera, positions, steps) {
   await page.mouse.up();
 }
 
-/** Drags an end, draws a wall, compares the algorithms, changes the radius, and starts a crowd. */
+/** Drags an end, draws a wall, compares the algorithms, shows the widest path, and starts a crowd. */
 async function play(page, camera) {
   await camera.shoot(700);
   await dragAlong(page, camera, [[422, 304], [300, 60], [440, 90]], 9);
@@ -117,13 +117,10 @@ async function play(page, camera) {
   await settle(page);
   await camera.shoot(1200);
   await page.getByLabel('Draw all three').uncheck();
-  for (const [radius, milliseconds] of [['4', 1600], ['1', 600]]) {
-    await page.getByLabel('Radius as a number').fill(radius);
-    await page.keyboard.press('Enter');
-    await settle(page);
-    await page.waitForTimeout(800);
-    await camera.shoot(milliseconds);
-  }
+  await page.getByLabel('Widest path').check();
+  await settle(page);
+  await camera.shoot(1600);
+  await page.getByLabel('Widest path').uncheck();
   await page.getByRole('tab', { name: 'Crowd' }).click();
   await page.getByRole('button', { name: 'Start the crowd' }).click();
   await page.waitForTimeout(8000);
