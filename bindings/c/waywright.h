@@ -422,9 +422,10 @@ typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
                                   void* user_data);
-/* Finds out whether changes would enclose an agent: whether an agent that now gets from one of the points to another
-   could not do so after the changes, or whether a point at which it can stand now would be blocked. Points that are
-   blocked or not connected now do not matter. The function makes no change. It is exact and moves no point.
+/* Finds out whether changes would enclose an agent. They would if the agent can get from one of the points to another
+   now, but not after the changes. They also would if the agent can stand at one of the points now, but this point is
+   blocked after the changes. Points that are blocked or not connected now do not matter. The function makes no change.
+   It is exact and moves no point.
    Errors: the errors of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
    radius is 0 and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does
    not keep its bridges. ww_error.index is the index of the refused point or change.
@@ -788,14 +789,15 @@ WW_API ww_status ww_world_version(const ww_world* world, uint64_t* version);
 /* A region that an operation has changed. This struct does not grow. */
 typedef struct ww_changed_box {
   uint64_t version;     /* the version of the world after the operation */
-  ww_box box;           /* the bounding box of an item, or the last box of an operation: of several items */
+  ww_box box;           /* the bounding box of an item; the last box of an operation can have several items */
   ww_bool is_insertion; /* whether the operation inserted an item in the box */
   ww_bool is_removal;   /* whether the operation removed an item in the box; a replacement is both */
 } ww_changed_box;
 
 /* Writes the regions that the operations after version `since` have changed, the oldest first: the bounding box of each
    segment, polyline or polygon that they inserted or removed. If the world no longer has all boxes since then, sets
-   *is_known to 0 and writes none. It keeps as many as ww_world_is_affected says. */
+   *is_known to 0 and writes none. ww_world_is_affected says how many boxes a world
+   keeps. */
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
 
@@ -807,7 +809,8 @@ WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, w
 WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
 /* Makes another handle of the same immutable world, at a cost that does not depend on the world. */
 WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy);
-/* The last handle of an immutable world gives its memory back. A snapshot may outlive its world. */
+/* Destroys a handle. If it was the last handle of an immutable world, the library frees the memory of this world or
+   uses it again. A snapshot may outlive its world. */
 WW_API void ww_snapshot_destroy(ww_snapshot* snapshot);
 /* Sets `world` to the immutable world. All functions that take a `const ww_world*` work, from several threads at once,
    each with its own context. It is valid until this handle is destroyed. Do not destroy it. */
@@ -1136,7 +1139,8 @@ WW_API ww_status ww_replay_run(ww_replay* replay, const ww_script* log, ww_progr
 WW_API ww_status ww_replay_get_result(const ww_replay* replay, ww_replay_result* result);
 /* Writes the items that were changed after tick `last_same`, ascending, or the refused item. */
 WW_API ww_status ww_replay_changed(const ww_replay* replay, ww_id* ids, size_t capacity, size_t* count);
-/* Gives the error of the refused change, and its text. Without one, error->status is WW_OK and the text is empty. */
+/* Gives the error of the refused change, and its text. If no change was refused, error->status is WW_OK and the text is
+   empty. */
 WW_API ww_status ww_replay_refusal(const ww_replay* replay, ww_error* error, char* buffer, size_t capacity,
                                    size_t* count);
 

@@ -234,9 +234,9 @@ class WAYWRIGHT_API World {
     return attempt(std::span<const Change>(std::data(changes), changes.size()), std::forward<Question>(question));
   }
 
-  /// Returns whether changes would enclose an agent: whether an agent that can now get from one of the points to
-  /// another could not do so after the changes, or whether one of the points at which the agent can stand now would be
-  /// blocked. The function makes no change. It is exact and moves no point.
+  /// Returns whether changes would enclose an agent. They would if the agent can get from one of the points to another
+  /// now, but not after the changes. They also would if the agent can stand at one of the points now, but this point
+  /// is blocked after the changes. The function makes no change. It is exact and moves no point.
   ///
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent gets from one point
   /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
