@@ -422,9 +422,10 @@ typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
                                   void* user_data);
-/* Finds out whether changes would enclose an agent: whether an agent that now gets from one of the points to another
-   could not do so after the changes, or whether a point at which it can stand now would be blocked. Points that are
-   blocked or not connected now do not matter. The function makes no change. It is exact and moves no point.
+/* Finds out whether changes would enclose an agent. They would if the agent can get from one of the points to another
+   now, but not after the changes. They also would if the agent can stand at one of the points now, but this point is
+   blocked after the changes. Points that are blocked or not connected now do not matter. The function makes no change.
+   It is exact and moves no point.
    Errors: the errors of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
    radius is 0 and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does
    not keep its bridges. ww_error.index is the index of the refused point or change.
@@ -492,8 +493,8 @@ typedef struct ww_crossed_item {
   ww_point at; /* where the segment meets a side of the item, or where their overlap starts; rounded to nearest */
 } ww_crossed_item;
 
-/* Finds the items whose sides a segment meets, and where, in the order from `from` to `to`. An item occurs once for
-   each position where the segment meets its sides. Items at one position ascend. */
+/* Finds the items whose sides a segment meets, and the positions where it meets them, in the order from `from` to `to`.
+   An item occurs once for each position where the segment meets its sides. Items at one position ascend. */
 WW_API ww_status ww_world_items_crossed(const ww_world* world, ww_point from, ww_point to, ww_context* context,
                                         ww_crossed_item* items, size_t capacity, size_t* count);
 /* Finds the items that have a position in common with a closed box, ascending. The box may reach beyond the domain.
@@ -530,7 +531,7 @@ WW_API ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, doubl
 
 typedef struct ww_nearest_fit_query {
   uint32_t struct_size;
-  ww_bool has_goal; /* 0 by default; 1: only positions count from which the disc gets to `goal` */
+  ww_bool has_goal; /* 0 by default; 1: the answer is a position from which the disc gets to `goal` */
   ww_point point;
   ww_point goal;
   double radius; /* 0 by default */
@@ -545,8 +546,8 @@ typedef struct ww_nearest_fit {
 } ww_nearest_fit;
 
 WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size);
-/* Finds the point nearest to query->point where a disc fits. The distance is the least one up to rounding: the C++
-   header world.hpp says how far. Of equally near points, the first in (x, y) order is the answer. ww_error.index is 0
+/* Finds the point nearest to query->point where a disc fits. The C++ header clearance.hpp says how precise the distance
+   is. Of equally near points, the first in (x, y) order is the answer. ww_error.index is 0
    for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or not a number; with a
    goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and WW_NOT_SUPPORTED if the
    radius is 0 and the world does not keep its abstraction. */
@@ -599,12 +600,11 @@ typedef struct ww_path_query {
 } ww_path_query;
 
 WW_API ww_status ww_path_query_init(ww_path_query* query, size_t struct_size);
-/* Finds a path, or finds out that there is none, which is no error: ww_path_get_info says which. The path never passes
-   through a wall, nor through a point where walls meet. It may touch both. The search may move a blocked start or goal
-   to a free position within the tolerance.
-   Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_BAD_DISTANCE, for the tolerance; WW_NOT_SUPPORTED,
-   if the algorithm is TRA and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the
-   world does not keep its bridges. */
+/* Finds a path, or finds out that there is none. Both are answers, not errors: ww_path_get_info says which of the two.
+   The path never passes through a wall, nor through a point where walls meet. It may touch both. The search may move a
+   blocked start or goal to a free position within the tolerance. Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN,
+   WW_BAD_RADIUS; WW_BAD_DISTANCE, for the tolerance; WW_NOT_SUPPORTED, if the algorithm is TRA and the world does not
+   keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does not keep its bridges. */
 WW_API ww_status ww_world_find_path(const ww_world* world, const ww_path_query* query, ww_context* context,
                                     ww_path* path);
 /* Finds a path for each query, in their order, on `threads` threads, 1 or more; a number above 256 counts as 256.
@@ -710,9 +710,9 @@ WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_
 typedef int32_t ww_precision;
 enum { WW_FLOAT64 = 0, WW_FLOAT32 = 1 };
 
-/* A position on a path. Its coordinates are numbers of the precision. For a point agent, they are rounded away from the
-   walls at the turns of the path: you can use the position as the start of a query (path.hpp names two exceptions). For
-   a disc, they are rounded to nearest. */
+/* A position on a path. Its coordinates are doubles or floats, as the precision says. For a point agent, they are
+   rounded away from the walls at the turns of the path: you can use the position as the start of a query (path.hpp
+   names two exceptions). For a disc, they are rounded to nearest. */
 typedef struct ww_path_position {
   uint32_t struct_size;
   ww_point at;
@@ -789,14 +789,15 @@ WW_API ww_status ww_world_version(const ww_world* world, uint64_t* version);
 /* A region that an operation has changed. This struct does not grow. */
 typedef struct ww_changed_box {
   uint64_t version;     /* the version of the world after the operation */
-  ww_box box;           /* the bounding box of an item, or the last box of an operation: of several items */
+  ww_box box;           /* the bounding box of an item; the last box of an operation can have several items */
   ww_bool is_insertion; /* whether the operation inserted an item in the box */
   ww_bool is_removal;   /* whether the operation removed an item in the box; a replacement is both */
 } ww_changed_box;
 
 /* Writes the regions that the operations after version `since` have changed, the oldest first: the bounding box of each
    segment, polyline or polygon that they inserted or removed. If the world no longer has all boxes since then, sets
-   *is_known to 0 and writes none. It keeps as many as ww_world_is_affected says. */
+   *is_known to 0 and writes none. ww_world_is_affected says how many boxes a world
+   keeps. */
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
 
@@ -808,7 +809,8 @@ WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, w
 WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
 /* Makes another handle of the same immutable world, at a cost that does not depend on the world. */
 WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy);
-/* The last handle of an immutable world gives its memory back. A snapshot may outlive its world. */
+/* Destroys a handle. If it was the last handle of an immutable world, the library frees the memory of this world or
+   uses it again. A snapshot may outlive its world. */
 WW_API void ww_snapshot_destroy(ww_snapshot* snapshot);
 /* Sets `world` to the immutable world. All functions that take a `const ww_world*` work, from several threads at once,
    each with its own context. It is valid until this handle is destroyed. Do not destroy it. */
@@ -879,7 +881,7 @@ WW_API ww_status ww_mesh_ids(const ww_mesh* mesh, ww_id* ids, size_t capacity, s
 /* Sets `text` to the mesh as canonical text with exact coordinates. Worlds with equal domains and equal live items have
    equal texts. */
 WW_API ww_status ww_world_dump(const ww_world* world, ww_text* text);
-/* Gives the hash of the items. Every operation updates it, so this call costs nothing. */
+/* Gives the hash of the items. Every operation updates the hash, so this call takes constant time. */
 WW_API ww_status ww_world_items_hash(const ww_world* world, ww_items_hash* hash);
 /* Computes the hash of the mesh, at the cost of ww_world_dump. */
 WW_API ww_status ww_world_mesh_hash(const ww_world* world, ww_mesh_hash* hash);
@@ -999,8 +1001,8 @@ typedef struct ww_scene_info {
 
 /* Gives the format for the ending of a file name. Errors: WW_NOT_SUPPORTED. */
 WW_API ww_status ww_scene_format_of(const char* file_name, ww_scene_format* format);
-/* Sets a scene to the contents of a file. A file that starts like a saved world is one; otherwise the ending of the
-   file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
+/* Sets a scene to the contents of a file. A file that starts like a saved world counts as one. Otherwise the ending
+   of the file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
 WW_API ww_status ww_scene_read(const char* file_name, ww_scene* scene);
 /* Sets a scene to a map of Moving AI. Cell (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
 WW_API ww_status ww_scene_parse_movingai_map(const char* text, size_t length, const char* name, ww_scene* scene);
@@ -1061,12 +1063,13 @@ typedef struct ww_script_line {
   ww_items_hash items_hash; /* for WW_SCRIPT_TICK */
 } ww_script_line;
 
-/* Sets `script` to the lines of a world script. Points outside the domain are no error here, but of the world. */
+/* Sets `script` to the lines of a world script. Accepts points outside the domain: only a world refuses
+   them. */
 WW_API ww_status ww_script_parse(const char* text, size_t length, const char* name, ww_script* script);
 /* Gives the domain. `line` receives its line in the text, from 1, and may be null. */
 WW_API ww_status ww_script_domain(const ww_script* script, ww_box* domain, uint32_t* line);
 WW_API ww_status ww_script_line_count(const ww_script* script, size_t* count);
-/* Gives the line of an index from 0 to count - 1. */
+/* Gives the line with this index. The lines have the indices 0 to count - 1. */
 WW_API ww_status ww_script_get_line(const ww_script* script, size_t index, ww_script_line* line);
 /* Sets `items` to a copy of the item of one line. */
 WW_API ww_status ww_script_item(const ww_script* script, size_t index, ww_items* items);
@@ -1112,7 +1115,7 @@ WW_API ww_status ww_replay_writer_tick(ww_replay_writer* writer, const ww_world*
 /* Gives the number of the last tick, 0 before the first. */
 WW_API ww_status ww_replay_writer_last_tick(const ww_replay_writer* writer, uint64_t* tick);
 
-/* A function that learns how far a call is. */
+/* A function that the library calls to report how much of a call is done. */
 typedef void (*ww_progress)(size_t done, size_t total, void* user_data);
 
 /* The answer of a replay. The members from `tick` on have no meaning if is_same is 1. */
@@ -1136,7 +1139,8 @@ WW_API ww_status ww_replay_run(ww_replay* replay, const ww_script* log, ww_progr
 WW_API ww_status ww_replay_get_result(const ww_replay* replay, ww_replay_result* result);
 /* Writes the items that were changed after tick `last_same`, ascending, or the refused item. */
 WW_API ww_status ww_replay_changed(const ww_replay* replay, ww_id* ids, size_t capacity, size_t* count);
-/* Gives the error of the refused change, and its text. Without one, error->status is WW_OK and the text is empty. */
+/* Gives the error of the refused change, and its text. If no change was refused, error->status is WW_OK and the text is
+   empty. */
 WW_API ww_status ww_replay_refusal(const ww_replay* replay, ww_error* error, char* buffer, size_t capacity,
                                    size_t* count);
 
@@ -1214,7 +1218,8 @@ WW_API ww_status ww_svg_to_world(const ww_svg_frame* frame, ww_point pixels, ww_
 WW_API ww_status ww_svg_overlay_clear(ww_svg_overlay* overlay);
 /* Adds the path of a point agent. The picture omits paths without points. */
 WW_API ww_status ww_svg_add_path(ww_svg_overlay* overlay, const ww_path* path);
-/* Adds a query with a radius above 0 and its answer: the path, the area that the disc covers, what stops the disc. */
+/* Adds a query with a radius above 0 and its answer. The picture shows the path, the area that the disc covers, and the
+   items that stop the disc. */
 WW_API ww_status ww_svg_add_disc_path(ww_svg_overlay* overlay, const ww_path_query* query, const ww_path* path);
 /* Adds a path query without a path: a dashed line between two marks, and the status. */
 WW_API ww_status ww_svg_add_failed_path(ww_svg_overlay* overlay, ww_point start, ww_point goal, ww_path_status status);

@@ -24,9 +24,9 @@ namespace waywright {
 /// @endcode
 ///
 /// Each segment, polyline or polygon that an operation inserts or removes has a box. A replacement is a removal and an
-/// insertion. A rewind is one removal or insertion or both for each item that it changes. Items of the kind point are
-/// not walls, and have no box. The world keeps at least the last 2,048 boxes. An operation has at most 256 boxes: if it
-/// inserts and removes more than 256 items, the remaining items share the last box.
+/// insertion. A rewind counts as a removal, an insertion or both for each item that it changes. Items of the kind point
+/// are not walls, and have no box. The world keeps at least the last 2,048 boxes. An operation has at most 256 boxes:
+/// if it inserts and removes more than 256 items, the remaining items share the last box.
 ///
 /// These boxes are enough to find out what a change means for paths, although the triangles of the mesh change outside
 /// of them, too. Triangles without walls do not matter for paths: an agent can walk where it could walk before, unless

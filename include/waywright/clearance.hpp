@@ -40,8 +40,8 @@ struct NearestFitQuery {
   /// The radius of the disc, 0 or more. With the radius 0, the answer is the position that a path query would take
   /// instead of a blocked end: the nearest position in or on the border of a triangle that no polygon covers.
   double radius = 0.0;
-  /// If it is set, only positions count from which the disc gets to this point. If the disc does not fit at the goal,
-  /// no position counts.
+  /// If it is set, the answer is the nearest of the positions from which the disc gets to this point. If the disc does
+  /// not fit at the goal, there is no answer.
   std::optional<Point> goal{};
   /// The largest distance of the answer from `point`, 0 or more.
   double limit = std::numeric_limits<double>::infinity();

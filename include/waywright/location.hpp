@@ -21,7 +21,7 @@ enum class LocationKind : std::uint8_t { vertex, edge, face };
 /// Returns the name of the kind in the output of world scripts: `vertex`, `edge`, `face`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(LocationKind kind);
 
-/// The answer of World::locate: what the mesh has at a point.
+/// The answer of World::locate: the vertex, edge or face of the mesh at a point, and the polygons there.
 ///
 /// @code{.cpp}
 /// const Location location = world.locate({50, 50}).value();

@@ -81,9 +81,8 @@ struct PathQuery {
   ///
   /// There are two reasons to move an end. If the search has moved one, Path::moved_start or Path::moved_goal is set.
   /// - Polygons cover all triangles around the end, so no path can start or end there. The search then takes the
-  /// nearest
-  ///   free position within the tolerance. If the world keeps its abstraction, the search prefers free positions that
-  ///   are connected with the other end.
+  ///   nearest free position within the tolerance. If the world keeps its abstraction, the search prefers free
+  ///   positions that are connected with the other end.
   /// - Walls separate start and goal, but one of them lies so near to a wall that a rounding error may have put it
   ///   beyond the wall: its distance is at most World::default_end_tolerance() and at most the tolerance. The search
   ///   then moves it across the wall, if this connects start and goal. This requires a world that keeps its

@@ -51,9 +51,10 @@ class WAYWRIGHT_API PathSearch {
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
   /// search is done. For PathAlgorithm::tra the first step ends the search. If no search is running, the function
   /// returns true. For a radius above 0, `expansions` is the number of further steps of the search. If there is no
-  /// path, the last slice also finds Path::widest, at the cost of World::widest_path. Errors: world_gone, if the world
-  /// has been destroyed or another world has been assigned to it. This cancels the search. Exceptions: std::bad_alloc,
-  /// if memory runs out. This cancels the search.
+  /// path, the last slice also finds Path::widest, at the cost of World::widest_path.
+  /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
+  /// search.
+  /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
   /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound.

@@ -55,7 +55,8 @@ struct PathChanges {
 /// end that the query wanted.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
-/// destroy it. Threads: a watch belongs to one thread at a time; update() reads the world.
+/// destroy it.
+/// Threads: a watch belongs to one thread at a time; update() reads the world.
 class WAYWRIGHT_API PathWatch {
  public:
   /// Makes a watch without paths for a world.

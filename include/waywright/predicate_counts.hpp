@@ -11,7 +11,7 @@ namespace waywright {
 
 /// The number of calls of one predicate, counted by the stage of the exact arithmetic that decided the call.
 struct StageCounts {
-  std::uint64_t doubles = 0;   ///< doubles with a proven error bound; for crossings: only one division is rounded
+  std::uint64_t doubles = 0;   ///< doubles with a proven error bound; for crossings: doubles with one rounded division
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size
 

@@ -40,8 +40,9 @@ namespace waywright {
 class WAYWRIGHT_API ReplayWriter {
  public:
   /// Starts a log: writes the domain and the items that `world` contains now. Writes a hash at each tick whose number
-  /// is a multiple of `ticks_per_hash`. The stream must live as long as this object. Requires: `ticks_per_hash` is 1 or
-  /// more. Cost: linear in the items of the world.
+  /// is a multiple of `ticks_per_hash`. The stream must live as long as this object.
+  /// Requires: `ticks_per_hash` is 1 or more.
+  /// Cost: linear in the items of the world.
   ReplayWriter(std::ostream& out, const World& world, std::uint64_t ticks_per_hash = 1);
 
   /// Records a change that a world has made. The id of the change must not be null: if the world chose the id of an
@@ -53,7 +54,9 @@ class WAYWRIGHT_API ReplayWriter {
   Result<void> record(std::span<const Change> changes, std::span<const ItemId> ids);
 
   /// Ends a tick. Ticks count from 1. If the log gets a hash at this tick, the function also flushes the stream, so
-  /// that the log is complete up to this tick even if the program crashes later. Errors: unwritable. Cost: O(1).
+  /// that the log is complete up to this tick even if the program crashes later.
+  /// Errors: unwritable.
+  /// Cost: O(1).
   Result<void> tick(const World& world);
   /// Does the same for a game with rollback, which knows only later that a tick is final: `hash` is World::items_hash()
   /// at the end of this tick.
@@ -94,8 +97,9 @@ struct ReplayResult {
 };
 
 /// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at
-/// the first difference. Ignores queries. `progress` may be empty; its unit is a line. Errors: the errors of
-/// World::create(), for the domain. Cost: the cost of the changes. The changes of one tick are one operation.
+/// the first difference. Ignores queries. `progress` may be empty; its unit is a line.
+/// Errors: the errors of World::create(), for the domain.
+/// Cost: the cost of the changes. The changes of one tick are one operation.
 [[nodiscard]] WAYWRIGHT_API Result<ReplayResult> replay(
     const Script& log, const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 

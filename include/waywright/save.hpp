@@ -22,10 +22,10 @@ namespace waywright {
 /// const bool is_same = loaded.items_hash() == world.items_hash();  // == true
 /// @endcode
 ///
-/// A saved world contains everything that decides what the world does next: the domain, the options, the items, and
-/// the largest id that the world has seen, from which it makes the next id. It does not contain World::version(), which
-/// starts again, and no history, no WorldOptions::new_vertex_limit, and no contexts, searches or spare memory. A saved
-/// world is a function of these four: equal worlds give equal bytes, on every machine.
+/// A saved world contains four things: the domain; the options, except WorldOptions::new_vertex_limit; the items; and
+/// the largest id that the world has seen, from which the world makes the next id. The bytes are a function of these
+/// four, on every machine. A saved world contains no history, and no contexts, searches or spare memory. It does not
+/// contain World::version(), either: a loaded world counts its operations from the start.
 /// @{
 
 /// Writes a world to a stream, and flushes the stream. Open the stream in binary mode. After an error, the stream may
@@ -54,7 +54,9 @@ namespace waywright {
 /// then gives it the name of the file. So even if the computer stops, the file is completely the old one or completely
 /// the new one. On an error, the function removes the temporary file, and the old file stays as it is. The new file has
 /// the permissions of the old one. If `file_name` is a symbolic link, the function replaces the file to which it leads.
-/// Error messages start with the file name. Errors: unwritable. Cost: the cost of save_world().
+/// Error messages start with the file name.
+/// Errors: unwritable.
+/// Cost: the cost of save_world().
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world_file(const World& world, const std::string& file_name);
 
 /// Reads a world from a file, which must contain nothing else. Error messages start with the file name.

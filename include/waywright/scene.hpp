@@ -37,7 +37,7 @@ struct Scene {
 enum class SceneFormat : unsigned char {
   script,         ///< `.wws`, the world script: the items that are left after all changes; queries are ignored
   movingai,       ///< `.map` of Moving AI: blocked cells become polygons
-  triangle_poly,  ///< `.poly` of Triangle: segments, and as points the vertices that lie on no segment
+  triangle_poly,  ///< `.poly` of Triangle: segments, and points for the vertices that lie on no segment
   triangle_node,  ///< `.node` of Triangle: points
   saved_world,    ///< `.wwb`, a saved world: its domain and its items; see save_world
 };
@@ -92,8 +92,8 @@ enum class SceneFormat : unsigned char {
 /// Cost: the cost of load_world().
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_saved_world(std::string_view bytes, std::string_view name);
 
-/// Reads a scene from a file. A file that starts like a saved world is one, whatever its name. Otherwise the ending of
-/// the file name says the format. Error messages start with the file name.
+/// Reads a scene from a file. A file that starts like a saved world counts as a saved world, whatever its name.
+/// Otherwise the ending of the file name says the format. Error messages start with the file name.
 /// Errors: unreadable, not_supported, malformed, coordinate_range.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> read_scene(const std::string& file_name);
 

@@ -79,7 +79,8 @@ class WAYWRIGHT_API World {
   /// Returns a copy of the world: an independent world with the same domain, options, items, mesh, hashes, version()
   /// and history. It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity.
   /// The searches (PathSearch) of this world do not belong to the copy. The copy keeps no context for queries yet. If
-  /// memory runs out, this world does not change. Requires: no question of attempt() is running on this world.
+  /// memory runs out, this world does not change.
+  /// Requires: no question of attempt() is running on this world.
   /// Cost: a copy of memory().total() bytes at most; no geometry is computed.
   [[nodiscard]] World clone() const;
 
@@ -195,8 +196,8 @@ class WAYWRIGHT_API World {
   /// id, the same mesh and hashes. So every query gives the same answer, and every later operation has the same result.
   /// Afterwards, `tick` is the last tick of the history: the later ticks no longer exist.
   ///
-  /// Only two things differ from the state then. version() grows by one, because paths and searches must take the
-  /// change into account. And the world may have more spare memory.
+  /// Only two things differ from the state at the tick. version() grows by one, because paths and searches must take
+  /// the change into account. And the world may have more spare memory.
   /// Errors: no_history; old_tick, if the history no longer has the tick; unknown_tick, if no mark has this tick.
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
@@ -215,10 +216,12 @@ class WAYWRIGHT_API World {
   /// version(), changes_since(), is_affected() and mark() do not take the changes into account. A PathSearch of this
   /// world may exist, and continues afterwards as if there had been no attempt.
   /// Requires: the question calls no member of this world that is not const, no attempt() and no would_disconnect(),
-  /// and neither begins nor continues a PathSearch of this world. Errors: the errors of apply(), and the errors that
-  /// the question returns. Error::index is the index of the refused change in `changes`. Cost: the cost of apply() and
-  /// of the question. Taking the changes back allocates nothing and costs less than making them. Threads: like an
-  /// operation, also while the question runs: no other thread may call any member.
+  /// and neither begins nor continues a PathSearch of this world.
+  /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
+  /// change in `changes`.
+  /// Cost: the cost of apply() and of the question. Taking the changes back allocates nothing and costs less than
+  /// making them.
+  /// Threads: like an operation, also while the question runs: no other thread may call any member.
   template <class Question>
   auto attempt(std::span<const Change> changes, Question&& question) -> detail::ResultOfAttempt<Question> {
     if (auto begun = begin_attempt(changes); !begun) return begun.error();
@@ -231,9 +234,9 @@ class WAYWRIGHT_API World {
     return attempt(std::span<const Change>(std::data(changes), changes.size()), std::forward<Question>(question));
   }
 
-  /// Returns whether changes would enclose an agent: whether an agent that can now get from one of the points to
-  /// another could not do so after the changes, or whether one of the points at which the agent can stand now would be
-  /// blocked. The function makes no change. It is exact and moves no point.
+  /// Returns whether changes would enclose an agent. They would if the agent can get from one of the points to another
+  /// now, but not after the changes. They also would if the agent can stand at one of the points now, but this point
+  /// is blocked after the changes. The function makes no change. It is exact and moves no point.
   ///
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent gets from one point
   /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
@@ -375,9 +378,9 @@ class WAYWRIGHT_API World {
   /// @}
 
   /// @name Discs
-  /// You need this group to find out where a round agent fits, where the nearest room for it is, and which agents fit
-  /// through the gaps between two positions. A disc may touch walls. Like paths, discs ignore items of the kind point.
-  /// DiscFit, NearestFit, WidestPath and RayHit have examples.
+  /// You need this group to find out where a round agent fits, which position is the nearest where it fits, and which
+  /// agents fit through the gaps between two positions. A disc may touch walls. Like paths, discs ignore items of the
+  /// kind point. DiscFit, NearestFit, WidestPath and RayHit have examples.
   /// @{
 
   /// Finds out whether a disc fits at a position: the centre does not lie strictly inside a polygon, and no constrained
@@ -403,8 +406,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
   /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. With a goal, the
-  /// function finds the nearest point from which the disc gets to the goal. Whether a disc fits and whether it gets to
-  /// the goal are exact. NearestFit says how precise the distance is.
+  /// function finds the nearest point from which the disc gets to the goal. The decisions whether a disc fits and
+  /// whether it gets to the goal are exact. NearestFit says how precise the distance is.
   ///
   /// Error::index is 0 for the point and 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
@@ -587,7 +590,8 @@ class WAYWRIGHT_API World {
   class Operation;
 
   explicit World(std::unique_ptr<Impl> impl);
-  /// Makes changes and leaves their operation open. Requires: no attempt is under way.
+  /// Makes changes and leaves their operation open.
+  /// Requires: no attempt is under way.
   [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);
   /// Takes the changes of begin_attempt() back. Allocates nothing.
   void end_attempt() noexcept;

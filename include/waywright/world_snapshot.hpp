@@ -35,16 +35,16 @@ inline constexpr char kEmptySnapshot[] =
 /// of World work, without a context or with one. They give the same answers as the world gave, also version(),
 /// is_affected() and changes_since(). There are two exceptions: memory(), and Path::expansions of a query with a radius
 /// above 0. So a PathWatch can read one snapshot after the other: each of them counts as the world for which the watch
-/// was made. The immutable world has no history. World::clone() of it makes a world that you can change.
+/// was made. The immutable world has no history. To get a world that you can change, call its World::clone().
 ///
 /// If nothing has changed since the last call of World::publish() and a reader still has that snapshot, the function
 /// returns the same snapshot. The world keeps up to two copies of itself for later snapshots. When the readers have
 /// released a snapshot, a later call uses its copy again: it repeats the later changes of the world in this copy. If
-/// each snapshot is released after the next one has been made, these are the changes since the second last call. If no
-/// copy is free, the call makes one: the first call does this, and each call at which readers hold more snapshots at
-/// once than ever before. After the first call, each operation also records the ids of the items that it changes, 16
-/// bytes for each. Each snapshot that readers hold takes as much memory as a clone(). World::shrink_to_fit() frees the
-/// copies that no reader holds.
+/// readers always release a snapshot after the next one has been made, these are the changes since the second last
+/// call. If no copy is free, the call makes one. The first call makes a copy for this reason, and so does each call at
+/// which readers hold more snapshots at once than ever before. After the first call, each operation also records the
+/// ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much memory as a
+/// clone(). World::shrink_to_fit() frees the copies that no reader holds.
 ///
 /// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
 /// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can outlive its
@@ -72,11 +72,13 @@ class WAYWRIGHT_API WorldSnapshot {
 
   /// Returns whether the handle is not empty.
   [[nodiscard]] explicit operator bool() const noexcept { return replica_ != nullptr; }
-  /// Returns the immutable world. Requires: the handle is not empty.
+  /// Returns the immutable world.
+  /// Requires: the handle is not empty.
   [[nodiscard]] const World& operator*() const;
   /// @copydoc operator*() const
   [[nodiscard]] const World* operator->() const { return &**this; }
-  /// Returns the World::version() of the immutable world. Requires: the handle is not empty.
+  /// Returns the World::version() of the immutable world.
+  /// Requires: the handle is not empty.
   [[nodiscard]] std::uint64_t version() const;
 
   /// Returns whether both handles share one immutable world, or are both empty.

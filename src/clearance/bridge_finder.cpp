@@ -69,8 +69,8 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
 }
 
 // Let w be the origin of `corner`, and f the foot of a bridge from w. The disc of the bridge contains a vertex v
-// exactly if the angle at v between w and f is at least 90 degrees. v is the end of a wall, so this angle is acute: w
-// and f lie on the same side of the line through v that is perpendicular to the segment from w to v.
+// exactly if the angle at v between w and f is at least 90 degrees. v is the end of a wall, so this angle is acute: the
+// line through v that is perpendicular to the segment from w to v does not separate f from w.
 //
 // Let the bridge cross an edge from p to q, or end on it. As seen from w, f lies between p and q, and on the edge or
 // beyond. If the angle at p between w and q is not acute, then the line through p separates f from w. So the angles at

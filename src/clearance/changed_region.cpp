@@ -31,8 +31,8 @@ using mesh::HalfEdge;
 //    common positions. So a search finds the face G at w in which the segment starts: it begins with the face beyond
 //    `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly inside.
 // 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from q. D contains none
-//    of the vertices xi, except xk if b is the edge from w to xk. So the piece of D that lies on the same side of the
-//    edge from w to xi as q lies inside the disc whose diameter is this edge: the circle of D meets the edge at a
+//    of the vertices xi, except xk if b is the edge from w to xk. The edge from w to xi divides D into two pieces. The
+//    piece that contains q lies inside the disc whose diameter is this edge: the circle of D meets the edge at a
 //    position p before xi, and at the other end of the diameter of D from w, the angle between w and p is acute; hence
 //    at q the angle between w and p is obtuse. So this disc contains q strictly inside. By the choice of q, no face
 //    between G and F is touched, and no edge between them is a wall, because walls do not meet D. So the search, when

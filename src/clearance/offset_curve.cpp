@@ -53,15 +53,15 @@ class Arc {
   explicit Arc(const Point& axis) : axis_(axis) {}
 
   /// Adds the end of an arc around `middle` whose half-angle has this cosine: the end that comes last counter-clockwise
-  /// if `side` is 1, or the one that comes last clockwise if it is -1.
-  void add(const Point& middle, double cosine, int side) {
-    const double sine = side * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-    add(Point{middle.x * cosine - middle.y * sine, middle.y * cosine + middle.x * sine}, side);
+  /// if `direction` is 1, or the one that comes last clockwise if it is -1.
+  void add(const Point& middle, double cosine, int direction) {
+    const double sine = direction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    add(Point{middle.x * cosine - middle.y * sine, middle.y * cosine + middle.x * sine}, direction);
   }
-  void add(const Point& end, int side) {
+  void add(const Point& end, int direction) {
     const double turn = parameter_of_direction({dot(axis_, end), cross(axis_, end)});
     // No end is more than 180 degrees away from the axis.
-    if (side > 0) {
+    if (direction > 0) {
       const double left = turn > 3.0 ? turn - 4.0 : turn;
       if (left > left_) {
         left_ = left;
@@ -190,8 +190,8 @@ Blocked OffsetCurve::line_blocked_by(const Point& a, const Point& b, Bias bias) 
   const double length = std::sqrt(squared_length(d));
   if (std::abs(d.y) > 0x1p-40 * length) {
     const double shrink = slack * (length / std::abs(d.y));
-    for (const int side : {1, -1}) {
-      const double x = p.x + (d.x * (radius_ - p.y) - side * radius_ * length) / d.y;
+    for (const int sign : {1, -1}) {
+      const double x = p.x + (d.x * (radius_ - p.y) - sign * radius_ * length) / d.y;
       const double share = ((x - p.x) * d.x + (radius_ - p.y) * d.y) / length;
       if (share >= -std::abs(shrink) && share <= length + std::abs(shrink)) add(x, x, shrink);
     }
@@ -226,17 +226,17 @@ Blocked OffsetCurve::circle_blocked_by(const Point& a, const Point& b, Bias bias
     const double cosine = size / (2.0 * radius_) + error;
     if (!(cosine < 1.0)) continue;
     const Point middle = size > 0.0 ? Point{w.x / size, w.y / size} : unit(axis);
-    for (const int side : {1, -1}) arc.add(middle, cosine, side);
+    for (const int direction : {1, -1}) arc.add(middle, cosine, direction);
   }
   const double slack = kUnit * (extent_of(p) + extent_of(q)) / radius_;
   const double cosine = std::max(-1.0, std::abs(offset) / radius_ - 1.0 + error + sign * slack);
   if (cosine < 1.0 && !is_incident) {
     const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-    for (const int side : {1, -1}) {
-      const Point end = across * cosine + to_left(across) * (side * sine);
+    for (const int direction : {1, -1}) {
+      const Point end = across * cosine + to_left(across) * (direction * sine);
       const double foot = radius_ * dot(end, along) + before;
       const double margin = radius_ * (slack + std::abs(error));
-      if (foot >= -margin && foot <= length + margin) arc.add(end, side);
+      if (foot >= -margin && foot <= length + margin) arc.add(end, direction);
     }
   }
   return arc.blocked(bias);

@@ -23,10 +23,11 @@ struct Narrowest {
 ///
 /// Two searches run in turns, one from each end, until one of them enters a cell that the other has entered. Each
 /// search has a *level*: the narrowest gate that it has crossed so far. It first crosses all gates that it has seen and
-/// that are not shorter than its level, those near the other end first. Only then it crosses the longest gate that is
-/// left, which becomes its level. So a search that lowers its level has entered all cells that it can reach through
-/// longer gates. When the two meet, the shorter of the two levels is therefore the gate that the query asks for. If one
-/// end lies in a small room, its search soon leaves this room and runs straight towards the other end.
+/// that are not shorter than its level, those near the other end first. After that, it crosses the longest of the
+/// other gates, which becomes its level. So a search that lowers its level has entered all cells that it can reach
+/// through longer gates. When the two meet, the shorter of the two levels is therefore the gate that the query asks
+/// for. If one end lies in a small enclosed area, its search soon leaves this area and runs straight towards the other
+/// end.
 ///
 /// Source: the bottleneck path (Pollack, *The maximum capacity through a network*, 1960).
 class WidestSearch {
@@ -44,11 +45,11 @@ class WidestSearch {
   /// A gate that is not shorter than the level of its search.
   struct OpenGate {
     CellEdge edge;
-    double squared_distance;  ///< from the other end, about
+    double squared_distance;  ///< approximate, from the other end
   };
   /// The search from one end.
   struct End {
-    Point target;                ///< about where the other end is
+    Point target;                ///< a position near the other end
     std::uint32_t stamp;         ///< marks the gates of the cells that this search has entered
     std::optional<Gate> level;   ///< nothing as long as the search has crossed no gate
     std::vector<OpenGate> open;  ///< a heap; the gate nearest to the target comes first

@@ -195,7 +195,7 @@ auto ConstrainedTriangulation<Geometry>::add_records(const Batch& batch, std::sp
   return with_sides;
 }
 
-/// Whether an item passed a limit. Then sets `refused_index_`.
+/// Returns whether an item passed a limit. If one did, sets `refused_index_`.
 template <class Geometry>
 template <class Batch>
 bool ConstrainedTriangulation<Geometry>::is_refused_at(const Batch& batch, std::uint32_t slot) {

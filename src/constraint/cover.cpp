@@ -36,8 +36,8 @@ void append_turns(const ExactTriangulation& triangulation, mesh::HalfEdge h, std
   });
 }
 
-/// Replaces the entries of append_turns by the polygons that cover the face: those whose winding number, the sum of
-/// their entries, says so.
+/// Replaces the entries of append_turns by the polygons that cover the face. The winding number of a polygon is the sum
+/// of its entries, and the fill rule says whether a polygon with this number covers the face.
 void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& turns) {
   std::sort(turns.begin(), turns.end());
   std::size_t kept = 0;

@@ -13,7 +13,7 @@ class Cover {
  public:
   Cover() = default;
   virtual ~Cover() = default;
-  Cover(Cover&&) noexcept = default;  // GCOVR_EXCL_LINE: std::optional wants it there, and assigns instead
+  Cover(Cover&&) noexcept = default;  // GCOVR_EXCL_LINE: std::optional requires it, but uses the assignment
   Cover& operator=(Cover&&) noexcept = default;
 
   /// The polygons, by slot, that cover the inside of the face of `h`, in no particular order. This implementation goes

@@ -34,7 +34,7 @@ void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v
 }
 
 /// The position where a segment meets a constrained edge, rounded to doubles. If the segment starts or ends on the
-/// edge's line, this is that end: the segment may run along the edge.
+/// edge's line, the function returns this end of the segment, because the segment may run along the edge.
 Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
   const auto& geometry = triangulation.triangulation().geometry();
   const Side& side = triangulation.items().side(triangulation.uses().any(triangulation.topology().label(h)));

@@ -197,7 +197,7 @@ mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::V
                                                const ChainCorner& r) {
   const mesh::Face f = mesh.add_face();
   const mesh::HalfEdge base = mesh::first(f);
-  mesh.set_corners(f, a, r.vertex, b.vertex);
+  mesh.set_vertices(f, a, r.vertex, b.vertex);
   const auto join = [&](mesh::HalfEdge inner, const ChainCorner& corner) {
     if (corner.base == mesh::kNoHalfEdge) return close(mesh, chain, corner.position, inner);
     mesh.link(inner, corner.base, 0);

@@ -36,15 +36,15 @@ namespace waywright::delaunay {
 template <class Geometry>
 class DivideAndConquer {
  public:
-  using Corner = mesh::TriangleMesh::Corner;
+  using HalfEdgeRecord = mesh::TriangleMesh::HalfEdgeRecord;
   using Key = locate::Curve::Key;
 
   /// The class passes only points to the predicates of `geometry`, never vertices. `points` are distinct and sorted by
   /// their `keys`; points with the same key are in (x, y) order. Point i becomes vertex i + 1. The ghost is vertex 0.
-  /// `corners` has room for 6 (points.size() - 1) corners.
+  /// `half_edges` has room for 6 (points.size() - 1) half-edges.
   DivideAndConquer(const Geometry& geometry, std::span<const Point> points, std::span<const Key> keys,
-                   std::span<Corner> corners)
-      : geometry_(geometry), points_(points), keys_(keys), corners_(corners) {}
+                   std::span<HalfEdgeRecord> half_edges)
+      : geometry_(geometry), points_(points), keys_(keys), half_edges_(half_edges) {}
 
   /// Triangulates all points, and does `jobs` at the same time. Reports how many points are in finished pieces.
   /// Requires: there are at least two points.
@@ -96,18 +96,18 @@ class DivideAndConquer {
     return a.y < b.y || (a.y == b.y && a.x > b.x);
   }
 
-  [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin}; }
-  [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
+  [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{half_edges_[number(h)].twin}; }
+  [[nodiscard]] Vertex origin(HalfEdge h) const { return half_edges_[number(h)].origin; }
   [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
-  void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
+  void set_origin(HalfEdge h, Vertex v) { half_edges_[number(h)].origin = v; }
   void link(HalfEdge g, HalfEdge h) {
-    corners_[number(g)].twin = number(h);
-    corners_[number(h)].twin = number(g);
+    half_edges_[number(g)].twin = number(h);
+    half_edges_[number(h)].twin = number(g);
   }
   HalfEdge make_face(std::uint32_t f, Vertex a, Vertex b, Vertex c) {
-    corners_[3 * std::size_t{f}].origin = a;
-    corners_[3 * std::size_t{f} + 1].origin = b;
-    corners_[3 * std::size_t{f} + 2].origin = c;
+    half_edges_[3 * std::size_t{f}].origin = a;
+    half_edges_[3 * std::size_t{f} + 1].origin = b;
+    half_edges_[3 * std::size_t{f} + 2].origin = c;
     return HalfEdge{3 * f};
   }
   /// The hull edge after `hull`, and the hull edge before it (second function), counter-clockwise around the piece.
@@ -146,7 +146,7 @@ class DivideAndConquer {
   const Geometry& geometry_;
   std::span<const Point> points_;
   std::span<const Key> keys_;
-  std::span<Corner> corners_;
+  std::span<HalfEdgeRecord> half_edges_;
   std::vector<Task> tasks_;
 };
 

@@ -77,8 +77,8 @@ mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(const Star& star) {
   return mesh::kNoHalfEdge;
 }
 
-//          a2 --- a1     v lies on the line from p to q. The edge p - q replaces p - v and v - q. On each side of the
-//        /   \  /   \    line, the faces around v leave a hole with the edge p - q as its base.
+//          a2 --- a1     v lies on the line from p to q. The edge p - q replaces p - v and v - q. On the left and
+//        /   \  /   \    on the right of the line, the faces around v leave a hole with the edge p - q as its base.
 //       p --- v --- q
 //        \   / \   /
 //          b1 --- b2

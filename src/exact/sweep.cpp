@@ -23,12 +23,12 @@ namespace {
 //
 // Line. If s > r sqrt(M), the centre lies outside the strip of the positions nearer to the wall's line than r. It
 // enters the strip at t = (s - r sqrt(M)) / c with c = d x ab, if c > 0. If the centre then lies between the
-// perpendiculars at the two ends, the disc touches the wall there, strictly between its ends. The centre and b lie on
-// the same side of the perpendicular at a if
+// perpendiculars at the two ends, the disc touches the wall there, strictly between its ends. The perpendicular at
+// a does not separate the centre from b if
 //   ab . (p(t) - a) > 0. With f = from - a, this is (ab . f) c + (ab . d) (s - r sqrt(M)) > 0. Because of
 //   (ab . f) (d x ab) + (ab . d) (ab x f) = M (d x f), it is sqrt(M) (d x f) - r (ab . d) > 0.
 // If they do not, then the centre can enter the capsule around the wall only through the circle around a: every other
-// point of the capsule lies within the strip and on the same side of the perpendicular at a as b, and the diameter of
+// point of the capsule lies within the strip, not separated from b by the perpendicular at a, and the diameter of
 // the circle blocks the strip there. The same holds at b. If the centre starts in the strip, it does not lie between
 // the two perpendiculars, and again it can enter the capsule only through the circle around the nearer end.
 //

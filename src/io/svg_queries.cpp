@@ -51,7 +51,7 @@ class QueryDrawer {
     open_groups("failed-paths");
     draw_failed_paths();
     canvas_.drawing().clipped += "</g>\n";
-    canvas_.drawing().whole += "</g>\n<g id=\"places\">\n";
+    canvas_.drawing().whole += "</g>\n<g id=\"locations\">\n";
     draw_locations();
     canvas_.drawing().whole += "</g>\n";
     return std::move(canvas_.drawing());
@@ -175,7 +175,7 @@ class QueryDrawer {
     for (const MarkKind kind : kMarkKinds) {
       const auto i = static_cast<std::size_t>(kind);
       if (counts[i] == 0) continue;
-      std::string label = counted(counts[i], "place", "places");
+      std::string label = counted(counts[i], "located point", "located points");
       label += kWords[i];
       canvas_.add_entry({position_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
     }

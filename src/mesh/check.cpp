@@ -51,7 +51,7 @@ std::optional<std::string> TriangleMesh::find_fault() const {
     if (!is_live(v)) continue;
     ++vertices;
     const HalfEdge start = outgoing(v);
-    if (number(start) >= corners_.size() || origin(start) != v) return named("vertex", i) + " has no half-edge";
+    if (number(start) >= half_edges_.size() || origin(start) != v) return named("vertex", i) + " has no half-edge";
     std::uint32_t loop = 0;
     HalfEdge h = start;
     do {

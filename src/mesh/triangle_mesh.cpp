@@ -16,10 +16,10 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 
 }  // namespace
 
-TriangleMesh::TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count)
-    : corners_(std::move(corners)), outgoing_(vertex_count) {
-  labels_.grow_to(corners_.size());
-  for (std::uint32_t h = 0; h < corners_.size(); ++h) outgoing_[number(corners_[h].origin)] = h;
+TriangleMesh::TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count)
+    : half_edges_(std::move(half_edges)), outgoing_(vertex_count) {
+  labels_.grow_to(half_edges_.size());
+  for (std::uint32_t h = 0; h < half_edges_.size(); ++h) outgoing_[number(half_edges_[h].origin)] = h;
 }
 
 HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
@@ -83,12 +83,12 @@ Face TriangleMesh::add_face() {
   const bool is_new = free_faces_.is_empty();
   const Face f{is_new ? face_slots() : free_faces_.first()};
   if (is_new) {
-    corners_.reserve(grown_capacity(corners_.capacity(), corners_.size() + 3));
-    labels_.grow_to(corners_.size() + 3);
+    half_edges_.reserve(grown_capacity(half_edges_.capacity(), half_edges_.size() + 3));
+    labels_.grow_to(half_edges_.size() + 3);
   }
   log(ChangeKind::add_face, number(f));
   if (!is_new) return pop_free_face();
-  corners_.resize(corners_.size() + 3, Corner{number(kNoHalfEdge), kNoVertex});
+  half_edges_.resize(half_edges_.size() + 3, HalfEdgeRecord{number(kNoHalfEdge), kNoVertex});
   return f;
 }
 
@@ -97,16 +97,16 @@ void TriangleMesh::free_face(Face f) {
   drop(f);
 }
 
-/// Logs the corners and labels of a face that is about to change.
+/// Logs the half-edges and labels of a face that is about to change.
 void TriangleMesh::save(Face f) {
   const HalfEdge a = first(f);
-  const auto corners = corners_.begin() + static_cast<std::ptrdiff_t>(number(a));
-  if (((corners[0].twin | corners[1].twin | corners[2].twin) & kFixed) != 0) [[unlikely]] {
+  const auto half_edges = half_edges_.begin() + static_cast<std::ptrdiff_t>(number(a));
+  if (((half_edges[0].twin | half_edges[1].twin | half_edges[2].twin) & kFixed) != 0) [[unlikely]] {
     for (const HalfEdge h : {a, next(a), previous(a)}) {
       if (is_fixed(h)) log(ChangeKind::rebuild_label, number(h), labels_[number(h)]);
     }
   }
-  saved_faces_.push_back({corners[0], corners[1], corners[2]});
+  saved_faces_.push_back({half_edges[0], half_edges[1], half_edges[2]});
   log(ChangeKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
 }
 
@@ -116,7 +116,7 @@ void TriangleMesh::drop(Face f) {
   push_free_face(f);
 }
 
-void TriangleMesh::set_corners(Face f, Vertex a, Vertex b, Vertex c) {
+void TriangleMesh::set_vertices(Face f, Vertex a, Vertex b, Vertex c) {
   HalfEdge h = first(f);
   for (const Vertex v : {a, b, c}) {
     set_origin(h, v);
@@ -127,8 +127,8 @@ void TriangleMesh::set_corners(Face f, Vertex a, Vertex b, Vertex c) {
 
 void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
   if (label != 0) make_room_for_label(g, h);
-  corners_[number(g)].twin = number(h);
-  corners_[number(h)].twin = number(g);
+  half_edges_[number(g)].twin = number(h);
+  half_edges_[number(h)].twin = number(g);
   if (label != 0) write_label(g, label);
 }
 
@@ -141,7 +141,7 @@ void TriangleMesh::set_label(HalfEdge h, Label new_label) {
 }
 
 void TriangleMesh::make_room_for_labels() {
-  for (std::size_t h = 0; h < corners_.size(); ++h) labels_.make_room(h);
+  for (std::size_t h = 0; h < half_edges_.size(); ++h) labels_.make_room(h);
 }
 
 void TriangleMesh::make_room_for_label(HalfEdge g, HalfEdge h) {
@@ -151,7 +151,7 @@ void TriangleMesh::make_room_for_label(HalfEdge g, HalfEdge h) {
 
 void TriangleMesh::write_label(HalfEdge h, Label label) {
   for (const HalfEdge half : {h, twin(h)}) {
-    std::uint32_t& twin = corners_[number(half)].twin;
+    std::uint32_t& twin = half_edges_[number(half)].twin;
     twin = label == 0 ? twin & ~kFixed : twin | kFixed;
     if (label != 0) labels_[number(half)] = label;
   }
@@ -164,9 +164,9 @@ void TriangleMesh::make_room_to_take_over(HalfEdge to, HalfEdge from) {
 }
 
 void TriangleMesh::take_over(HalfEdge to, HalfEdge from) {
-  const std::uint32_t twin_and_flag = corners_[number(from)].twin;
-  corners_[number(to)].twin = twin_and_flag;
-  corners_[twin_and_flag & ~kFixed].twin = number(to) | (twin_and_flag & kFixed);
+  const std::uint32_t twin_and_flag = half_edges_[number(from)].twin;
+  half_edges_[number(to)].twin = twin_and_flag;
+  half_edges_[twin_and_flag & ~kFixed].twin = number(to) | (twin_and_flag & kFixed);
   if ((twin_and_flag & kFixed) != 0) [[unlikely]]
     labels_[number(to)] = labels_[number(from)];
 }
@@ -189,9 +189,9 @@ std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
   const Vertex c = apex(ab);
   take_over(first(g), next(ab));
   take_over(first(k), previous(ab));
-  set_corners(f, a, b, v);
-  set_corners(g, b, c, v);
-  set_corners(k, c, a, v);
+  set_vertices(f, a, b, v);
+  set_vertices(g, b, c, v);
+  set_vertices(k, c, a, v);
   link(next(first(f)), previous(first(g)), 0);
   link(next(first(g)), previous(first(k)), 0);
   link(next(first(k)), previous(first(f)), 0);
@@ -222,8 +222,8 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
   const Label edge_label = label(h);
   take_over(next(vb), next(h));
   take_over(next(va), next(t));
-  set_corners(f, v, b, c);
-  set_corners(g, v, a, d);
+  set_vertices(f, v, b, c);
+  set_vertices(g, v, a, d);
   set_origin(next(h), v);
   set_origin(next(t), v);
   set_outgoing(a, h);
@@ -291,7 +291,7 @@ HalfEdge TriangleMesh::refill(std::span<HalfEdge> border, std::span<const Triang
     join(h, one);
     join(next(h), other);
     base = previous(h);
-    corners_[number(base)].twin = number(kNoHalfEdge);
+    half_edges_[number(base)].twin = number(kNoHalfEdge);
     border[triangle->from] = base;
   }
   return base;

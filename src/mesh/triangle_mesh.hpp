@@ -44,21 +44,22 @@ class TriangleMesh {
     relabelled  ///< one of its fixed edges got another label, and stayed fixed
   };
 
-  /// A stored half-edge.
-  struct Corner {
-    std::uint32_t
-        twin;       ///< highest bit: whether the edge is fixed; in the first corner of a free face: the next free face
+  /// The record of a half-edge.
+  struct HalfEdgeRecord {
+    /// The twin. The highest bit says whether the edge is fixed. In the first half-edge of a free face: the next free
+    /// face.
+    std::uint32_t twin;
     Vertex origin;  ///< kNoVertex in a free face
   };
 
   TriangleMesh() = default;
   /// Takes over a mesh that other code has made. The half-edges 3 f, 3 f + 1 and 3 f + 2 are a face. Requires: no face
   /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of a half-edge.
-  TriangleMesh(std::vector<Corner> corners, std::size_t vertex_count);
+  TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count);
 
   // Navigation. Each function is O(1), except find().
-  [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{corners_[number(h)].twin & ~kFixed}; }
-  [[nodiscard]] Vertex origin(HalfEdge h) const { return corners_[number(h)].origin; }
+  [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{half_edges_[number(h)].twin & ~kFixed}; }
+  [[nodiscard]] Vertex origin(HalfEdge h) const { return half_edges_[number(h)].origin; }
   [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
   /// The vertex of the half-edge's face that is not on the half-edge.
   [[nodiscard]] Vertex apex(HalfEdge h) const { return origin(previous(h)); }
@@ -67,12 +68,12 @@ class TriangleMesh {
   /// Prefetches the memory that outgoing(v) reads.
   void prefetch(Vertex v) const { base::prefetch(&outgoing_[number(v)]); }
   /// Prefetches the memory of the face of `h`.
-  void prefetch(HalfEdge h) const { base::prefetch(&corners_[number(h)]); }
+  void prefetch(HalfEdge h) const { base::prefetch(&half_edges_[number(h)]); }
   /// The next half-edge that starts at the same vertex, counter-clockwise.
   [[nodiscard]] HalfEdge next_around(HalfEdge h) const { return twin(previous(h)); }
   /// The next half-edge that starts at the same vertex, clockwise.
   [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
-  [[nodiscard]] bool is_fixed(HalfEdge h) const { return (corners_[number(h)].twin & kFixed) != 0; }
+  [[nodiscard]] bool is_fixed(HalfEdge h) const { return (half_edges_[number(h)].twin & kFixed) != 0; }
   [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
   /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: O(1) plus the smaller degree of the two.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
@@ -81,11 +82,11 @@ class TriangleMesh {
   [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const;
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
-  [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3 - free_face_count_; }
+  [[nodiscard]] std::size_t face_count() const { return half_edges_.size() / 3 - free_face_count_; }
   /// The numbers of slots of vertices and of faces, including free slots. Every index of a vertex (or face) is below
   /// this number.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
-  [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
+  [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(half_edges_.size() / 3); }
   [[nodiscard]] bool is_live(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
   [[nodiscard]] bool is_live(Face f) const { return origin(first(f)) != kNoVertex; }
 
@@ -109,7 +110,7 @@ class TriangleMesh {
   /// Removes a face. Requires: no half-edge of another face has a half-edge of `f` as its twin.
   void free_face(Face f);
   /// Sets the vertices of `f`, but no twins and labels. Sets the outgoing half-edge of each vertex to one of `f`.
-  void set_corners(Face f, Vertex a, Vertex b, Vertex c);
+  void set_vertices(Face f, Vertex a, Vertex b, Vertex c);
   void set_outgoing(Vertex v, HalfEdge h) { outgoing_[number(v)] = number(h); }
   /// Makes `g` and `h` twins and sets the label of their edge.
   void link(HalfEdge g, HalfEdge h, Label label);
@@ -203,7 +204,7 @@ class TriangleMesh {
   [[nodiscard]] std::optional<std::string> find_fault() const;
 
   void count_memory(MemoryUse& use) const {
-    memory::count(use, &MemoryUse::faces, corners_);
+    memory::count(use, &MemoryUse::faces, half_edges_);
     memory::count(use, &MemoryUse::vertices, outgoing_);
     labels_.count_memory(use, &MemoryUse::walls);
     memory::count_spare(use, saved_faces_);
@@ -211,7 +212,7 @@ class TriangleMesh {
   }
   /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
-    memory::shrink(corners_, outgoing_);
+    memory::shrink(half_edges_, outgoing_);
     labels_.shrink_to_fit();
     memory::release(saved_faces_);
     journal_.release();
@@ -250,7 +251,7 @@ class TriangleMesh {
     /// split_edge and flip: the twin of `index`.
     std::uint32_t saved;
   };
-  using SavedFace = std::array<Corner, 3>;
+  using SavedFace = std::array<HalfEdgeRecord, 3>;
 
   void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { journal_.add({kind, index, saved}); }
   void undo(const Undo& change);
@@ -261,7 +262,7 @@ class TriangleMesh {
   void restore(Face f, const SavedFace& saved);
   void drop(Face f);
   void join(HalfEdge h, HalfEdge old);
-  [[nodiscard]] bool is_open(HalfEdge h) const { return corners_[number(h)].twin == number(kNoHalfEdge); }
+  [[nodiscard]] bool is_open(HalfEdge h) const { return half_edges_[number(h)].twin == number(kNoHalfEdge); }
   void push_free_face(Face f);
   [[nodiscard]] Face pop_free_face();
   void push_free_vertex(Vertex v);
@@ -274,12 +275,12 @@ class TriangleMesh {
   /// Moves the twin and label of `from` to `to`. Both half-edges represent the same edge, before and after a face is
   /// rebuilt.
   void take_over(HalfEdge to, HalfEdge from);
-  void set_origin(HalfEdge h, Vertex v) { corners_[number(h)].origin = v; }
+  void set_origin(HalfEdge h, Vertex v) { half_edges_[number(h)].origin = v; }
 
-  std::vector<Corner> corners_;
+  std::vector<HalfEdgeRecord> half_edges_;
   memory::Pages<Label> labels_;          ///< by half-edge; has room for every half-edge of a fixed edge
   std::vector<std::uint32_t> outgoing_;  ///< by vertex; if kFree is set: the next free vertex
-  memory::FreeList free_faces_;          ///< linked by the twin of the first corner
+  memory::FreeList free_faces_;          ///< linked by the twin of the first half-edge
   memory::FreeList free_vertices_;       ///< linked by `outgoing_`
   std::size_t free_face_count_ = 0;
   std::size_t free_vertex_count_ = 0;

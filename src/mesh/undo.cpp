@@ -97,23 +97,23 @@ void TriangleMesh::undo_flip(HalfEdge h) {
 // neighbour that is still free must not be written to: its slot holds a link of the free list.
 void TriangleMesh::restore(Face f, const SavedFace& saved) {
   HalfEdge h = first(f);
-  for (const Corner& corner : saved) {
-    corners_[number(h)] = corner;
-    set_outgoing(corner.origin, h);
+  for (const HalfEdgeRecord& record : saved) {
+    half_edges_[number(h)] = record;
+    set_outgoing(record.origin, h);
     const HalfEdge t = twin(h);
-    if (is_live(face(t))) corners_[number(t)].twin = number(h) | (corner.twin & kFixed);
+    if (is_live(face(t))) half_edges_[number(t)].twin = number(h) | (record.twin & kFixed);
     h = next(h);
   }
 }
 
 void TriangleMesh::push_free_face(Face f) {
-  for (std::uint32_t i = 0; i < 3; ++i) corners_[number(first(f)) + i] = {number(kNoHalfEdge), kNoVertex};
-  corners_[number(first(f))].twin = free_faces_.push(number(f));
+  for (std::uint32_t i = 0; i < 3; ++i) half_edges_[number(first(f)) + i] = {number(kNoHalfEdge), kNoVertex};
+  half_edges_[number(first(f))].twin = free_faces_.push(number(f));
   ++free_face_count_;
 }
 
 Face TriangleMesh::pop_free_face() {
-  const Face f{free_faces_.pop(corners_[number(first(Face{free_faces_.first()}))].twin)};
+  const Face f{free_faces_.pop(half_edges_[number(first(Face{free_faces_.first()}))].twin)};
   --free_face_count_;
   return f;
 }

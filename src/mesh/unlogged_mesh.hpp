@@ -14,7 +14,7 @@ namespace waywright::mesh {
 /// of the thread's own, the thread may read the vertices of this face, and the twins and labels of its edges that have
 /// an end of the thread's own. (To read `twin`, `label` or `is_fixed` of an edge between two foreign vertices is a
 /// race.) Then no thread reads data that another one writes: a thread writes the twin and the label of an edge only if
-/// both ends of the edge are its own, and the corners of a face only if all three are.
+/// both ends of the edge are its own, and the vertices of a face only if all three are.
 class UnloggedMesh {
  public:
   explicit UnloggedMesh(TriangleMesh& mesh) : mesh_(mesh) {}
@@ -34,7 +34,7 @@ class UnloggedMesh {
   /// Keeps the face for add_face(). Until then, is_live() is false.
   void free_face(Face f) {
     free_faces_.push_back(f);
-    mesh_.corners_[number(first(f))].origin = kNoVertex;
+    mesh_.half_edges_[number(first(f))].origin = kNoVertex;
   }
   /// Returns the face that was freed last. Requires: add_face() has not yet returned all faces that were freed.
   [[nodiscard]] Face add_face() {
@@ -42,7 +42,7 @@ class UnloggedMesh {
     free_faces_.pop_back();
     return f;
   }
-  void set_corners(Face f, Vertex a, Vertex b, Vertex c) { mesh_.set_corners(f, a, b, c); }
+  void set_vertices(Face f, Vertex a, Vertex b, Vertex c) { mesh_.set_vertices(f, a, b, c); }
   void link(HalfEdge g, HalfEdge h, Label label) { mesh_.link(g, h, label); }
   void set_label(HalfEdge h, Label label) { mesh_.write_label(h, label); }
   TriangleMesh::Flipped flip(HalfEdge h) { return mesh_.flip_unlogged(h); }

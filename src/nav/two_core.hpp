@@ -51,14 +51,14 @@ class TwoCore {
   /// Returns the half-edge by which a tree face leads towards the core, or kNoHalfEdge for the root of a component
   /// without a core. Requires: `f` is not in the core.
   [[nodiscard]] mesh::HalfEdge towards_core(mesh::Face f) const {
-    const std::uint32_t side = states_[number(f)] >> kSideShift & 3U;
-    return side == kNoSide ? mesh::kNoHalfEdge : mesh::HalfEdge{3 * number(f) + side};
+    const std::uint32_t i = states_[number(f)] >> kPassageShift & 3U;
+    return i == kNoPassage ? mesh::kNoHalfEdge : mesh::HalfEdge{3 * number(f) + i};
   }
 
   /// Returns whether the face of `h` is a tree face, and `h` leads from there towards the core.
   [[nodiscard]] bool leads_up(mesh::HalfEdge h) const {
     const State state = states_[number(h) / 3];
-    return (state & kCore) == 0 && (state >> kSideShift & 3U) == number(h) % 3;
+    return (state & kCore) == 0 && (state >> kPassageShift & 3U) == number(h) % 3;
   }
 
   /// Updates the core to the mesh. `changed` lists the faces, by slot, that have changed since the last update. `made`
@@ -106,15 +106,15 @@ class TwoCore {
   // that leads towards the core; and whether the face is in the core.
   using State = std::uint8_t;
   static constexpr State kPassages = 7;
-  static constexpr State kSideShift = 3;
-  static constexpr State kNoSide = 3;
-  static constexpr State kRoot = kNoSide << kSideShift;
+  static constexpr State kPassageShift = 3;
+  static constexpr State kNoPassage = 3;
+  static constexpr State kRoot = kNoPassage << kPassageShift;
   static constexpr State kCore = 1 << 5;
   static constexpr State kAbsent = kRoot | 1 << 6;  ///< not in the graph
   static constexpr State kNew = 1 << 7;             ///< set only during an update
 
   [[nodiscard]] static State passage_bit(mesh::HalfEdge h) { return static_cast<State>(1U << number(h) % 3); }
-  [[nodiscard]] static State tree_state(mesh::HalfEdge h) { return static_cast<State>(number(h) % 3 << kSideShift); }
+  [[nodiscard]] static State tree_state(mesh::HalfEdge h) { return static_cast<State>(number(h) % 3 << kPassageShift); }
   [[nodiscard]] std::vector<mesh::Face> tops(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> faces) const;
   void write(mesh::Face f, State state);
   void add_passage(mesh::HalfEdge h);

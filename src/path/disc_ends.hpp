@@ -30,7 +30,9 @@ class DiscEnds {
   Point goal_;
   locate::Located at_start_;
   mesh::HalfEdge goal_face_;
-  mesh::Face goal_faces_[2];  ///< twice the same, unless the goal lies on an edge
+  /// If the goal lies on an edge: the faces on the left and on the right of this edge. Otherwise: the face that
+  /// contains the goal, twice.
+  mesh::Face goal_faces_[2];
   DeadEnds dead_ends_;
 };
 

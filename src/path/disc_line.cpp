@@ -85,8 +85,8 @@ void DiscLine::walk(HalfEdge face) {
   }
 }
 
-/// The line crosses a wall, or a gap that is too narrow. If the line passes near enough to an end of this wall or gap,
-/// the path has to turn around this end.
+/// Looks at a wall, or a gap that is too narrow, which the line crosses. If an end of this wall or gap is nearer to the
+/// line than the radius, the path has to turn around this end.
 void DiscLine::look_at_closed(HalfEdge exit) {
   is_blocked_ = true;
   for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {
@@ -141,7 +141,8 @@ HalfEdge DiscLine::enter_beside(HalfEdge at) {
   return beyond;
 }
 
-// Only an end of the line can be nearer to the inside of a wall than to its ends.
+// The line does not cross the wall. If a position strictly inside the wall is nearer to the line than both ends of the
+// wall are, it is the position nearest to an end of the line. So the function looks only at the ends of the line.
 void DiscLine::look_at_wall(HalfEdge h) {
   const Point a = map_->position(map_->mesh().origin(h));
   const Point b = map_->position(map_->mesh().target(h));
@@ -155,7 +156,7 @@ void DiscLine::look_at_wall(HalfEdge h) {
   if (is_near(end_) || is_near(start_)) is_blocked_ = true;
 }
 
-/// `corner` starts at the vertex.
+/// Looks at the vertex at which `corner` starts.
 void DiscLine::look_at_vertex(HalfEdge corner) {
   const Vertex v = map_->mesh().origin(corner);
   if (v == from_.vertex || v == to_.vertex) return;
@@ -175,12 +176,12 @@ void DiscLine::note_obstacle(HalfEdge corner) {
   const Point position = map_->position(v);
   is_blocked_ = true;
   const double across = cross(to_.contact.centre - from_.contact.centre, position - from_.contact.centre);
-  for (const int side : {1, -1}) {
-    if (side * across < 0.0) continue;
-    const auto line = tangent(from_.contact, {position, side}, map_->radius);
+  for (const int turn : {kTurnLeft, kTurnRight}) {
+    if (turn * across < 0.0) continue;
+    const auto line = tangent(from_.contact, {position, turn}, map_->radius);
     if (!line) continue;
-    Obstacle& first = obstacles_[side > 0 ? 1 : 0];
-    const bool is_first = first.vertex == mesh::kNoVertex || side * cross(line->direction, first.line.direction) > 0.0;
+    Obstacle& first = obstacles_[turn == kTurnLeft ? 1 : 0];
+    const bool is_first = first.vertex == mesh::kNoVertex || turn * cross(line->direction, first.line.direction) > 0.0;
     if (is_first) first = {v, corner, *line};
   }
 }

@@ -80,7 +80,7 @@ class DiscMap {
     if (exact::compare_to_diameter(gap, exact_radius) >= 0) return std::nullopt;
     return exact::end_of(gap) - origin;
   }
-  /// Returns whether there is such a bridge.
+  /// Returns whether closed_foot() returns a foot.
   [[nodiscard]] bool has_closed_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
     return foot != clearance::Bridges::kNone && exact::compare_to_diameter(foot_gap(corner, foot), exact_radius) < 0;

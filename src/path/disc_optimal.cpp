@@ -40,7 +40,8 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
   open_.clear();
   stamp_.next(1, reached_);
   reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
-  roots_.push_back({{{ends_->start(), 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, {}, kNone});
+  roots_.push_back(
+      {{{ends_->start(), kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, {}, kNone});
   leave_start(ends.at_start());
 }
 
@@ -55,7 +56,7 @@ bool DiscOptimal::is_excluded(const Contact& from, HalfEdge exit) const {
   if (squared > map_->surely_long) return false;
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
-  return from.turn == 0 || squared_distance_to_segment(from.centre, a, b) > map_->radius * map_->radius;
+  return from.turn == kNoTurn || squared_distance_to_segment(from.centre, a, b) > map_->radius * map_->radius;
 }
 
 /// Returns whether the search does not follow windows of a root across the edge. These are the edges of is_excluded(),
@@ -91,10 +92,8 @@ bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
   return is_found_ || open_.empty();
 }
 
-int DiscOptimal::side_of(const Window& window, int side, const Point& position) const {
-  const double across =
-      cross(window.bounds[side > 0 ? 1 : 0].direction, position - roots_[window.root].end.contact.centre);
-  return across > 0.0 ? 1 : across < 0.0 ? -1 : 0;
+double DiscOptimal::orientation(std::uint32_t root, const Bound& bound, const Point& position) const {
+  return cross(bound.direction, position - roots_[root].end.contact.centre);
 }
 
 /// Returns whether a path that leaves the root in this direction turns back there. Allows for rounding.
@@ -116,7 +115,8 @@ void DiscOptimal::leave_start(const locate::Located& location) {
       const Vertex right = mesh.origin(h);
       offer({mesh.twin(h),
              0,
-             {{map_->position(right) - ends_->start(), right}, {map_->position(left) - ends_->start(), left}}});
+             {map_->position(right) - ends_->start(), right},
+             {map_->position(left) - ends_->start(), left}});
     }
   }
 }
@@ -134,14 +134,14 @@ void DiscOptimal::follow(Window window) {
     const HalfEdge right_exit = mesh::next(window.entry);
     const HalfEdge left_exit = mesh::previous(window.entry);
     HalfEdge exit{};
-    if (const int from_left = side_of(window, 1, apex); from_left >= 0) {
-      note_turn(window, 1, from_left > 0);
+    if (const double from_left = orientation(window.root, window.left, apex); from_left >= 0.0) {
+      note_turn(window, kTurnLeft, from_left > 0.0);
       exit = right_exit;
-      if (from_left == 0) window.bounds[1].anchor = mesh.apex(window.entry);
-    } else if (const int from_right = side_of(window, -1, apex); from_right <= 0) {
-      note_turn(window, -1, from_right < 0);
+      if (from_left == 0.0) window.left.anchor = mesh.apex(window.entry);
+    } else if (const double from_right = orientation(window.root, window.right, apex); from_right <= 0.0) {
+      note_turn(window, kTurnRight, from_right < 0.0);
       exit = left_exit;
-      if (from_right == 0) window.bounds[0].anchor = mesh.apex(window.entry);
+      if (from_right == 0.0) window.right.anchor = mesh.apex(window.entry);
     } else {
       return divide(window, apex);
     }
@@ -154,37 +154,43 @@ void DiscOptimal::follow(Window window) {
 /// Continues a window in a face whose apex lies between the bounds of the window.
 void DiscOptimal::divide(const Window& window, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
-  for (const int side : {1, 0}) {
-    const HalfEdge exit = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
-    if (is_outside(roots_[window.root], exit)) continue;
-    Window beyond = window;
+  const Bound towards_apex{apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
+  Window left = window;
+  left.right = towards_apex;
+  Window right = window;
+  right.left = towards_apex;
+  const auto leave = [&](Window& beyond, HalfEdge exit) {
+    if (is_outside(roots_[beyond.root], exit)) return;
     beyond.entry = mesh.twin(exit);
-    beyond.bounds[1 - side] = {apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
     offer(beyond);
-  }
+  };
+  leave(left, mesh::previous(left.entry));
+  leave(right, mesh::next(right.entry));
 }
 
-/// Adds the turn around the left end (side 1) or the right end (side -1) of the window's edge. Does nothing if the
-/// window's bound does not pass through this end, or if no path can continue behind it: through the two other edges of
-/// the face, or to a goal in the faces at the window's edge. (The goal may lie before this edge because of rounding.)
-/// `sees_apex` is false if the apex lies on the bound. Then a path that turns at the root in the same direction does
-/// not cross the far edge: it continues along the bound to the apex.
-void DiscOptimal::note_turn(const Window& window, int side, bool sees_apex) {
+/// Adds the turn around an end of the window's edge: around the left end if `turn` is kTurnLeft, around the right end
+/// if it is kTurnRight. Does nothing if the window's bound does not pass through this end. Does nothing, either, if no
+/// path can continue after the turn: neither through the two other edges of the face, nor to a goal in one of the two
+/// faces at the window's edge. (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the
+/// apex lies on the bound. Then a path that turns at the root in the same direction does not cross the far edge: it
+/// continues along the bound to the apex.
+void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
-  const HalfEdge corner = side > 0 ? window.entry : mesh::next(window.entry);
+  const bool is_left = turn == kTurnLeft;
+  const HalfEdge corner = is_left ? window.entry : mesh::next(window.entry);
   const Vertex v = mesh.origin(corner);
-  const Bound& at = window.bounds[side > 0 ? 1 : 0];
+  const Bound& at = is_left ? window.left : window.right;
   if (at.anchor != v) return;
-  const HalfEdge near_edge = side > 0 ? mesh::previous(window.entry) : mesh::next(window.entry);
-  const HalfEdge far_edge = side > 0 ? mesh::next(window.entry) : mesh::previous(window.entry);
+  const HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
+  const HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
   const Contact& from = roots_[window.root].end.contact;
-  const Contact contact = end_at(v, side).contact;
-  const bool may_cross_far_edge = (sees_apex || from.turn != side) && !is_excluded(contact, far_edge);
+  const Contact contact = end_at(v, turn).contact;
+  const bool may_cross_far_edge = (sees_apex || from.turn != turn) && !is_excluded(contact, far_edge);
   const bool is_goal_near =
       ends_->is_goal_face(mesh::face(window.entry)) || ends_->is_goal_face(mesh::face(mesh.twin(window.entry)));
   if (!is_goal_near && !may_cross_far_edge && is_excluded(contact, near_edge)) return;
   const auto line = tangent(from, contact, map_->radius);
-  if (line) push_turn(window.root, corner, side, *line, kNone);
+  if (line) push_turn(window.root, corner, turn, *line, kNone);
 }
 
 /// Adds a turn, unless the path would have to turn back at the root to get there: a path that turns back is not the
@@ -219,14 +225,15 @@ bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
 }
 
 DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
-  Reached& reached = reached_[2 * number(v) + (turn > 0 ? 1 : 0)];
+  Reached& reached = reached_[2 * number(v) + (turn == kTurnLeft ? 1 : 0)];
   if (reached.query != stamp_.value()) reached = {stamp_.value(), kNone, kNone, kNone};
   return reached;
 }
 
 void DiscOptimal::reach_goal(const Window& window) {
-  if (side_of(window, 1, ends_->goal()) > 0 || side_of(window, -1, ends_->goal()) < 0) return;
-  const auto line = tangent(roots_[window.root].end.contact, {ends_->goal(), 0}, map_->radius);
+  if (orientation(window.root, window.left, ends_->goal()) > 0.0) return;
+  if (orientation(window.root, window.right, ends_->goal()) < 0.0) return;
+  const auto line = tangent(roots_[window.root].end.contact, {ends_->goal(), kNoTurn}, map_->radius);
   if (line) push_goal(window.root, *line);
 }
 
@@ -302,7 +309,7 @@ void DiscOptimal::expand(std::uint32_t index) {
 
 void DiscOptimal::try_goal(std::uint32_t index) {
   const Turn turn = turns_[index];
-  if (!line_.is_clear(*map_, roots_[turn.root].end, {{ends_->goal(), 0}, mesh::kNoVertex}, turn.line,
+  if (!line_.is_clear(*map_, roots_[turn.root].end, {{ends_->goal(), kNoTurn}, mesh::kNoVertex}, turn.line,
                       ends_->goal_face())) {
     return push_obstacles(index, line_.left(), line_.right());
   }
@@ -316,14 +323,14 @@ void DiscOptimal::try_goal(std::uint32_t index) {
 /// Adds the turns around the vertices that are too near to a line. After such a turn, the path continues to the end of
 /// the line.
 void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right) {
-  for (const int side : {1, -1}) {
-    const DiscLine::Obstacle obstacle = side > 0 ? left : right;
+  for (const int turn : {kTurnLeft, kTurnRight}) {
+    const DiscLine::Obstacle obstacle = turn == kTurnLeft ? left : right;
     if (obstacle.vertex == mesh::kNoVertex) continue;
     bool is_repeated = false;
     for (std::uint32_t i = index; i != kNone; i = turns_[i].then) {
-      is_repeated = is_repeated || (turns_[i].vertex == obstacle.vertex && turns_[i].turn == side);
+      is_repeated = is_repeated || (turns_[i].vertex == obstacle.vertex && turns_[i].turn == turn);
     }
-    if (!is_repeated) push_turn(turns_[index].root, obstacle.corner, side, obstacle.line, index);
+    if (!is_repeated) push_turn(turns_[index].root, obstacle.corner, turn, obstacle.line, index);
   }
 }
 
@@ -337,7 +344,8 @@ void DiscOptimal::push_limit(std::uint32_t index) {
   const auto line = tangent(root.end.contact, end_at(v, turn).contact, map_->radius);
   DiscLine::Obstacle limit;
   if (line) limit = {v, corner, *line};
-  push_obstacles(index, turn > 0 ? limit : DiscLine::Obstacle{}, turn > 0 ? DiscLine::Obstacle{} : limit);
+  push_obstacles(index, turn == kTurnLeft ? limit : DiscLine::Obstacle{},
+                 turn == kTurnLeft ? DiscLine::Obstacle{} : limit);
 }
 
 /// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
@@ -345,7 +353,8 @@ void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
   if (then == kNone) return;
   const Turn next = turns_[then];
   if (next.vertex == mesh::kNoVertex) {
-    if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), 0}, map_->radius)) push_goal(root, *line);
+    if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), kNoTurn}, map_->radius))
+      push_goal(root, *line);
     return;
   }
   const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
@@ -400,9 +409,9 @@ bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
   for (HalfEdge at = from;;) {
     if (map_->closed_foot(at)) return false;
     if (at == to) return true;
-    const HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    const HalfEdge spoke = turn == kTurnLeft ? mesh.next_around(at) : at;
     if (map_->is_closed(spoke)) return false;
-    at = turn > 0 ? spoke : mesh.previous_around(at);
+    at = turn == kTurnLeft ? spoke : mesh.previous_around(at);
     if (at == from) return false;
   }
 }
@@ -419,12 +428,12 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     Bound last{map_->position(end) - contact.centre, end};
     if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
     if (ends_->is_goal_face(mesh::face(at))) {
-      if (const auto line = tangent(contact, {ends_->goal(), 0}, map_->radius)) push_goal(root_index, *line);
+      if (const auto line = tangent(contact, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
     if (!is_outside(root, far_edge)) {
-      Window window{mesh.twin(far_edge), root_index, {first, last}};
-      if (contact.turn < 0) std::swap(window.bounds[0], window.bounds[1]);
+      Window window{mesh.twin(far_edge), root_index, first, last};
+      if (contact.turn == kTurnRight) std::swap(window.right, window.left);
       offer(window);
     }
     first = last;

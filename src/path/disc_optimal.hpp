@@ -52,7 +52,7 @@ class DiscOptimal {
     mesh::HalfEdge corner;         ///< starts at the vertex and contains the position of the disc when it arrives
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
-    std::uint32_t before = kNone;  ///< the root from which the straight line comes, in the same direction
+    std::uint32_t before = kNone;  ///< the root at which the straight line to this contact starts
     TurnLimit limit;               ///< how far the path can turn here
     std::uint32_t next = kNone;    ///< another root at the same contact
   };
@@ -65,14 +65,15 @@ class DiscOptimal {
   struct Window {
     mesh::HalfEdge entry;  ///< in the face beyond the edge
     std::uint32_t root;
-    Bound bounds[2];  ///< on the right, on the left
+    Bound right;
+    Bound left;
   };
   /// A line to a contact or to the goal, which DiscLine has not tested yet.
   struct Turn {
     mesh::HalfEdge corner;  ///< starts at the contact; at the goal: a half-edge of its face
     std::uint32_t root;
     mesh::Vertex vertex;  ///< kNoVertex at the goal
-    int turn;             ///< 1 if the path turns left around the vertex, -1 if right, 0 at the goal
+    int turn;             ///< around the vertex; kNoTurn at the goal
     Tangent line;
     double length;       ///< of the path to the end of the line
     std::uint32_t then;  ///< the turn, in `turns_`, that the path attempts next, or kNone
@@ -95,15 +96,15 @@ class DiscOptimal {
 
   struct Reached {
     std::uint32_t query;
-    std::uint32_t root;    ///< the last root there
-    std::uint32_t noted;   ///< the last turn there, in `noted_`
-    std::uint32_t failed;  ///< the last line to it that failed its test, in `failed_`
+    std::uint32_t root;    ///< the last root at this contact
+    std::uint32_t noted;   ///< the last turn around this contact, in `noted_`
+    std::uint32_t failed;  ///< the last line to this contact that failed its test, in `failed_`
   };
 
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
-  /// Returns where a position lies relative to the left bound (side 1) or the right bound (side -1) of the window: 1 if
-  /// left of it, -1 if right of it, 0 if on it.
-  [[nodiscard]] int side_of(const Window& window, int side, const Point& position) const;
+  /// Returns a number that is positive if the position lies left of a bound of a window of this root, negative if it
+  /// lies right of the bound, and 0 if it lies on the bound.
+  [[nodiscard]] double orientation(std::uint32_t root, const Bound& bound, const Point& position) const;
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
@@ -112,7 +113,7 @@ class DiscOptimal {
   void leave_start(const locate::Located& location);
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
-  void note_turn(const Window& window, int side, bool sees_apex);
+  void note_turn(const Window& window, int turn, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   void reach_goal(const Window& window);
@@ -139,7 +140,7 @@ class DiscOptimal {
   const DiscEnds* ends_ = nullptr;
   bool is_found_ = false;
   double length_ = 0.0;
-  double limit_ = 0.0;  ///< the search leaves out what leads only to longer paths
+  double limit_ = 0.0;  ///< the search leaves out each node whose bound is larger
   std::uint32_t last_root_ = kNone;
   Point last_direction_;
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this

@@ -5,7 +5,7 @@
 namespace waywright::path {
 
 double arc_length(const Contact& contact, const Point& arrival, const Point& departure, double radius) {
-  if (contact.turn == 0 || departure == arrival) return 0.0;
+  if (contact.turn == kNoTurn || departure == arrival) return 0.0;
   const double angle = turning_angle(arrival, departure, contact.turn);
   return angle < 2 * kPi - 1.0 ? radius * angle : 0.0;
 }
@@ -30,11 +30,11 @@ void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, cons
     piece.to = (has_next ? touching_point(stops[i + 1].contact, direction, map.exact_radius) : goal) + map.origin;
     if (!has_next) continue;
     piece.centre = stops[i + 1].contact.centre + map.origin;
-    piece.turn = has_arc(i + 1) ? stops[i + 1].contact.turn : 0;
+    piece.turn = has_arc(i + 1) ? stops[i + 1].contact.turn : kNoTurn;
     piece.end_direction = stops[i + 1].departure;
   }
   // The last line has no arc.
-  if (!pieces.empty()) pieces.back().turn = 0;
+  if (!pieces.empty()) pieces.back().turn = kNoTurn;
 }
 
 }  // namespace waywright::path

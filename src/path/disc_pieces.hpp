@@ -16,7 +16,7 @@ struct DiscPiece {
   Point from;
   Point to;
   Point centre;         ///< of the arc
-  int turn = 0;         ///< 1 if the arc turns left, -1 if it turns right, 0 if there is none
+  int turn = kNoTurn;   ///< of the arc; kNoTurn if there is none
   Point direction;      ///< of the line, where the arc starts
   Point end_direction;  ///< of the path where the arc ends
 };

@@ -7,6 +7,13 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
+namespace {
+
+/// The addition of this number to an index subtracts 1.
+constexpr std::size_t kBackwards = static_cast<std::size_t>(-1);
+
+}  // namespace
+
 bool DiscString::find(const DiscMap& map, const DiscEnds& ends, std::span<const HalfEdge> exits, HalfEdge goal_face) {
   map_ = &map;
   start_ = ends.start();
@@ -15,29 +22,29 @@ bool DiscString::find(const DiscMap& map, const DiscEnds& ends, std::span<const 
   stops_.clear();
   is_funnel_open_ = true;
   if (exits.empty()) {
-    stops_.push_back({{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
+    stops_.push_back({{{start_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
   } else {
     run_funnel(exits);
   }
-  stops_.push_back({{{goal_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
+  stops_.push_back({{{goal_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
   return is_funnel_open_ && straighten();
 }
 
-DiscString::Stop DiscString::stop_at(HalfEdge corner, int side) const {
+DiscString::Stop DiscString::stop_at(HalfEdge corner, int turn) const {
   const mesh::Vertex v = map_->mesh().origin(corner);
-  return {{{map_->position(v), side}, v}, corner, {}};
+  return {{{map_->position(v), turn}, v}, corner, {}};
 }
 
 // Seen from inside a face, the left end of an edge is its target.
 void DiscString::run_funnel(std::span<const HalfEdge> exits) {
   left_ = apex_ = right_ = exits.size() + 1;
   if (row_.size() < 2 * exits.size() + 3) row_.resize(2 * exits.size() + 3);
-  row_[apex_] = {{{start_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
-  row_[--left_] = stop_at(mesh::next(exits[0]), 1);
-  row_[++right_] = stop_at(exits[0], -1);
+  row_[apex_] = {{{start_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
+  row_[--left_] = stop_at(mesh::next(exits[0]), kTurnLeft);
+  row_[++right_] = stop_at(exits[0], kTurnRight);
   for (std::size_t i = 1; i < exits.size() && is_funnel_open_; ++i) {
     const HalfEdge entry = map_->mesh().twin(exits[i - 1]);
-    move(mesh::previous(entry), exits[i] == mesh::next(entry) ? 1 : -1);
+    move(mesh::previous(entry), exits[i] == mesh::next(entry) ? kTurnLeft : kTurnRight);
   }
   end_at_goal();
 }
@@ -52,33 +59,35 @@ Point DiscString::direction(const Stop& from, const Stop& to) {
   return line ? line->direction : Point{};
 }
 
-/// Returns whether a string from `p` to `r` turns to `side` at `q` (1: left, -1: right).
-bool DiscString::turns(const Stop& p, const Stop& q, const Stop& r, int side) {
-  return side * cross(direction(p, q), direction(q, r)) > 0.0;
+/// Returns whether a string from `p` to `r` turns at `q` in the direction `turn`.
+bool DiscString::turns(const Stop& p, const Stop& q, const Stop& r, int turn) {
+  return turn * cross(direction(p, q), direction(q, r)) > 0.0;
 }
 
 /// Returns whether the string from the apex to `end` has to turn around `other`, the next stop on the opposite string
-/// of the funnel: `end` lies beyond the line from the apex to `other`, and farther away. `side` is 1 if `other` is on
-/// the right string, -1 if it is on the left one.
-bool DiscString::is_across(const Stop& apex, const Stop& end, const Stop& other, int side) {
+/// of the funnel: `end` lies beyond the line from the apex to `other`, and farther away.
+bool DiscString::is_across(const Stop& apex, const Stop& end, const Stop& other) {
   const auto to_end = tangent(apex.end.contact, end.end.contact, map_->radius);
   const auto to_other = tangent(apex.end.contact, other.end.contact, map_->radius);
   if (!to_end || !to_other) {
     is_funnel_open_ = false;
     return false;
   }
-  return side * cross(to_other->direction, to_end->direction) < 0.0 && to_other->length < to_end->length;
+  const double across = other.end.contact.turn * cross(to_other->direction, to_end->direction);
+  return across > 0.0 && to_other->length < to_end->length;
 }
 
-/// Moves the left end (side 1) or the right end (side -1) of the portal to the vertex of `corner`, as TautString does.
-void DiscString::move(HalfEdge corner, int side) {
-  const Stop stop = stop_at(corner, side);
-  std::size_t& end = side > 0 ? left_ : right_;
-  const std::size_t other = side > 0 ? right_ : left_;
-  const auto inwards = static_cast<std::size_t>(side);  // towards the apex; -1 counts down
-  while (end != apex_ && !turns(row_[end + inwards], row_[end], stop, side)) end += inwards;
+/// Moves one end of the portal to the vertex of `corner`, as TautString does: the left end if `turn` is kTurnLeft, the
+/// right end if it is kTurnRight.
+void DiscString::move(HalfEdge corner, int turn) {
+  const bool is_left = turn == kTurnLeft;
+  const Stop stop = stop_at(corner, turn);
+  std::size_t& end = is_left ? left_ : right_;
+  const std::size_t other = is_left ? right_ : left_;
+  const std::size_t inwards = is_left ? 1 : kBackwards;  // the step in `row_` from `end` towards the apex
+  while (end != apex_ && !turns(row_[end + inwards], row_[end], stop, turn)) end += inwards;
   if (end == apex_) {
-    while (apex_ != other && is_across(row_[apex_], stop, row_[apex_ + inwards], side)) {
+    while (apex_ != other && is_across(row_[apex_], stop, row_[apex_ + inwards])) {
       stops_.push_back(row_[apex_]);
       apex_ += inwards;
     }
@@ -89,11 +98,11 @@ void DiscString::move(HalfEdge corner, int side) {
 }
 
 void DiscString::end_at_goal() {
-  const Stop goal{{{goal_, 0}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
+  const Stop goal{{{goal_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
   const std::size_t first = apex_;
-  while (apex_ != left_ && is_across(row_[apex_], goal, row_[apex_ - 1], -1)) stops_.push_back(row_[apex_--]);
+  while (apex_ != left_ && is_across(row_[apex_], goal, row_[apex_ - 1])) stops_.push_back(row_[apex_--]);
   if (apex_ == first) {
-    while (apex_ != right_ && is_across(row_[apex_], goal, row_[apex_ + 1], 1)) stops_.push_back(row_[apex_++]);
+    while (apex_ != right_ && is_across(row_[apex_], goal, row_[apex_ + 1])) stops_.push_back(row_[apex_++]);
   }
   stops_.push_back(row_[apex_]);
 }
@@ -106,8 +115,8 @@ bool DiscString::straighten() {
     const auto line = tangent(stops_[i].end.contact, stops_[i + 1].end.contact, map_->radius);
     if (!line) return false;
     stops_[i].line = *line;
-    const int side = stops_[i].end.contact.turn;
-    if (i > 0 && side * cross(stops_[i - 1].line.direction, line->direction) < -kTurnsBack) {
+    const int turn = stops_[i].end.contact.turn;
+    if (i > 0 && turn * cross(stops_[i - 1].line.direction, line->direction) < -kTurnsBack) {
       stops_.erase(stops_.begin() + static_cast<std::ptrdiff_t>(i));
       --i;
       continue;
@@ -139,20 +148,20 @@ DiscString::Step DiscString::test(std::size_t i) {
   return insert_obstacle(i);
 }
 
-/// Replaces a stop. Where the path would touch the circle of this stop, the circle lies behind a wall. The new stop is
-/// the end of this wall around which the path has to turn farther.
+/// Replaces a stop at which the path cannot touch the circle, because `wall` lies between the vertex and the touching
+/// position. The new stop is one of the two ends of the wall: the end around which the path has to turn farther.
 DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   const Stop& before = stops_[i - 1];
-  const int side = stops_[i].end.contact.turn;
+  const int turn = stops_[i].end.contact.turn;
   const mesh::Vertex hidden = stops_[i].end.vertex;
   std::optional<Stop> farthest;
   Point direction;
   for (const HalfEdge corner : {wall, map_->mesh().twin(wall)}) {
-    const Stop stop = stop_at(corner, side);
+    const Stop stop = stop_at(corner, turn);
     if (stop.end.vertex == hidden || stop.end.vertex == before.end.vertex) continue;
     const auto line = tangent(before.end.contact, stop.end.contact, map_->radius);
     if (!line) continue;
-    if (farthest && side * cross(direction, line->direction) > 0.0) continue;
+    if (farthest && turn * cross(direction, line->direction) > 0.0) continue;
     farthest = stop;
     direction = line->direction;
   }
@@ -165,15 +174,15 @@ DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
 /// is shorter.
 DiscString::Step DiscString::insert_obstacle(std::size_t i) {
   const DiscLine::Obstacle* obstacle = nullptr;
-  int side = 0;
-  for (const int at : {1, -1}) {
-    const DiscLine::Obstacle& next = at > 0 ? line_.left() : line_.right();
+  int turn = kNoTurn;
+  for (const int next_turn : {kTurnLeft, kTurnRight}) {
+    const DiscLine::Obstacle& next = next_turn == kTurnLeft ? line_.left() : line_.right();
     if (next.vertex == mesh::kNoVertex) continue;
     if (obstacle != nullptr && obstacle->line.length <= next.line.length) continue;
     obstacle = &next;
-    side = at;
+    turn = next_turn;
   }
-  return obstacle == nullptr ? Step::failed : insert(i + 1, stop_at(obstacle->corner, side));
+  return obstacle == nullptr ? Step::failed : insert(i + 1, stop_at(obstacle->corner, turn));
 }
 
 /// Inserts a stop. If the string turns at this vertex already, the insertion does not help.

@@ -40,12 +40,12 @@ class DiscString {
   };
 
   void run_funnel(std::span<const mesh::HalfEdge> exits);
-  void move(mesh::HalfEdge corner, int side);
+  void move(mesh::HalfEdge corner, int turn);
   void end_at_goal();
   [[nodiscard]] Point direction(const Stop& from, const Stop& to);
-  [[nodiscard]] bool turns(const Stop& p, const Stop& q, const Stop& r, int side);
-  [[nodiscard]] bool is_across(const Stop& apex, const Stop& end, const Stop& other, int side);
-  [[nodiscard]] Stop stop_at(mesh::HalfEdge corner, int side) const;
+  [[nodiscard]] bool turns(const Stop& p, const Stop& q, const Stop& r, int turn);
+  [[nodiscard]] bool is_across(const Stop& apex, const Stop& end, const Stop& other);
+  [[nodiscard]] Stop stop_at(mesh::HalfEdge corner, int turn) const;
 
   [[nodiscard]] bool straighten();
   enum class Step { forward, again, failed };
@@ -60,7 +60,8 @@ class DiscString {
   Point goal_;
   mesh::HalfEdge goal_face_;
   bool is_funnel_open_ = true;  ///< whether the funnel found each tangent that it needed
-  // Both strings of the funnel: first the left one from its end to the apex, then the right one from the apex.
+  // Both strings of the funnel: first the left one from its end to the apex, then the right one from the apex to its
+  // end. The left string turns left around each of its vertices, the right one turns right.
   std::vector<Stop> row_;
   std::size_t left_ = 0;  ///< index in `row_` of the left end; `apex_` and `right_` likewise
   std::size_t apex_ = 0;

@@ -15,7 +15,7 @@ HalfEdge corner_towards(const DiscMap& map, HalfEdge corner, const Point& direct
   HalfEdge at = corner;
   do {
     if (contains(at)) return at;
-    at = turn > 0 ? mesh.previous_around(at) : mesh.next_around(at);
+    at = turn == kTurnLeft ? mesh.previous_around(at) : mesh.next_around(at);
   } while (at != corner);
   return mesh::kNoHalfEdge;
 }

@@ -10,18 +10,19 @@ namespace waywright::path {
 
 /// How far the path of a disc can turn around a vertex.
 struct TurnLimit {
-  double order = 2.0;                        ///< as turning_order() from the direction of arrival
+  double order = 2.0;  ///< turning_order() from the direction of arrival to the last possible direction
   mesh::HalfEdge limit = mesh::kNoHalfEdge;  ///< starts at the vertex that limits the turn, if there is one
 };
 
 /// If the order of a direction exceeds a limit by more than this, the path cannot turn so far. Allows for rounding.
 inline constexpr double kTurnsBack = 0x1p-23;
 
-/// Returns whether a path that arrives at a contact in a direction can leave it in another direction.
+/// Returns whether a direction lies beyond the limit of a turn: then a path that arrives at the contact in the
+/// direction `arrival` cannot leave it in the direction `departure`.
 [[nodiscard]] inline bool is_beyond(const TurnLimit& limit, const Contact& contact, const Point& arrival,
                                     const Point& departure) {
   const double order = turning_order(arrival, departure, contact.turn);
-  return contact.turn != 0 && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
+  return contact.turn != kNoTurn && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
 }
 
 /// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
@@ -32,8 +33,8 @@ inline constexpr double kTurnsBack = 0x1p-23;
 /// Goes from corner to corner around the vertex of a contact, in the direction of the turn: up to a wall or a gap that
 /// is too narrow, or until the path has turned by 180 degrees. Calls visit(corner, spoke, order) for each corner: the
 /// turn leaves the corner across the edge `spoke`, after it has turned up to `order`. Returns how far the path can
-/// turn. `arrival` is the direction in which the path reaches the contact. `corner` contains the position at which it
-/// does.
+/// turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the corner that contains the
+/// position of the disc at this time.
 ///
 /// Directions are numbers, their *orders*: 0 is the direction of arrival, 1 and 2 are 90 and 180 degrees farther in the
 /// direction of the turn. -1 is the direction from the vertex to the position of arrival.
@@ -46,7 +47,7 @@ template <class Visit>
   mesh::HalfEdge at = corner;
   do {
     // `spoke` is the edge at the vertex to which the turn comes next.
-    const mesh::HalfEdge spoke = turn > 0 ? mesh.next_around(at) : at;
+    const mesh::HalfEdge spoke = turn == kTurnLeft ? mesh.next_around(at) : at;
     // The orders of the spokes grow. If the first one is the direction to the position of arrival, its order is -1, but
     // rounding may make it a little smaller.
     const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - contact.centre, turn);
@@ -61,7 +62,7 @@ template <class Visit>
     if (order > 2.0) break;
     // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
     if (map.is_closed(spoke)) return {mesh.is_fixed(spoke) ? order : order + 1.0, mesh.twin(spoke)};
-    at = turn > 0 ? spoke : mesh.previous_around(at);
+    at = turn == kTurnLeft ? spoke : mesh.previous_around(at);
   } while (at != corner);
   return {};
 }

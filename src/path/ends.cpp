@@ -12,8 +12,8 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-/// Stops a segment walk as soon as the straight line between the ends may not be free: at a wall, at a vertex on the
-/// line, or if a polygon covers the first face.
+/// Stops a segment walk as soon as it is not certain that the straight line between the ends is free: at a wall,
+/// at a vertex on the line, or if a polygon covers the first face.
 class Ends::StraightLine : public constraint::SegmentVisitor {
  public:
   explicit StraightLine(Ends& ends)

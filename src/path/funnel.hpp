@@ -10,14 +10,14 @@ namespace waywright::path {
 //
 // Two taut strings run from the start of a channel to the left and the right end of a portal. They are identical up to
 // the apex. From there on, the left string turns only to the left, and the right string only to the right. A template
-// argument `kSide` names a string: `positive` the left one, `negative` the right one. A position lies *outwards* of a
-// piece of the left string if it lies left of the piece, and outwards of a piece of the right string if it lies right
-// of the piece.
+// argument `kString` says which string is meant: `positive` the left one, `negative` the right one. A position lies
+// *outwards* of a piece of the left string if it lies left of the piece, and outwards of a piece of the right string if
+// it lies right of the piece.
 //
 // A class `Strings` has a type `Corner` and these members:
-// - `apex()` and `end<kSide>()` return a corner;
-// - `before<kSide>(corner)` returns the next corner towards the apex;
-// - `from_apex<kSide>()` returns an object with the corners from the apex (without it) to the end: `is_empty()`,
+// - `apex()` and `end<kString>()` return a corner;
+// - `before<kString>(corner)` returns the next corner towards the apex;
+// - `from_apex<kString>()` returns an object with the corners from the apex (without it) to the end: `is_empty()`,
 //   `first()`, and `take_first()`, which removes the first one and returns it;
 // - `orientation(p, q, v)` returns the orientation of the corners p and q and the position v.
 //
@@ -31,31 +31,33 @@ struct Turn {
 };
 
 /// Follows a string from the apex, as long as `v` lies outwards of the next piece. Returns the corner where it stops.
-template <exact::Sign kSide, class Strings>
+template <exact::Sign kString, class Strings>
 [[nodiscard]] inline typename Strings::Corner follow_from_apex(Strings strings, const exact::Geometry::View& v) {
   typename Strings::Corner corner = strings.apex();
-  auto rest = strings.template from_apex<kSide>();
-  while (!rest.is_empty() && strings.orientation(corner, rest.first(), v) == kSide) corner = rest.take_first();
+  auto rest = strings.template from_apex<kString>();
+  while (!rest.is_empty() && strings.orientation(corner, rest.first(), v) == kString) corner = rest.take_first();
   return corner;
 }
 
-/// Returns where the string to `v` turns last, if the end of the string `kSide` moves to `v`.
+/// The end of the string `kString` moves to `v`. Returns where the new string to `v` turns last.
 ///
-///          own end . . . . . v        The string to v leaves its own string at a corner: the first one, from its own
-///          end
-///         /              .'           towards the apex, for which v lies outwards of the piece that ends there. If
-///       own         . '               there is no such corner, the string follows the other string from the apex on,
-///       as
-///      /       . '                    long as v lies beyond the next piece.
+/// In the picture, `own` is a corner of the string whose end moves. The new string leaves its own string at a corner:
+/// the first corner, seen from the end, for which v lies outwards of the piece before it. If there is no such corner,
+/// the new string follows the other string from the apex on, as long as v lies beyond the next piece.
+///
+///          own end . . . . . v
+///         /              .'
+///       own         . '
+///      /       . '
 ///   apex --- other --- other end
-template <exact::Sign kSide, class Strings>
+template <exact::Sign kString, class Strings>
 [[nodiscard]] inline Turn<Strings> find_turn(Strings strings, const exact::Geometry::View& v) {
-  for (typename Strings::Corner corner = strings.template end<kSide>(); corner != strings.apex();) {
-    const typename Strings::Corner before = strings.template before<kSide>(corner);
-    if (strings.orientation(before, corner, v) == kSide) return {corner, strings.apex()};
+  for (typename Strings::Corner corner = strings.template end<kString>(); corner != strings.apex();) {
+    const typename Strings::Corner before = strings.template before<kString>(corner);
+    if (strings.orientation(before, corner, v) == kString) return {corner, strings.apex()};
     corner = before;
   }
-  const typename Strings::Corner corner = follow_from_apex<-kSide>(strings, v);
+  const typename Strings::Corner corner = follow_from_apex<-kString>(strings, v);
   return {corner, corner};
 }
 

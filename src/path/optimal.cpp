@@ -32,10 +32,10 @@ class Optimal::Cone {
     right_ = bound(window.right);
   }
 
-  /// Positive if `p` lies to the left of the cone's left bound.
-  [[nodiscard]] Sign side_of_left(const Geometry::View& p) const { return geometry_.orientation(left_, p); }
-  /// Negative if `p` lies to the right of the cone's right bound.
-  [[nodiscard]] Sign side_of_right(const Geometry::View& p) const { return geometry_.orientation(right_, p); }
+  /// The orientation of `p`: positive if it lies left of the cone's left bound, negative if right of it.
+  [[nodiscard]] Sign from_left(const Geometry::View& p) const { return geometry_.orientation(left_, p); }
+  /// The orientation of `p`: positive if it lies left of the cone's right bound, negative if right of it.
+  [[nodiscard]] Sign from_right(const Geometry::View& p) const { return geometry_.orientation(right_, p); }
 
   void set_left(mesh::Vertex v) { left_ = Geometry::Line(root_, geometry_.view(number(v))); }
   void set_right(mesh::Vertex v) { right_ = Geometry::Line(root_, geometry_.view(number(v))); }
@@ -231,11 +231,11 @@ void Optimal::follow_window(Node window) {
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
-    if (const Sign left = cone.side_of_left(position); left != Sign::negative) {
+    if (const Sign left = cone.from_left(position); left != Sign::negative) {
       if (window.left == mesh_->origin(window.entry)) note_turn(window, cone, Kind::left_turn, left == Sign::positive);
       exit = mesh::next(window.entry);
       if (left == Sign::zero) cone.set_left(window.left = apex);
-    } else if (const Sign right = cone.side_of_right(position); right != Sign::positive) {
+    } else if (const Sign right = cone.from_right(position); right != Sign::positive) {
       if (window.right == mesh_->target(window.entry)) {
         note_turn(window, cone, Kind::right_turn, right == Sign::negative);
       }
@@ -279,7 +279,7 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
 void Optimal::reach_goals(const Node& window, const Cone& cone) {
   for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
     const Geometry::View position = Geometry::view(goals_[goal].point);
-    if (cone.side_of_left(position) == Sign::positive || cone.side_of_right(position) == Sign::negative) return;
+    if (cone.from_left(position) == Sign::positive || cone.from_right(position) == Sign::negative) return;
     end_at(goal, window.root, window.trace);
   });
 }
@@ -358,9 +358,9 @@ void Optimal::make_left_turn(const Node& turn) {
   look(mesh::face(turn.entry));
   Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kContinuation, turn.trace};
   const Cone cone(*this, window);
-  const bool sees_apex = cone.side_of_right(geometry_->view(number(window.left))) == Sign::positive;
+  const bool sees_apex = cone.from_right(geometry_->view(number(window.left))) == Sign::positive;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
-    const bool is_seen = cone.side_of_right(Geometry::view(goals_[goal].point)) != Sign::negative;
+    const bool is_seen = cone.from_right(Geometry::view(goals_[goal].point)) != Sign::negative;
     if (is_seen) end_at(goal, root, turn.trace);
   });
   const mesh::HalfEdge far_edge = mesh::next(turn.entry);
@@ -391,9 +391,9 @@ void Optimal::make_right_turn(const Node& turn) {
   look(mesh::face(turn.entry));
   Node window{Kind::window, turn.entry, root, kContinuation, mesh_->apex(turn.entry), turn.trace};
   const Cone cone(*this, window);
-  const bool sees_apex = cone.side_of_left(geometry_->view(number(window.right))) == Sign::negative;
+  const bool sees_apex = cone.from_left(geometry_->view(number(window.right))) == Sign::negative;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
-    const bool is_seen = cone.side_of_left(Geometry::view(goals_[goal].point)) != Sign::positive;
+    const bool is_seen = cone.from_left(Geometry::view(goals_[goal].point)) != Sign::positive;
     if (is_seen) end_at(goal, root, turn.trace);
   });
   const mesh::HalfEdge far_edge = mesh::previous(turn.entry);

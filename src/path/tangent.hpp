@@ -14,12 +14,17 @@
 
 namespace waywright::path {
 
-/// A circle that a path touches. `turn` is 1 if the path turns left around it (the circle's centre is on the left), and
-/// -1 if it turns right. If a path starts or ends at a point, the point counts as a circle of radius 0, and its `turn`
-/// is 0.
+/// The direction in which a path turns around a vertex, as a factor. The cross product of two directions of a path,
+/// times this factor, is positive if the path turns in this direction.
+inline constexpr int kTurnLeft = 1;
+inline constexpr int kTurnRight = -1;
+inline constexpr int kNoTurn = 0;
+
+/// A circle that a path touches. If the path turns left around it, the circle's centre is on the left of the path. If a
+/// path starts or ends at a point, the point counts as a circle of radius 0, and its `turn` is kNoTurn.
 struct Contact {
   Point centre;
-  int turn = 0;
+  int turn = kNoTurn;  ///< kTurnLeft, kTurnRight or kNoTurn
 };
 
 /// A straight line in a direction (a vector of length 1) that touches two contacts.
@@ -92,8 +97,8 @@ inline constexpr double kPi = 0x1.921fb54442d18p+1;
   return v.y < 0.0 ? -angle : angle;
 }
 
-/// Returns the angle, 0 to 2 pi, of a turn from direction `a` to direction `b`: to the left if `turn` is 1, to the
-/// right if it is -1.
+/// Returns the angle, 0 to 2 pi, of a turn from direction `a` to direction `b`: to the left if `turn` is
+/// kTurnLeft, to the right if it is kTurnRight.
 [[nodiscard]] inline double turning_angle(const Point& a, const Point& b, int turn) {
   const double angle = angle_of({dot(a, b), turn * cross(a, b)});
   return angle < 0.0 ? angle + 2 * kPi : angle;

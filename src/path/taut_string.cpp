@@ -11,27 +11,27 @@ using exact::Sign;
 struct TautString::Strings {
   using Corner = std::size_t;
 
-  template <Sign kSide>
+  template <Sign kString>
   struct Chain {
     [[nodiscard]] bool is_empty() const { return at == end; }
-    [[nodiscard]] Corner first() const { return kSide == Sign::positive ? at - 1 : at + 1; }
+    [[nodiscard]] Corner first() const { return kString == Sign::positive ? at - 1 : at + 1; }
     Corner take_first() { return at = first(); }
     Corner at;
     Corner end;
   };
 
   [[nodiscard]] Corner apex() const { return string->apex_; }
-  template <Sign kSide>
+  template <Sign kString>
   [[nodiscard]] Corner end() const {
-    return kSide == Sign::positive ? string->left_ : string->right_;
+    return kString == Sign::positive ? string->left_ : string->right_;
   }
-  template <Sign kSide>
+  template <Sign kString>
   [[nodiscard]] Corner before(Corner corner) const {
-    return kSide == Sign::positive ? corner + 1 : corner - 1;
+    return kString == Sign::positive ? corner + 1 : corner - 1;
   }
-  template <Sign kSide>
-  [[nodiscard]] Chain<kSide> from_apex() const {
-    return {apex(), end<kSide>()};
+  template <Sign kString>
+  [[nodiscard]] Chain<kString> from_apex() const {
+    return {apex(), end<kString>()};
   }
   [[nodiscard]] Sign orientation(Corner p, Corner q, const View& v) const {
     return string->geometry_->orientation(string->row_[p], string->row_[q], v);

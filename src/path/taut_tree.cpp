@@ -22,18 +22,18 @@ struct TautTree::Strings {
   };
 
   [[nodiscard]] Corner apex() const { return funnel->apex; }
-  template <Sign kSide>
+  template <Sign kString>
   [[nodiscard]] Corner end() const {
-    return kSide == Sign::positive ? funnel->left : funnel->right;
+    return kString == Sign::positive ? funnel->left : funnel->right;
   }
-  template <Sign kSide>
+  template <Sign kString>
   [[nodiscard]] Corner before(Corner corner) const {
     return tree->nodes_[corner].parent;
   }
-  template <Sign kSide>
+  template <Sign kString>
   [[nodiscard]] Chain from_apex() const {
     tree->chain_.clear();
-    for (Corner node = end<kSide>(); node != apex(); node = before<kSide>(node)) tree->chain_.push_back(node);
+    for (Corner node = end<kString>(); node != apex(); node = before<kString>(node)) tree->chain_.push_back(node);
     return {&tree->chain_};
   }
   [[nodiscard]] Sign orientation(Corner p, Corner q, const Geometry::View& v) const {

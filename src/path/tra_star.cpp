@@ -96,9 +96,9 @@ void TraStar::mark_passages_between_goals() {
     tops_.pop_back();
     const unsigned down = passages_down(f);
     const bool has_goal_outside = (marks_of(f) & (kGoal | kGoalOutside)) != 0 || std::popcount(down) > 1;
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      if ((down >> side & 1U) == 0) continue;
-      const Face below = mesh::face(mesh_->twin(HalfEdge{3 * number(f) + side}));
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if ((down >> i & 1U) == 0) continue;
+      const Face below = mesh::face(mesh_->twin(HalfEdge{3 * number(f) + i}));
       if (has_goal_outside) mark(below, kGoalOutside);
       tops_.push_back(below);
     }
@@ -113,13 +113,13 @@ unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
 
 unsigned TraStar::passages_down(Face f) const {
   unsigned passages = 0;
-  for (std::uint32_t side = 0; side < 3; ++side) {
-    const HalfEdge exit{3 * number(f) + side};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge exit{3 * number(f) + i};
     if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
     const HalfEdge entry = mesh_->twin(exit);
     const Face below = mesh::face(entry);
     const bool hangs_here = core_->leads_up(entry);
-    if (hangs_here && (marks_of(below) & kAboveGoal) != 0) passages |= 1U << side;
+    if (hangs_here && (marks_of(below) & kAboveGoal) != 0) passages |= 1U << i;
   }
   return passages;
 }

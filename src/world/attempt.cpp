@@ -16,7 +16,7 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// The question which points a change disconnects.
+// The functions that find out which points a change disconnects.
 
 namespace waywright {
 

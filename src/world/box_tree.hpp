@@ -13,10 +13,10 @@ namespace waywright {
 
 /// A set of boxes, each with a number, that finds the boxes which overlap another box.
 ///
-/// The set is a loose quadtree over a domain. A node lies as deep as it can with a cell not smaller than the boxes in
-/// it, and contains the boxes whose centre lies in its cell. A node knows the bounding box of all boxes below it, which
-/// is at most twice as large as its cell, so a search visits few nodes without an answer. Boxes may reach beyond the
-/// domain.
+/// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
+/// cell. A box belongs to the deepest possible node whose cell is at least as wide and as high as the box. A node knows
+/// the bounding box of all boxes below it, which is at most twice as large as its cell, so a search visits few nodes
+/// without an answer. Boxes may reach beyond the domain.
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
 class BoxTree {

@@ -29,7 +29,7 @@ using Outcome = detail::DiscSearch::Outcome;
 /// without length, and an arc that turns by less than a double can express.
 void append(const path::DiscPiece& piece, double radius, const Point& next, std::vector<PathPiece>& pieces) {
   if (!(piece.from == piece.to)) pieces.push_back({PathPiece::Kind::line, piece.from, piece.to, {}, 0.0, 0.0, 0.0});
-  if (piece.turn == 0) return;
+  if (piece.turn == path::kNoTurn) return;
   const Point spoke{piece.turn * piece.direction.y, -piece.turn * piece.direction.x};
   const double start_angle = path::angle_of(spoke);
   const double end_angle =
@@ -127,7 +127,8 @@ bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch
   return goal || free_disc_end(query, false, query.start, scratch, path);
 }
 
-/// Does this for one end. `other` is the other end, if the disc fits there.
+/// Moves one end if the disc does not fit there. Returns whether the disc fits at this end now. `other` is the other
+/// end if the disc fits there, otherwise nothing.
 bool World::Impl::free_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
                                 detail::QueryScratch& scratch, Path& path) const {
   Point& end = is_start ? query.start : query.goal;

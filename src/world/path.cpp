@@ -37,7 +37,7 @@ double next_coordinate(double value, double direction, Precision precision) {
                                          : exact::next_coordinate<double>(value, direction);
 }
 
-Sign side_of(const Point& a, const Point& b, const Point& c) {
+Sign orientation(const Point& a, const Point& b, const Point& c) {
   return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
 }
 
@@ -51,14 +51,14 @@ struct Turn {
 /// start. A corner on the line of the segment is no turn.
 Turn turn_after(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment + 2; i < points.size(); ++i) {
-    const Sign direction = side_of(points[segment], points[segment + 1], points[i]);
+    const Sign direction = orientation(points[segment], points[segment + 1], points[i]);
     if (direction != Sign::zero) return {i - 1, direction};
   }
   return {};
 }
 Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment; i-- > 0;) {
-    const Sign direction = side_of(points[i], points[segment], points[segment + 1]);
+    const Sign direction = orientation(points[i], points[segment], points[segment + 1]);
     if (direction != Sign::zero) return {i + 1, direction};
   }
   return {};
@@ -67,7 +67,7 @@ Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
 /// A path turns around walls. So near a left turn, the walls that it touches lie to the left of the path, and near a
 /// right turn to the right. Returns where no wall is expected: positive means left of the segment, negative means right
 /// of it, zero means that nothing is known.
-Sign free_side(const std::vector<Point>& points, std::size_t segment, const Point& point) {
+Sign free_direction(const std::vector<Point>& points, std::size_t segment, const Point& point) {
   const Turn before = turn_before(points, segment);
   const Turn after = turn_after(points, segment);
   const bool counts_after =
@@ -86,17 +86,17 @@ double moved_coordinate(double value, double direction, double step, Precision p
   return (moved - value) * direction > 0.0 ? moved : next_coordinate(value, direction, precision);
 }
 
-/// Returns a point near `point` that lies on the line from `a` to `b`, or to the left of it if `side` is positive, or
-/// to the right of it if `side` is negative. Returns `point` if `side` is zero. The first step is as long as the
-/// rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of neighbouring
+/// Returns a point near `point` that lies on the line from `a` to `b`, or to the left of it if `towards` is positive,
+/// or to the right of it if `towards` is negative. Returns `point` if `towards` is zero. The first step is as long as
+/// the rounding error of a point between `a` and `b`. Near 0 this error is far larger than the distance of neighbouring
 /// doubles.
-Point on_free_side(const Point& a, const Point& b, const Point& point, Sign side, Precision precision) {
+Point away_from_walls(const Point& a, const Point& b, const Point& point, Sign towards, Precision precision) {
   const auto is_allowed = [&](const Point& p) {
-    const Sign own = side_of(a, b, p);
-    return own == Sign::zero || own == side;
+    const Sign own = orientation(a, b, p);
+    return own == Sign::zero || own == towards;
   };
-  if (side == Sign::zero || is_allowed(point)) return point;
-  const double sign = side == Sign::positive ? 1.0 : -1.0;
+  if (towards == Sign::zero || is_allowed(point)) return point;
+  const double sign = towards == Sign::positive ? 1.0 : -1.0;
   const Point direction{-sign * (b.y - a.y), sign * (b.x - a.x)};
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   for (double step = largest * 0x1p-52;; step *= 2.0) {
@@ -162,7 +162,7 @@ PathPosition position_on(const std::vector<Point>& points, const Stop& stop, Pre
     return position;
   }
   const Point point{fitted(exact_position.x, precision), fitted(exact_position.y, precision)};
-  position.at = on_free_side(a, b, point, free_side(points, segment, point), precision);
+  position.at = away_from_walls(a, b, point, free_direction(points, segment, point), precision);
   return position;
 }
 

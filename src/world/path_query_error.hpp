@@ -10,7 +10,7 @@ namespace waywright {
 
 // Each function returns the error in a path query, or nothing.
 
-/// What a world keeps for path queries.
+/// Says which optional data a world keeps for path queries.
 struct Kept {
   bool has_abstraction;
   bool has_bridges;

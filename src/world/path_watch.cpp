@@ -19,8 +19,8 @@ namespace waywright {
 
 namespace {
 
-/// The boxes of a straight piece of a path are at most this share of the domain wide or high, so that they contain
-/// little else than the path.
+/// A long straight piece of a path has several boxes. In x or in y, the extent of each is at most this share of the
+/// domain, so that the boxes contain few positions that are far from the path.
 constexpr double kLargestShare = 0x1p-5;
 
 double largest_coordinate(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }

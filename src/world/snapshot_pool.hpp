@@ -18,8 +18,8 @@ namespace waywright {
 namespace detail {
 
 /// A copy of a world, which snapshots hand out to readers. It has up to two owners: the pool of the world, and all its
-/// readers together. The last owner frees it. If the readers are no owner, nobody reads the copy, and only the pool can
-/// give it to new readers. So the thread that changes the world may then change the copy.
+/// readers together. The last owner frees it. If the readers do not own it, nobody reads the copy, and only the pool
+/// can give it to new readers. So the thread that changes the world may then change the copy.
 ///
 /// Threads: readers may call add_reader() and remove_reader() at any time. The other functions belong to the thread
 /// that changes the world.
@@ -102,9 +102,10 @@ class SnapshotPool {
   /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
   static constexpr std::size_t kMost = 16;
 
-  /// A replica follows at least this number of changed items.
+  /// If at most this number of items have changed, a replica follows the world, even if the world is small.
   static constexpr std::size_t kFewChanges = 64;
-  /// A replica follows at most one in this number of items. A copy of the world costs less than more changes.
+  /// If at most one in this number of items has changed, a replica follows the world, too. If more have changed, a
+  /// copy of the world costs less.
   static constexpr std::size_t kItemsForEachChange = 32;
 
   /// Removes the replicas from the pool that readers hold and that cannot follow the world any more, and the oldest if

@@ -33,7 +33,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   enum class Kind : std::uint8_t {
     change,   ///< the history records the changes
     rewind,   ///< the history does not record the changes, and no limit holds: the world had these items before
-    attempt,  ///< update() instead of commit(): the changes are always taken back
+    attempt,  ///< calls update() instead of commit(), because its changes are always taken back
     follow,   ///< a replica repeats a change of its world: no log records it, the version stays, and no limit holds
   };
 
@@ -107,7 +107,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// succeeded. If the result is false, a state between the changes would have too many vertices, and this world must
   /// not be used any more. Requires: this world is a replica of `other`, and nobody reads it.
   [[nodiscard]] bool follow(const Impl& other, std::span<const ItemId> changed, ReplicaScratch& scratch);
-  /// Makes one item as it is in `other`. Returns whether it could.
+  /// Makes one item equal to the item with this id in `other`. Returns whether it has succeeded.
   [[nodiscard]] bool follow_item(const Impl& other, ItemId id, ReplicaScratch& scratch);
   /// Records in `snapshots` an item that the operation in progress inserts or removes.
   void note_for_snapshots(ItemId id) {
@@ -122,7 +122,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   void note_removal(std::uint32_t slot);
   /// Records in `history` the shape of an item that an operation removes.
   void record_removal(std::uint32_t slot);
-  /// What the world keeps for path queries.
+  /// Says which data the world keeps for path queries.
   [[nodiscard]] Kept kept() const { return {abstraction.has_value(), clearance != nullptr}; }
   // The queries behind the functions of World with these names. Requires: the query has no error.
   void find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;

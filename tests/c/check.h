@@ -1,4 +1,4 @@
-/* The smallest test frame that serves: checks that print where they fail and count. */
+/* The checks of the tests in C. A check that fails prints its file and line, and is counted. */
 #ifndef WAYWRIGHT_TESTS_C_CHECK_H
 #define WAYWRIGHT_TESTS_C_CHECK_H
 

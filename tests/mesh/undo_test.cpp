@@ -66,7 +66,7 @@ void remove_vertex(TriangleMesh& mesh, Vertex v) {
   mesh::Label last_label = labels[0];
   for (std::size_t i = 1; i + 1 < count; ++i) {
     const Face f = mesh.add_face();
-    mesh.set_corners(f, link[0], link[i], link[i + 1]);
+    mesh.set_vertices(f, link[0], link[i], link[i + 1]);
     mesh.link(mesh::first(f), last, last_label);
     mesh.link(mesh::next(mesh::first(f)), outer[i], labels[i]);
     last = mesh::previous(mesh::first(f));

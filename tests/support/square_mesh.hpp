@@ -24,17 +24,17 @@ struct SquareMesh {
         {d, c, ghost},
         {a, d, ghost},
     }};
-    std::vector<mesh::TriangleMesh::Corner> corners;
+    std::vector<mesh::TriangleMesh::HalfEdgeRecord> half_edges;
     for (const auto& face : faces) {
-      for (const Vertex v : face) corners.push_back({0, v});
+      for (const Vertex v : face) half_edges.push_back({0, v});
     }
-    const auto target = [&](std::uint32_t h) { return corners[h - h % 3 + (h + 1) % 3].origin; };
-    for (std::uint32_t g = 0; g < corners.size(); ++g) {
-      for (std::uint32_t h = 0; h < corners.size(); ++h) {
-        if (corners[g].origin == target(h) && corners[h].origin == target(g)) corners[g].twin = h;
+    const auto target = [&](std::uint32_t h) { return half_edges[h - h % 3 + (h + 1) % 3].origin; };
+    for (std::uint32_t g = 0; g < half_edges.size(); ++g) {
+      for (std::uint32_t h = 0; h < half_edges.size(); ++h) {
+        if (half_edges[g].origin == target(h) && half_edges[h].origin == target(g)) half_edges[g].twin = h;
       }
     }
-    mesh = mesh::TriangleMesh(corners, 5);
+    mesh = mesh::TriangleMesh(half_edges, 5);
   }
 };
 

@@ -73,7 +73,7 @@ TEST(SvgFile, OfARunShowsTheQueriesSinceTheWorldLastChanged) {
   EXPECT_EQ(run_script(world + queries + "locate 11 11\n", {"--svg", picture}).status, 0);
   const json drawn = outline(read_file(picture));
   ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(hints_of(drawn, "places"), (std::vector<std::string>{"(1, 1.5): face", "(3, 3.25): face, inside 1"}));
+  EXPECT_EQ(hints_of(drawn, "locations"), (std::vector<std::string>{"(1, 1.5): face", "(3, 3.25): face, inside 1"}));
   EXPECT_EQ(hints_of(drawn, "rays"), std::vector<std::string>{"ray from (1, 5) to (9, 5), hits 1 at (2, 5)"});
   EXPECT_EQ(hints_of(drawn, "failed-paths"),
             (std::vector<std::string>{"no path from (1, 1) to (5, 5)", "goal blocked from (1, 1) to (3, 3)"}));
@@ -81,7 +81,8 @@ TEST(SvgFile, OfARunShowsTheQueriesSinceTheWorldLastChanged) {
 
   EXPECT_EQ(run_script(world + queries + "remove 1\n", {"--svg", picture}).status, 0);
   const json after = outline(read_file(picture));
-  for (const char* group : {"places", "rays", "failed-paths", "paths"}) EXPECT_EQ(after["groups"][group], 0) << group;
+  for (const char* group : {"locations", "rays", "failed-paths", "paths"})
+    EXPECT_EQ(after["groups"][group], 0) << group;
 }
 
 TEST(SvgFile, OfAPathThatIsNotFoundShowsItsEnds) {

@@ -87,14 +87,14 @@ TEST(ToSvg, ColoursLocationsByTheirAnswer) {
     overlay.locations.push_back({point, world.locate(point).value()});
   }
   const json drawn = drawing_of(world, overlay, bare_options());
-  EXPECT_EQ(drawn["labels"], json({"1 solid", "1 wall", "1 place in a face", "1 place on an edge",
-                                   "1 place on a vertex", "3 places in polygons"}));
-  EXPECT_EQ(hints_of(drawn, "places"),
+  EXPECT_EQ(drawn["labels"], json({"1 solid", "1 wall", "1 located point in a face", "1 located point on an edge",
+                                   "1 located point on a vertex", "3 located points in polygons"}));
+  EXPECT_EQ(hints_of(drawn, "locations"),
             (std::vector<std::string>{"(8, 5.25): face", "(6, 5): edge", "(6, 9): vertex", "(2, 3): face, inside 8",
                                       "(4, 2): edge, inside 8", "(4, 4): vertex, inside 8"}));
   std::vector<std::string> colours;
   for (const json& element : drawn["elements"]) {
-    if (element["group"] == "places" && element["tag"] != "title") colours.push_back(element["fill"]);
+    if (element["group"] == "locations" && element["tag"] != "title") colours.push_back(element["fill"]);
   }
   ASSERT_EQ(colours.size(), 6U);
   EXPECT_EQ(std::set<std::string>(colours.begin(), colours.begin() + 4).size(), 4U);
@@ -107,7 +107,7 @@ TEST(ToSvg, ShortensLongListsOfIds) {
     world.insert_polygon({{1, 1}, {4, 1}, {4, 4}, {1, 4}}, {id}).value();
   }
   const json drawn = drawing_of(world, {.locations = {{{2, 2}, world.locate({2, 2}).value()}}});
-  const std::string hint = hints_of(drawn, "places").at(0);
+  const std::string hint = hints_of(drawn, "locations").at(0);
   EXPECT_TRUE(hint.ends_with("inside 1, 2, 3, 4, 5, 6, 7, 8 and 992 more")) << hint;
 }
 

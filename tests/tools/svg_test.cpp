@@ -244,7 +244,7 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
   EXPECT_EQ(drawn["groups"]["ends"], 0);
   EXPECT_EQ(drawn["groups"]["rays"], 0);
   EXPECT_EQ(drawn["groups"]["failed-paths"], 0);
-  EXPECT_EQ(drawn["groups"]["places"], 1);
+  EXPECT_EQ(drawn["groups"]["locations"], 1);
   EXPECT_EQ(drawn["groups"]["polylines"], 0);
   EXPECT_EQ(drawn["groups"]["discs"], 1);
   EXPECT_EQ(elements_of(drawn, "labels", "text").at(0)["text"], "inside");

@@ -49,7 +49,7 @@ TEST(ToSvg, HasColoursOfEnoughContrastInBothThemes) {
         EXPECT_GE(contrast(element["shown-fill"], page), 4.5) << element;
       }
       const std::string group = element["group"];
-      const bool is_mark = group == "paths" || group == "places" || group.starts_with("rays") ||
+      const bool is_mark = group == "paths" || group == "locations" || group.starts_with("rays") ||
                            group.starts_with("failed") || group == "discs" || group == "ends" || group == "walls";
       if (!is_mark) continue;
       for (const char* name : {"fill", "stroke"}) {
