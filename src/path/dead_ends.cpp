@@ -24,8 +24,7 @@ void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, s
   }
 }
 
-bool DeadEnds::is_before(mesh::HalfEdge exit) const {
-  if (core_ == nullptr || core_->is_passage(exit)) return false;
+bool DeadEnds::is_before_tree(mesh::HalfEdge exit) const {
   if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }

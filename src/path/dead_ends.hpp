@@ -18,7 +18,9 @@ class DeadEnds {
   /// chains from the goal faces to the core.
   void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
   /// Returns whether only a dead end without a goal lies beyond the edge. Requires: the edge is no wall.
-  [[nodiscard]] bool is_before(mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_before(mesh::HalfEdge exit) const {
+    return core_ != nullptr && !core_->is_passage(exit) && is_before_tree(exit);
+  }
   /// Returns the edges of a face that are no walls and beyond which more lies than a dead end without a goal. The
   /// result has one bit for each half-edge of the face.
   [[nodiscard]] unsigned passages(mesh::Face f) const {
@@ -29,6 +31,9 @@ class DeadEnds {
   }
 
  private:
+  /// Does the same as is_before(). Requires: there is a core, and the edge does not lead from one face of it to
+  /// another.
+  [[nodiscard]] bool is_before_tree(mesh::HalfEdge exit) const;
   [[nodiscard]] unsigned find_passages(mesh::Face f) const;
 
   /// How many goal faces lie in the subtree of a face, including the face itself. The subtree of a face of the core

@@ -16,15 +16,22 @@ namespace {
 /// whether the gaps at the vertex are wide enough.
 constexpr double kTouching = 16.0;
 
+/// If the line leaves a face before this share of its length, it does not end in the face, in spite of rounding.
+constexpr double kSurelyBefore = 0.875;
+
 }  // namespace
 
-double DiscLine::squared_distance(const Point& p) const {
-  const Point to = p - start_;
-  const double along = dot(direction_, to);
-  if (along <= 0.0) return squared_length(to);
-  if (along >= length_) return squared_length(p - end_);
-  const double across = cross(direction_, to);
-  return across * across;
+DiscLine::Offset DiscLine::offset(Vertex v) const {
+  const Point position = map_->position(v);
+  const Point to = position - end_;
+  return {position, dot(back_, to), cross(back_, to)};
+}
+
+/// Returns the square of the distance from a position to the line.
+double DiscLine::squared_distance(const Offset& at) const {
+  if (at.along <= 0.0) return squared_length(at.position - end_);
+  if (at.along >= length_) return squared_length(at.position - start_);
+  return at.across * at.across;
 }
 
 bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, const Tangent& line, HalfEdge face) {
@@ -32,6 +39,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   from_ = from;
   to_ = to;
   direction_ = line.direction;
+  back_ = {-direction_.x, -direction_.y};
   length_ = line.length;
   start_ = touching_point(from.contact, direction_, map.radius);
   end_ = touching_point(to.contact, direction_, map.radius);
@@ -52,36 +60,43 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
 /// Follows the line from its end to its start, so left and right are exchanged.
 void DiscLine::walk(HalfEdge face) {
   const mesh::TriangleMesh& mesh = map_->mesh();
-  const Point back{-direction_.x, -direction_.y};
-  const auto offset = [&](Vertex v) { return cross(back, map_->position(v) - end_); };
-  const auto is_beyond = [&](HalfEdge h) {
-    const Point a = map_->position(mesh.origin(h));
-    return cross(map_->position(mesh.target(h)) - a, start_ - a) < 0.0;
+  const auto is_beyond = [&](const Offset& origin, const Offset& target) {
+    if (std::max(origin.along, target.along) < kSurelyBefore * length_) return true;
+    return cross(target.position - origin.position, start_ - origin.position) < 0.0;
   };
-  HalfEdge exit = mesh::kNoHalfEdge;
   visited_[number(mesh::face(face))] = stamp_.value();
-  for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
-    look_at_vertex(h);
-    const bool is_exit =
-        exit == mesh::kNoHalfEdge && is_beyond(h) && offset(mesh.origin(h)) <= 0.0 && offset(mesh.target(h)) >= 0.0;
-    if (is_exit) exit = h;
+  const HalfEdge sides[3] = {face, mesh::next(face), mesh::previous(face)};
+  const Offset ends[3] = {offset(mesh.origin(sides[0])), offset(mesh.origin(sides[1])), offset(mesh.origin(sides[2]))};
+  int first = 3;
+  for (int i = 0; i < 3; ++i) {
+    look_at_vertex(sides[i], ends[i]);
+    const Offset& target = ends[(i + 1) % 3];
+    if (first == 3 && ends[i].across <= 0.0 && target.across >= 0.0 && is_beyond(ends[i], target)) first = i;
   }
-  for (const HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
-    if (h != exit) look_beside(h);
+  for (int i = 0; i < 3; ++i) {
+    if (i != first) look_beside(sides[i], ends[i], ends[(i + 1) % 3]);
   }
-  while (exit != mesh::kNoHalfEdge) {
+  if (first == 3) return;
+  HalfEdge exit = sides[first];
+  Offset right = ends[first];
+  Offset left = ends[(first + 1) % 3];
+  for (;;) {
     if (map_->is_closed(exit)) return look_at_closed(exit);
     const HalfEdge entry = mesh.twin(exit);
     visited_[number(mesh::face(entry))] = stamp_.value();
-    const bool is_apex_left = offset(mesh.apex(entry)) > 0.0;
-    look_at_vertex(mesh::previous(entry));
-    const HalfEdge left = mesh::previous(entry);
-    const HalfEdge right = mesh::next(entry);
-    exit = is_apex_left ? right : left;
-    look_beside(is_apex_left ? left : right);
-    if (is_beyond(exit)) continue;
-    look_beside(exit);
-    return;
+    const Offset apex = offset(mesh.apex(entry));
+    look_at_vertex(mesh::previous(entry), apex);
+    if (apex.across > 0.0) {
+      look_beside(mesh::previous(entry), apex, left);
+      exit = mesh::next(entry);
+      left = apex;
+    } else {
+      look_beside(mesh::next(entry), right, apex);
+      exit = mesh::previous(entry);
+      right = apex;
+    }
+    if (is_beyond(right, left)) continue;
+    return look_beside(exit, right, left);
   }
 }
 
@@ -91,61 +106,62 @@ void DiscLine::look_at_closed(HalfEdge exit) {
   is_blocked_ = true;
   for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {
     const Vertex v = map_->mesh().origin(corner);
-    const Point position = map_->position(v);
-    if (v == from_.vertex || v == to_.vertex || squared_distance(position) >= least_) continue;
+    if (v == from_.vertex || v == to_.vertex || squared_distance(offset(v)) >= least_) continue;
     note_obstacle(corner);
   }
 }
 
-/// Returns whether the edge lies so far left or right of the line through the two ends that no position on it is nearer
-/// than the radius.
-bool DiscLine::is_aside(const Point& a, const Point& b) const {
-  const double one = cross(direction_, a - start_);
-  const double other = cross(direction_, b - start_);
-  return std::min(one, other) > map_->radius || std::max(one, other) < -map_->radius;
+/// Returns whether a position on the edge is nearer to the line than the radius. Requires: the edge does not cross the
+/// line.
+bool DiscLine::is_edge_near(const Offset& a, const Offset& b) const {
+  // The nearest positions include an end of the edge or an end of the line. An end of the line can be the nearest
+  // position only if the edge reaches beyond it.
+  if (std::min(squared_distance(a), squared_distance(b)) < least_) return true;
+  const auto is_near = [&](const Point& end) {
+    return squared_distance_to_segment(end, a.position, b.position) < least_;
+  };
+  return (std::min(a.along, b.along) < 0.0 && is_near(end_)) ||
+         (std::max(a.along, b.along) > length_ && is_near(start_));
 }
 
 /// Visits the faces beyond `h` that are near the line.
-void DiscLine::look_beside(HalfEdge h) {
+void DiscLine::look_beside(HalfEdge h, const Offset& origin, const Offset& target) {
+  if (!enter_beside(h, origin, target)) return;
   to_enter_.clear();
-  for (HalfEdge at = h;; at = to_enter_.back(), to_enter_.pop_back()) {
-    if (const HalfEdge beyond = enter_beside(at); beyond != mesh::kNoHalfEdge) {
-      to_enter_.push_back(mesh::next(beyond));
-      to_enter_.push_back(mesh::previous(beyond));
-    }
-    if (to_enter_.empty()) return;
+  to_enter_.push_back({h, origin, target});
+  while (!to_enter_.empty()) {
+    // The visit has entered the face beyond this edge.
+    const Beside at = to_enter_.back();
+    to_enter_.pop_back();
+    const HalfEdge beyond = map_->mesh().twin(at.h);
+    const Offset apex = offset(map_->mesh().apex(beyond));
+    look_at_vertex(mesh::previous(beyond), apex);
+    if (enter_beside(mesh::next(beyond), at.origin, apex)) to_enter_.push_back({mesh::next(beyond), at.origin, apex});
+    if (enter_beside(mesh::previous(beyond), apex, at.target))
+      to_enter_.push_back({mesh::previous(beyond), apex, at.target});
   }
 }
 
-/// Looks at the edge, and at the vertex beyond it if that face is near the line. Returns the half-edge through which
-/// the visit enters this face, or kNoHalfEdge if it does not.
-HalfEdge DiscLine::enter_beside(HalfEdge at) {
+/// Returns whether the visit enters the face beyond the edge: it is near the line, and the visit has not been there. If
+/// the edge is a wall, the function looks at it.
+bool DiscLine::enter_beside(HalfEdge at, const Offset& origin, const Offset& target) {
+  const bool is_aside =
+      std::min(origin.across, target.across) > map_->radius || std::max(origin.across, target.across) < -map_->radius;
+  if (is_aside) return false;
   const mesh::TriangleMesh& mesh = map_->mesh();
-  const Point a = map_->position(mesh.origin(at));
-  const Point b = map_->position(mesh.target(at));
-  if (is_aside(a, b)) return mesh::kNoHalfEdge;
   if (mesh.is_fixed(at)) {
-    look_at_wall(at);
-    return mesh::kNoHalfEdge;
+    look_at_wall(origin.position, target.position);
+    return false;
   }
-  if (map_->bridges.is_bridge(at)) return mesh::kNoHalfEdge;
-  const HalfEdge beyond = mesh.twin(at);
-  std::uint32_t& visited = visited_[number(mesh::face(beyond))];
-  if (visited == stamp_.value()) return mesh::kNoHalfEdge;
-  // The edge does not cross the line. So the nearest positions include an end of the edge or an end of the line.
-  const double nearest = std::min({squared_distance(a), squared_distance(b), squared_distance_to_segment(start_, a, b),
-                                   squared_distance_to_segment(end_, a, b)});
-  if (nearest >= least_) return mesh::kNoHalfEdge;
+  std::uint32_t& visited = visited_[number(mesh::face(mesh.twin(at)))];
+  if (visited == stamp_.value() || map_->bridges.is_bridge(at) || !is_edge_near(origin, target)) return false;
   visited = stamp_.value();
-  look_at_vertex(mesh::previous(beyond));
-  return beyond;
+  return true;
 }
 
 // The line does not cross the wall. If a position strictly inside the wall is nearer to the line than both ends of the
 // wall are, it is the position nearest to an end of the line. So the function looks only at the ends of the line.
-void DiscLine::look_at_wall(HalfEdge h) {
-  const Point a = map_->position(map_->mesh().origin(h));
-  const Point b = map_->position(map_->mesh().target(h));
+void DiscLine::look_at_wall(const Point& a, const Point& b) {
   const auto is_near = [&](const Point& p) {
     const Point along = b - a;
     const double share = dot(p - a, along);
@@ -157,12 +173,11 @@ void DiscLine::look_at_wall(HalfEdge h) {
 }
 
 /// Looks at the vertex at which `corner` starts.
-void DiscLine::look_at_vertex(HalfEdge corner) {
+void DiscLine::look_at_vertex(HalfEdge corner, const Offset& at) {
+  const double squared = squared_distance(at);
+  if (squared > touched_) return;
   const Vertex v = map_->mesh().origin(corner);
   if (v == from_.vertex || v == to_.vertex) return;
-  const Point position = map_->position(v);
-  const double squared = squared_distance(position);
-  if (squared > touched_) return;
   look_at_feet(v);
   if (squared >= least_) return;
   note_obstacle(corner);

@@ -52,17 +52,32 @@ class DiscLine {
                                       mesh::HalfEdge corner);
 
  private:
+  /// A position relative to the line, which starts here at end_ and goes back to start_.
+  struct Offset {
+    Point position;
+    double along = 0.0;   ///< from end_ to the foot of the position on the line
+    double across = 0.0;  ///< positive on the left of the line from end_ to start_
+  };
+
+  [[nodiscard]] Offset offset(mesh::Vertex v) const;
+  [[nodiscard]] double squared_distance(const Offset& at) const;
+  [[nodiscard]] bool is_edge_near(const Offset& a, const Offset& b) const;
   void walk(mesh::HalfEdge face);
-  [[nodiscard]] bool is_aside(const Point& a, const Point& b) const;
-  void look_beside(mesh::HalfEdge h);
-  [[nodiscard]] mesh::HalfEdge enter_beside(mesh::HalfEdge at);
-  void look_at_wall(mesh::HalfEdge h);
+  void look_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target);
+  [[nodiscard]] bool enter_beside(mesh::HalfEdge at, const Offset& origin, const Offset& target);
+  void look_at_wall(const Point& a, const Point& b);
   void look_at_closed(mesh::HalfEdge exit);
-  void look_at_vertex(mesh::HalfEdge corner);
+  void look_at_vertex(mesh::HalfEdge corner, const Offset& at);
   void note_obstacle(mesh::HalfEdge corner);
   [[nodiscard]] bool crosses_foot(mesh::HalfEdge corner) const;
   void look_at_feet(mesh::Vertex v);
-  [[nodiscard]] double squared_distance(const Point& p) const;
+
+  /// An edge beside the line that the visit has not looked at yet.
+  struct Beside {
+    mesh::HalfEdge h;
+    Offset origin;
+    Offset target;
+  };
 
   const DiscMap* map_ = nullptr;
   End from_;
@@ -70,12 +85,13 @@ class DiscLine {
   Point start_;      ///< the position at which the line starts
   Point end_;        ///< the position at which it ends
   Point direction_;  ///< of the line
+  Point back_;       ///< the opposite direction
   double length_ = 0.0;
   double least_ = 0.0;    ///< the square of the least distance that a wall may have
   double touched_ = 0.0;  ///< the square of a distance: the disc touches vertices that are not farther
   bool is_blocked_ = false;
   Obstacle obstacles_[2];  ///< on the right, on the left
-  std::vector<mesh::HalfEdge> to_enter_;
+  std::vector<Beside> to_enter_;
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by face
   memory::Stamp stamp_;
 };

@@ -16,6 +16,10 @@ namespace {
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenLooks = 8;
 
+/// A vertex that is farther than this many radii from the line on which the path arrives, on the other side than the
+/// circle, is not in a later line of the path. The exact factor is 2; the rest allows for rounding.
+constexpr double kOutside = 2.125;
+
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
 
 /// Returns (1, 0) if the length is 0.
@@ -40,8 +44,7 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
   open_.clear();
   stamp_.next(1, reached_);
   reached_.grow_to(std::size_t{2} * map.mesh().vertex_slots());
-  roots_.push_back(
-      {{{ends_->start(), kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}, 0.0, kNone, {}, kNone});
+  add_root({{{ends_->start(), kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {1.0, 0.0}});
   leave_start(ends.at_start());
 }
 
@@ -59,17 +62,34 @@ bool DiscOptimal::is_excluded(const Contact& from, HalfEdge exit) const {
   return from.turn == kNoTurn || squared_distance_to_segment(from.centre, a, b) > map_->radius * map_->radius;
 }
 
-/// Returns whether the search does not follow windows of a root across the edge. These are the edges of is_excluded(),
-/// and edges that are too far from the line on which the path arrives at the root: the circle around the root lies left
-/// of this line and the edge lies right of it, or the reverse. A line from the root to a vertex of this edge would turn
-/// back, because the distance of the vertex from the line is larger than the diameter of the disc.
-bool DiscOptimal::is_outside(const Root& root, HalfEdge exit) const {
-  if (is_excluded(root.end.contact, exit)) return true;
-  const auto offset = [&](Vertex v) {
-    return root.end.contact.turn * cross(root.direction, map_->position(v) - root.end.contact.centre);
+/// Returns whether the search does not follow the window across the edge. These are the edges of is_excluded(), and
+/// edges that are too far from the line on which the path arrives at the root: the circle around the root lies left of
+/// this line and the part of the edge that the window sees lies right of it, or the reverse. A line from the root to a
+/// vertex that the window sees beyond this edge would turn back, because the distance of the vertex from the line is
+/// larger than the diameter of the disc.
+bool DiscOptimal::is_outside(const Window& window, HalfEdge exit) const {
+  const Root& root = roots_[window.root];
+  const Contact& from = root.end.contact;
+  if (is_excluded(from, exit)) return true;
+  const bool is_left = from.turn == kTurnLeft;
+  const Point& nearer_bound = is_left ? window.left.direction : window.right.direction;
+  if (from.turn * cross(root.direction, nearer_bound) >= 0.0) return false;
+  const Point& other_bound = is_left ? window.right.direction : window.left.direction;
+  const Point a = map_->position(map_->mesh().origin(exit)) - from.centre;
+  const Point edge = map_->position(map_->mesh().target(exit)) - from.centre - a;
+  const auto is_far = [&](const Point& bound) {
+    const std::optional<Point> end = meeting({0.0, 0.0}, bound, a, edge);
+    return end && from.turn * cross(root.direction, *end) < -kOutside * map_->radius;
   };
-  const double least = -2.0 * map_->radius * (1.0 + 0x1p-20);
-  return offset(map_->mesh().origin(exit)) < least && offset(map_->mesh().target(exit)) < least;
+  return is_far(nearer_bound) && is_far(other_bound);
+}
+
+std::uint32_t DiscOptimal::add_root(const Root& root) {
+  roots_.push_back(root);
+  Root& added = roots_.back();
+  added.position = touching_point(root.end.contact, root.direction, map_->radius);
+  added.distance = distance(added.position, ends_->goal());
+  return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
 bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
@@ -129,23 +149,22 @@ void DiscOptimal::follow(Window window) {
   for (int faces = 1;; ++faces) {
     ++expansions_;
     if (ends_->is_goal_face(mesh::face(window.entry))) reach_goal(window);
-    const Root& root = roots_[window.root];
     const Point apex = map_->position(mesh.apex(window.entry));
     const HalfEdge right_exit = mesh::next(window.entry);
     const HalfEdge left_exit = mesh::previous(window.entry);
     HalfEdge exit{};
     if (const double from_left = orientation(window.root, window.left, apex); from_left >= 0.0) {
-      note_turn(window, kTurnLeft, from_left > 0.0);
+      if (window.left.anchor == mesh.origin(window.entry)) note_turn(window, kTurnLeft, from_left > 0.0);
       exit = right_exit;
       if (from_left == 0.0) window.left.anchor = mesh.apex(window.entry);
     } else if (const double from_right = orientation(window.root, window.right, apex); from_right <= 0.0) {
-      note_turn(window, kTurnRight, from_right < 0.0);
+      if (window.right.anchor == mesh.target(window.entry)) note_turn(window, kTurnRight, from_right < 0.0);
       exit = left_exit;
       if (from_right == 0.0) window.right.anchor = mesh.apex(window.entry);
     } else {
       return divide(window, apex);
     }
-    if (is_outside(root, exit)) return;
+    if (is_outside(window, exit)) return;
     window.entry = mesh.twin(exit);
     if (faces % kFacesBetweenLooks == 0) return offer(window);
   }
@@ -160,7 +179,7 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
   Window right = window;
   right.left = towards_apex;
   const auto leave = [&](Window& beyond, HalfEdge exit) {
-    if (is_outside(roots_[beyond.root], exit)) return;
+    if (is_outside(beyond, exit)) return;
     beyond.entry = mesh.twin(exit);
     offer(beyond);
   };
@@ -169,8 +188,8 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
 }
 
 /// Adds the turn around an end of the window's edge: around the left end if `turn` is kTurnLeft, around the right end
-/// if it is kTurnRight. Does nothing if the window's bound does not pass through this end. Does nothing, either, if no
-/// path can continue after the turn: neither through the two other edges of the face, nor to a goal in one of the two
+/// if it is kTurnRight. Requires: the window's bound passes through this end. Does nothing if no path can continue
+/// after the turn: neither through the two other edges of the face, nor to a goal in one of the two
 /// faces at the window's edge. (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the
 /// apex lies on the bound. Then a path that turns at the root in the same direction does not cross the far edge: it
 /// continues along the bound to the apex.
@@ -179,8 +198,6 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const bool is_left = turn == kTurnLeft;
   const HalfEdge corner = is_left ? window.entry : mesh::next(window.entry);
   const Vertex v = mesh.origin(corner);
-  const Bound& at = is_left ? window.left : window.right;
-  if (at.anchor != v) return;
   const HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
   const Contact& from = roots_[window.root].end.contact;
@@ -264,12 +281,12 @@ void DiscOptimal::offer(const Window& window) {
 double DiscOptimal::bound(const Window& window) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
-  const Point from = touching_point(root.end.contact, root.direction, map_->radius);
+  const Point& from = root.position;
   const Point left = map_->position(mesh.origin(window.entry));
   const Point right = map_->position(mesh.target(window.entry));
-  if (cross(right - left, from - left) > 0.0) return root.length + distance(from, ends_->goal());
+  if (cross(right - left, from - left) > 0.0) return root.length + root.distance;
   const double by_edge = distance_via_segment(from, left, right, ends_->goal()) - 2.0 * map_->radius;
-  return root.length + std::max(by_edge, distance(from, ends_->goal()));
+  return root.length + std::max(by_edge, root.distance);
 }
 
 // Takes the turn by value: new turns may move the memory of `turns_`.
@@ -301,8 +318,7 @@ void DiscOptimal::expand(std::uint32_t index) {
     reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
     return push_obstacles(index, line_.left(), line_.right());
   }
-  roots_.push_back({end, corner, turn.line.direction, turn.length, turn.root, {}, reached.root});
-  reached.root = static_cast<std::uint32_t>(roots_.size() - 1);
+  reached.root = add_root({end, corner, turn.line.direction, turn.length, turn.root, {}, reached.root});
   leave_root(reached.root, corner);
   go_on(static_cast<std::uint32_t>(roots_.size() - 1), turn.then);
 }
@@ -431,11 +447,9 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
       if (const auto line = tangent(contact, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge far_edge = mesh::next(at);
-    if (!is_outside(root, far_edge)) {
-      Window window{mesh.twin(far_edge), root_index, first, last};
-      if (contact.turn == kTurnRight) std::swap(window.right, window.left);
-      offer(window);
-    }
+    Window window{mesh.twin(far_edge), root_index, first, last};
+    if (contact.turn == kTurnRight) std::swap(window.right, window.left);
+    if (!is_outside(window, far_edge)) offer(window);
     first = last;
   };
   roots_[root_index].limit = turn_around(*map_, contact, root.direction, corner, visit);

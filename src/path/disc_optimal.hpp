@@ -53,8 +53,10 @@ class DiscOptimal {
     Point direction;               ///< in which the path reaches it
     double length = 0.0;           ///< of the path up to there
     std::uint32_t before = kNone;  ///< the root at which the straight line to this contact starts
-    TurnLimit limit;               ///< how far the path can turn here
+    TurnLimit limit{};             ///< how far the path can turn here
     std::uint32_t next = kNone;    ///< another root at the same contact
+    Point position{};              ///< of the disc when it arrives
+    double distance = 0.0;         ///< from there to the goal
   };
 
   /// A bound of a window: a ray from the centre of its root.
@@ -109,7 +111,8 @@ class DiscOptimal {
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
   [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit) const;
-  [[nodiscard]] bool is_outside(const Root& root, mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_outside(const Window& window, mesh::HalfEdge exit) const;
+  std::uint32_t add_root(const Root& root);
   void leave_start(const locate::Located& location);
   void follow(Window window);
   void divide(const Window& window, const Point& apex);
