@@ -40,6 +40,22 @@ bool BridgeFinder::may_disc_meet(HalfEdge h, HalfEdge border) const {
   return may_touch(Disc::of_edge(position_of(u), to, rounding_), border);
 }
 
+// Let w be a corner of the face, x and y its other vertices, c the centre and r the radius of its circle, and w* the
+// position opposite to w on the circle. The foot f of the bridge lies in the triangle of x, y and w*: see find_wall().
+// A position p lies in the disc of the bridge exactly if (w - p) . (f - p) <= 0. This product is linear in f, so p lies
+// in the disc whose diameter is the segment from w to x, to y or to w*. If the segment has the length 2 s, the distance
+// from c to the centre of this disc is the square root of r^2 - s^2. The sum of this distance and of s is at most
+// sqrt(2) r, so the disc lies in the disc around c with this radius.
+bool BridgeFinder::may_foot_bridge_touch(HalfEdge h, std::span<const Box> boxes) const {
+  const Disc disc = circle_of(h).scaled(0x1.6a09e667f3bcdp+0);  // the square root of 2, rounded up
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return disc.may_touch(box, rounding_); });
+}
+
+bool BridgeFinder::may_disc_touch(HalfEdge h, std::span<const Box> boxes) const {
+  const Disc disc = Disc::of_edge(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return disc.may_touch(box, rounding_); });
+}
+
 // If the apex of a face lies in the closed disc, a wall does, too, because every vertex is the end of a wall. This test
 // rejects nearly all edges that are no bridges.
 bool BridgeFinder::is_bridge(HalfEdge h) {
@@ -154,8 +170,18 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
          is_clear(candidate);
 }
 
+// A constructed vertex lies strictly inside both of its sides. If one of these sides ends at the start of the gap, the
+// other end of this side gives the same sign, and needs no integers. In worlds of rectangles, this is frequent.
 Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
-  return exact::dot(gap.from, geometry_.exact(number(v)), gap.a, gap.b);
+  const exact::ExactPoint point = geometry_.exact(number(v));
+  if (!point.is_explicit()) {
+    const exact::Crossing& crossing = *point.crossing;
+    if (gap.from == crossing.a) return exact::dot(gap.from, crossing.b, gap.a, gap.b);
+    if (gap.from == crossing.b) return exact::dot(gap.from, crossing.a, gap.a, gap.b);
+    if (gap.from == crossing.c) return exact::dot(gap.from, crossing.d, gap.a, gap.b);
+    if (gap.from == crossing.d) return exact::dot(gap.from, crossing.c, gap.a, gap.b);
+  }
+  return exact::dot(gap.from, point, gap.a, gap.b);
 }
 
 /// Returns whether the foot lies strictly inside the wall, and the gap leaves the face of `corner` through the edge

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,12 @@ class BridgeFinder {
   [[nodiscard]] bool may_touch(const Disc& disc, mesh::HalfEdge h) const {
     return disc.may_touch(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
   }
+
+  /// Returns false only if no bridge that starts at a corner of the face of `h` and runs into this face has a closed
+  /// disc that contains a point of one of the boxes.
+  [[nodiscard]] bool may_foot_bridge_touch(mesh::HalfEdge h, std::span<const Box> boxes) const;
+  /// Returns false only if the closed disc whose diameter is the edge of `h` contains no point of the boxes.
+  [[nodiscard]] bool may_disc_touch(mesh::HalfEdge h, std::span<const Box> boxes) const;
 
   /// The gap of a bridge along an edge, and of a bridge from the origin of `corner` to the inside of `wall`.
   [[nodiscard]] exact::Gap gap_along(mesh::HalfEdge h) const {

@@ -79,7 +79,7 @@ void Bridges::roll_back() {
   free_feet_ = free_feet_before_;
 }
 
-void Bridges::update(const Triangulation& triangulation) {
+void Bridges::update(const Triangulation& triangulation, const ChangedWalls& changed) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
   region_.collect_faces(triangulation);
@@ -90,7 +90,7 @@ void Bridges::update(const Triangulation& triangulation) {
   grow_to_mesh(mesh);
   BridgeFinder finder(triangulation, scratch_);
   find_in_touched(triangulation, finder);
-  find_beyond(triangulation, finder);
+  find_beyond(triangulation, changed, finder);
   guard.done();
 }
 
@@ -110,7 +110,7 @@ void Bridges::swap_bridges(Bridges& other) {
 }
 
 /// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
-/// an edge of such a face. Then finds the first two kinds again.
+/// an edge of such a face. Then finds the first two kinds again. find_beyond() finds the third kind again.
 void Bridges::find_in_touched(const Triangulation& triangulation, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (const Face f : region_.faces()) clear_face(f);
@@ -126,8 +126,8 @@ void Bridges::find_in_touched(const Triangulation& triangulation, BridgeFinder& 
   }
 }
 
-void Bridges::find_beyond(const Triangulation& triangulation, BridgeFinder& finder) {
-  region_.collect_beyond(triangulation, finder, scratch_);
+void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
+  region_.collect_beyond(triangulation, changed, finder, scratch_);
   for (const HalfEdge corner : region_.corners()) find_at_corner(triangulation, finder, corner);
   for (const HalfEdge h : region_.edges()) find_at_edge(triangulation, finder, h);
 }
@@ -136,7 +136,11 @@ void Bridges::clear_face(Face f) {
   for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
     const HalfEdge h{i};
     if (const std::uint32_t foot = foot_at(h); foot != kNone) remove_foot(foot);
-    while (first_foot_on(h) != kNone) remove_foot(first_foot_on(h));
+    while (first_foot_on(h) != kNone) {
+      const std::uint32_t foot = first_foot_on(h);
+      if (!region_.contains(mesh::face(feet_[foot].corner))) region_.add_corner(feet_[foot].corner);
+      remove_foot(foot);
+    }
     write_corner(h, 0);
   }
 }

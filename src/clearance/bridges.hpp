@@ -11,6 +11,7 @@
 
 #include "clearance/bridge_finder.hpp"
 #include "clearance/changed_region.hpp"
+#include "clearance/changed_walls.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
@@ -66,9 +67,10 @@ class Bridges {
   /// The number of slots of feet, including free slots. The number of every foot is below it.
   [[nodiscard]] std::size_t foot_slots() const { return feet_.size(); }
 
-  /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open. If memory
-  /// runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
-  void update(const Triangulation& triangulation);
+  /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open, and
+  /// `changed` contains all walls that it has inserted or removed. If memory runs out, nothing changes. Cost: depends
+  /// on what changed and on the bridges near it.
+  void update(const Triangulation& triangulation, const ChangedWalls& changed);
   /// Undoes the last update(). Requires: since then, neither commit() nor roll_back() was called. Allocates nothing.
   void roll_back();
   /// Frees memory that only roll_back() needs.
@@ -93,7 +95,7 @@ class Bridges {
 
   void clear_face(mesh::Face f);
   void find_in_touched(const Triangulation& triangulation, BridgeFinder& finder);
-  void find_beyond(const Triangulation& triangulation, BridgeFinder& finder);
+  void find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
   void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);
   void set_bridge(mesh::HalfEdge h, bool is_bridge);

@@ -40,10 +40,18 @@ using mesh::HalfEdge;
 //    edges' discs meet `border`.
 //
 // If F is G, then F is a face that the search enters. If b is an edge of F, its disc D meets `border`.
+//
+// Most of these bridges do not change. The walls decide alone what a bridge is: b changes only if its closed disc
+// touches a wall that the operation has inserted or removed. So the search notes only corners and edges for which such
+// a disc may touch the box of a changed item. Bridges.cpp adds the corners whose bridges it has removed because they
+// end at touched faces.
 
 void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   mesh_ = &triangulation.topology();
+  const std::size_t half_edges = std::size_t{3} * mesh_->face_slots();
   if (is_touched_.size() < mesh_->face_slots()) is_touched_.resize(mesh_->face_slots());
+  if (is_corner_.size() < half_edges) is_corner_.resize(half_edges);
+  if (is_edge_.size() < half_edges) is_edge_.resize(half_edges);
   mesh_->for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch touch) {
     if (touch == mesh::TriangleMesh::Touch::relabelled || is_touched_[number(f)]) return;
     faces_.push_back(f);
@@ -51,38 +59,39 @@ void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   });
 }
 
-void ChangedRegion::collect_beyond(const Triangulation& triangulation, BridgeFinder& finder, BridgeScratch& scratch) {
-  const std::size_t half_edges = std::size_t{3} * mesh_->face_slots();
-  if (is_corner_.size() < half_edges) is_corner_.resize(half_edges);
-  if (is_edge_.size() < half_edges) is_edge_.resize(half_edges);
+void ChangedRegion::collect_beyond(const Triangulation& triangulation, const ChangedWalls& changed,
+                                   BridgeFinder& finder, BridgeScratch& scratch) {
+  const Search search{changed, finder, scratch};
   for (const Face f : faces_) {
     if (!triangulation.triangulation().is_in_domain(f)) continue;
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
-      if (!mesh_->is_fixed(h) && !is_border(h)) search_beyond(finder, scratch, h);
+      if (!mesh_->is_fixed(h) && !is_border(h)) search_beyond(search, h);
     }
   }
 }
 
-void ChangedRegion::search_beyond(BridgeFinder& finder, BridgeScratch& scratch, HalfEdge border) {
-  auto& to_enter = scratch.to_enter;
-  scratch.begin();
+void ChangedRegion::search_beyond(const Search& search, HalfEdge border) {
+  auto& to_enter = search.scratch.to_enter;
+  search.scratch.begin();
   to_enter.assign({mesh_->twin(border)});
   while (!to_enter.empty()) {
     const HalfEdge entry = to_enter.back();
     to_enter.pop_back();
-    if (!scratch.visit(mesh::face(entry))) continue;
-    for (const HalfEdge corner : {entry, mesh::next(entry), mesh::previous(entry)}) note_corner(corner);
+    if (!search.scratch.visit(mesh::face(entry))) continue;
+    if (search.may_change_foot_bridges(entry)) {
+      for (const HalfEdge corner : {entry, mesh::next(entry), mesh::previous(entry)}) add_corner(corner);
+    }
     for (const HalfEdge exit : {mesh::next(entry), mesh::previous(entry)}) {
       if (mesh_->is_fixed(exit) || is_border(exit)) continue;
       const HalfEdge beyond = mesh_->twin(exit);
-      const bool is_disc_near = finder.may_disc_meet(exit, border);
-      if (is_disc_near) note_edge(exit);
-      if (finder.may_circle_meet(beyond, border)) {
+      const bool is_disc_near = search.finder.may_disc_meet(exit, border);
+      if (is_disc_near) note_edge(search, exit);
+      if (search.finder.may_circle_meet(beyond, border)) {
         to_enter.push_back(beyond);
       } else if (is_disc_near) {
-        follow_fan(finder, beyond, border, true);
-        follow_fan(finder, beyond, border, false);
+        follow_fan(search, beyond, border, true);
+        follow_fan(search, beyond, border, false);
       }
     }
   }
@@ -90,25 +99,30 @@ void ChangedRegion::search_beyond(BridgeFinder& finder, BridgeScratch& scratch, 
 
 /// Notes the corners and edges around an end of `h`: from the face of `h` on, counter-clockwise around its origin or
 /// clockwise around its target, while the discs of the edges meet the border.
-void ChangedRegion::follow_fan(BridgeFinder& finder, HalfEdge h, HalfEdge border, bool is_counter_clockwise) {
+void ChangedRegion::follow_fan(const Search& search, HalfEdge h, HalfEdge border, bool is_counter_clockwise) {
   for (;;) {
-    note_corner(is_counter_clockwise ? h : mesh::next(h));
+    if (search.may_change_foot_bridges(h)) add_corner(is_counter_clockwise ? h : mesh::next(h));
     const HalfEdge exit = is_counter_clockwise ? mesh::previous(h) : mesh::next(h);
-    if (mesh_->is_fixed(exit) || is_border(exit) || !finder.may_disc_meet(exit, border)) return;
-    note_edge(exit);
+    if (mesh_->is_fixed(exit) || is_border(exit) || !search.finder.may_disc_meet(exit, border)) return;
+    note_edge(search, exit);
     h = mesh_->twin(exit);
   }
 }
 
-void ChangedRegion::note_corner(HalfEdge corner) {
+bool ChangedRegion::Search::may_change_foot_bridges(HalfEdge h) const {
+  return changed.are_all() || finder.may_foot_bridge_touch(h, changed.boxes());
+}
+
+void ChangedRegion::add_corner(HalfEdge corner) {
   if (is_corner_[number(corner)]) return;
   corners_.push_back(corner);
   is_corner_[number(corner)] = true;
 }
 
-void ChangedRegion::note_edge(HalfEdge h) {
+void ChangedRegion::note_edge(const Search& search, HalfEdge h) {
   const HalfEdge smaller = std::min(h, mesh_->twin(h));
   if (is_edge_[number(smaller)]) return;
+  if (!search.changed.are_all() && !search.finder.may_disc_touch(h, search.changed.boxes())) return;
   edges_.push_back(smaller);
   is_edge_[number(smaller)] = true;
 }

@@ -7,6 +7,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "clearance/bridge_finder.hpp"
+#include "clearance/changed_walls.hpp"
 #include "constraint/exact_triangulation.hpp"
 
 namespace waywright::clearance {
@@ -20,9 +21,12 @@ class ChangedRegion {
   /// Collects the touched faces. Leaves out faces of which only labels have changed: their walls are the same.
   /// Requires: the operation of the triangulation is still open, and the object is empty.
   void collect_faces(const Triangulation& triangulation);
-  /// Collects the corners and edges of other faces whose bridges may have appeared or vanished. Cost: a search beyond
-  /// each edge on the border of R. Requires: collect_faces() was called.
-  void collect_beyond(const Triangulation& triangulation, BridgeFinder& finder, BridgeScratch& scratch);
+  /// Adds a corner of a face that is not touched. Requires: collect_faces() was called.
+  void add_corner(mesh::HalfEdge corner);
+  /// Collects the corners and edges of other faces whose bridges may have appeared or vanished because of the changed
+  /// walls. Cost: a search beyond each edge on the border of R. Requires: collect_faces() was called.
+  void collect_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder,
+                      BridgeScratch& scratch);
   /// Makes the object empty. Cost: proportional to what it contains.
   void clear();
 
@@ -39,11 +43,20 @@ class ChangedRegion {
   void release();
 
  private:
-  void search_beyond(BridgeFinder& finder, BridgeScratch& scratch, mesh::HalfEdge border);
-  void follow_fan(BridgeFinder& finder, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
+  /// What one call of collect_beyond() needs.
+  struct Search {
+    const ChangedWalls& changed;
+    BridgeFinder& finder;
+    BridgeScratch& scratch;
+
+    /// Returns false only if no foot bridge that runs from a corner of the face of `h` into this face has changed.
+    [[nodiscard]] bool may_change_foot_bridges(mesh::HalfEdge h) const;
+  };
+
+  void search_beyond(const Search& search, mesh::HalfEdge border);
+  void follow_fan(const Search& search, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
   [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return contains(mesh::face(mesh_->twin(h))); }
-  void note_corner(mesh::HalfEdge corner);
-  void note_edge(mesh::HalfEdge h);
+  void note_edge(const Search& search, mesh::HalfEdge h);
 
   const mesh::TriangleMesh* mesh_ = nullptr;  ///< of the operation
   std::vector<mesh::Face> faces_;

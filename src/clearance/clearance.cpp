@@ -75,7 +75,22 @@ Clearance::Clearance(const Triangulation& world) {
 
 void Clearance::begin() {
   changed_.clear();
+  changed_walls_.clear();
   are_bridges_changed_ = false;
+}
+
+void Clearance::note_changed(const Triangulation& world, ItemId id) {
+  changed_.push_back(id);
+  if (changed_walls_.are_all()) return;
+  const constraint::ItemTable& items = world.items();
+  const exact::Geometry& geometry = world.triangulation().geometry();
+  std::optional<Box> box;
+  items.for_each_corner(items.slot(id), [&](mesh::Vertex corner, bool) {
+    const Point& p = geometry.rounded(number(corner));
+    if (!box) box = Box{p, p};
+    box->expand(p);
+  });
+  if (box) changed_walls_.add(*box);
 }
 
 void Clearance::update(const Triangulation& world) {
@@ -83,7 +98,7 @@ void Clearance::update(const Triangulation& world) {
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   if (!walls_ && is_any_changed_loose(world)) return make_walls(world);
   if (walls_) update_walls(world);
-  bridges_->update(walls(world));
+  bridges_->update(walls(world), changed_walls_);
   are_bridges_changed_ = true;
 }
 

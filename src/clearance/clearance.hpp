@@ -61,8 +61,8 @@ class Clearance {
     bool is_committed_ = false;
   };
 
-  /// Call it for each item that the operation inserts or removes.
-  void note_changed(ItemId id) { changed_.push_back(id); }
+  /// Call it for each item that the operation has inserted or is about to remove. Cost: linear in the corners.
+  void note_changed(const Triangulation& world, ItemId id);
   /// Updates the bridges, and the second triangulation if there is one, to the triangulation of the world. Requires:
   /// the operation of that triangulation and an UndoGuard are open, and the operation calls update() only once. Cost:
   /// depends on what changed. The first loose ring costs as much as a new world.
@@ -91,6 +91,7 @@ class Clearance {
 
   // Of the operation under way.
   std::vector<ItemId> changed_;
+  ChangedWalls changed_walls_;
   std::optional<Triangulation::UndoGuard> walls_guard_;  ///< set if the operation changes the second triangulation
   std::unique_ptr<Bridges> old_bridges_;  ///< the bridges of the world, if the operation made the second triangulation
   bool are_bridges_changed_ = false;

@@ -79,6 +79,18 @@ struct Disc {
     const Point nearest = dot <= 0.0 ? from : from + along;
     return !(nearest.x * nearest.x + nearest.y * nearest.y > limit * limit);
   }
+  /// Returns false only if no point of the box lies in the closed exact disc.
+  [[nodiscard]] bool may_touch(const Box& box, double rounding) const {
+    const Point from_min{box.min.x - origin.x - centre.x, box.min.y - origin.y - centre.y};
+    const Point to_max{box.max.x - origin.x - centre.x, box.max.y - origin.y - centre.y};
+    const Point nearest{std::max({from_min.x, -to_max.x, 0.0}), std::max({from_min.y, -to_max.y, 0.0})};
+    const double extent = nearest.x + nearest.y;
+    const double limit = (radius + (kUnit * extent + 4.0 * rounding)) * (1.0 + kUnit);
+    return !(nearest.x * nearest.x + nearest.y * nearest.y > limit * limit);
+  }
+  /// The disc with the same centre and a radius that is `factor` times as large, or a little larger. Requires: `factor`
+  /// is at least 1.
+  [[nodiscard]] Disc scaled(double factor) const { return {origin, centre, radius * factor * (1.0 + kUnit), error}; }
   /// Returns false only if the segment from `origin` to `p` contains no position strictly inside the exact disc: then
   /// the angle between the segment and the radius to `origin` is at least 90 degrees. Requires: the exact circle
   /// contains the exact position of `origin`. Each coordinate of the two points may be wrong by `rounding`.

@@ -251,7 +251,7 @@ inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
 
 inline void World::Operation::note_changed(ItemId id) {
   if (kind_ != Kind::attempt) impl_.note_for_snapshots(id);
-  if (impl_.clearance) impl_.clearance->note_changed(id);
+  if (impl_.clearance) impl_.clearance->note_changed(impl_.triangulation, id);
 }
 
 template <class Batch>

@@ -85,6 +85,12 @@ BridgeSet expected_bridges(const std::vector<Segment>& walls) {
   return bridges;
 }
 
+clearance::ChangedWalls changed_by(const Shape& shape) {
+  clearance::ChangedWalls changed;
+  changed.add(Box::bounding(shape.rings.points()));
+  return changed;
+}
+
 /// A mesh of walls with its bridges. Changes them in the same order as a world does.
 class Walls {
  public:
@@ -93,13 +99,15 @@ class Walls {
   void insert(const Shape& shape, ItemId id) {
     constraint::ExactTriangulation::UndoGuard operation(mesh_);
     mesh_.insert(shape, id);
-    bridges_.update(mesh_);
+    bridges_.update(mesh_, changed_by(shape));
     operation.commit();
   }
   void remove(ItemId id) {
     constraint::ExactTriangulation::UndoGuard operation(mesh_);
     mesh_.remove(id);
-    bridges_.update(mesh_);
+    clearance::ChangedWalls any;
+    any.add_all();
+    bridges_.update(mesh_, any);
     operation.commit();
   }
   [[nodiscard]] const Bridges& bridges() const { return bridges_; }

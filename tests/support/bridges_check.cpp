@@ -24,9 +24,13 @@ class WithBridges {
     clearance::Clearance::UndoGuard clearance_operation(clearance_);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Change& change = step.changes[i];
-      clearance_.note_changed(ids[i]);
-      if (change.kind != Change::Kind::insert) mesh_.remove(ids[i]);
-      if (change.kind != Change::Kind::remove) mesh_.insert(change.shape, ids[i]);
+      if (change.kind != Change::Kind::insert) {
+        clearance_.note_changed(mesh_, ids[i]);
+        mesh_.remove(ids[i]);
+      }
+      if (change.kind == Change::Kind::remove) continue;
+      mesh_.insert(change.shape, ids[i]);
+      clearance_.note_changed(mesh_, ids[i]);
     }
     clearance_.update(mesh_);
     if (end == End::roll_back) return;
