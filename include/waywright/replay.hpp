@@ -90,7 +90,7 @@ struct ReplayResult {
   std::uint64_t ticks = 0;  ///< the number of ticks that were replayed
   // The members below are meaningful only if `is_same` is false.
   std::uint64_t tick = 0;        ///< the first tick whose hash differs, or during which a change was refused
-  std::uint64_t last_same = 0;   ///< the last tick before it whose hash is equal, or 0
+  std::uint64_t last_same = 0;   ///< the last tick before `tick` whose hash is equal, or 0
   std::uint32_t line = 0;        ///< the line of the hash or of the refused change in the script
   ItemsHash expected;            ///< the hash in the log
   ItemsHash computed;            ///< the hash of the replayed world
