@@ -24,7 +24,7 @@
 namespace waywright {
 
 inline constexpr char kInAttempt[] =
-    "World: the question of World::attempt() must not change the world, nor continue a PathSearch";
+    "World: the question of World::attempt() must not change the world and must not continue a PathSearch";
 
 /// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
 /// destructor takes all changes back.
