@@ -144,7 +144,7 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::insert_sorted(s
                                                                                const threads::ThreadTeam& team,
                                                                                std::vector<mesh::Vertex>& vertices) {
   vertices.reserve(points.size());
-  CostWatch watch(kUsualTests);
+  CostWatch watch(kTestsPerVertex);
   while (vertices.size() < points.size() && !watch.is_costly()) {
     const auto inserted = triangulation_.insert(points[vertices.size()]);
     watch.add(inserted.tested_edges);

@@ -39,7 +39,8 @@ class Abstraction {
   [[nodiscard]] const TwoCore& core() const { return core_; }
 
   /// Starts an operation. Call note_walls() if the operation inserts an item with sides. Call note_inserted() and
-  /// note_removed() for every polygon that the operation inserts or removes. Polygons are named by their slot.
+  /// note_removed() for every polygon that the operation inserts or removes. The argument of both functions is the slot
+  /// of the polygon.
   void begin();
   void note_walls() { has_new_walls_ = true; }
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }

@@ -39,7 +39,7 @@ class TaStar {
   /// better path than the one in `path`; no channel is left that could contain a better path. Returns whether no
   /// channel is left.
   bool step(std::size_t limit, Path& path);
-  /// Writes to `path` the edges that the best path crosses.
+  /// Writes to Path::channel the edges that the best path crosses.
   void write_channel(Path& path) const;
 
  private:

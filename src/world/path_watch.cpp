@@ -79,10 +79,10 @@ struct Ellipse {
   }
 };
 
-/// Returns the ellipse that contains each shorter path, and each position that is nearer to an end in the query than
-/// the moved end is. If the search has moved the start from `s` to `t` at the distance d, and p is nearer to `s` than
-/// `t` is, then p is at most d from `s`, and at most d + d + length from the goal. So the length of the ellipse is the
-/// length of the path plus 3 d.
+/// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
+/// position that is nearer to the end in the query than the moved end is. If the search has moved the start from `s` to
+/// `t` at the distance d, and p is nearer to `s` than `t` is, then p is at most d from `s`, and at most d + d + length
+/// from the goal. So the length of the ellipse is the length of the path plus 3 d.
 Ellipse ellipse_of(const Path& path) {
   const bool has_points = !path.points.empty();
   if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
