@@ -22,8 +22,8 @@ class SnapshotHandle {
     const WorldSnapshot snapshot = held();
     return function(*snapshot);
   }
-  /// Exceptions: py::value_error, if the snapshot has been released. If another thread releases it during the call, the
-  /// call continues, and its end is the end of the snapshot.
+  /// Exceptions: py::value_error, if the snapshot has been released. If another thread releases the snapshot during the
+  /// call, the call continues, and the library frees the snapshot after the call.
   template <class Function>
   auto read_long(Function&& function) const {
     WorldSnapshot snapshot = held();
