@@ -127,7 +127,7 @@ function trapped(reason: unknown): never {
 
 const ENOSYS = 52;
 
-/** Returns the imports of the module: a clock, and for all other functions of WASI a function that returns an error. */
+/** Returns the imports of the module: a clock and four functions of the wrapper. All other functions of WASI return an error. */
 function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   const imports: Record<string, Record<string, unknown>> = {};
   for (const { module: space, name } of WebAssembly.Module.imports(module)) {
