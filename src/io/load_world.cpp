@@ -37,7 +37,7 @@ Point point_at(const char* bytes) {
 /// less memory and lets World::insert_points make them.
 struct LoadedItems {
   std::vector<Point> points;
-  ItemId first;  ///< the id of the first one of `points`
+  ItemId first;  ///< the id of the first element of `points`
   std::vector<Item> items;
 
   [[nodiscard]] std::size_t size() const { return points.size() + items.size(); }

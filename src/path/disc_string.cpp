@@ -107,7 +107,7 @@ void DiscString::end_at_goal() {
   stops_.push_back(row_[apex_]);
 }
 
-/// Makes the string pass all walls. Returns false if it does not succeed.
+/// Changes the string until the disc can move along it. Returns false if this does not succeed.
 bool DiscString::straighten() {
   std::size_t steps = 8 * stops_.size() + 32;
   for (std::size_t i = 0; i + 1 < stops_.size(); --steps) {

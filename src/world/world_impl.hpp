@@ -245,9 +245,9 @@ inline void World::Operation::commit() {
 }
 
 inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
-  if (!impl_.abstraction || kind == ItemKind::point) return;
-  impl_.abstraction->note_walls();
-  if (kind == ItemKind::polygon) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  if (impl_.abstraction && kind == ItemKind::polygon) {
+    impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  }
 }
 
 inline void World::Operation::note_changed(ItemId id) {
