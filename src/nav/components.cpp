@@ -178,19 +178,19 @@ void Components::start_searches(std::span<const OldNeighbour> old_neighbours) {
 /// an arbitrary set if all are finished.
 std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mesh) {
   const std::span searches(searches_.data(), search_sets_.size());
-  const auto is_open = [](const Search& search) { return search.next < search.found.size(); };
+  const auto is_unfinished = [](const Search& search) { return search.next < search.found.size(); };
   for (;;) {
     for (Search& search : searches) {
-      if (is_open(search)) step(mesh, search);
+      if (is_unfinished(search)) step(mesh, search);
     }
     std::uint32_t rest = 0;
-    std::size_t open_sets = 0;
+    std::size_t unfinished_sets = 0;
     for (std::uint32_t i = 0; i < searches.size(); ++i) {
-      if (!is_open(searches[i]) || (open_sets > 0 && root_of(search_sets_, i) == rest)) continue;
+      if (!is_unfinished(searches[i]) || (unfinished_sets > 0 && root_of(search_sets_, i) == rest)) continue;
       rest = root_of(search_sets_, i);
-      if (++open_sets > 1) break;
+      if (++unfinished_sets > 1) break;
     }
-    if (open_sets <= 1) return rest;
+    if (unfinished_sets <= 1) return rest;
   }
 }
 

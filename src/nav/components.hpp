@@ -25,7 +25,7 @@ namespace waywright::nav {
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
 /// one search starts from each piece. The searches take turns until at most one of them is unfinished. If a change
-/// connects components, the smaller ones take the id of the largest. Compare ids only for equality: the id of a
+/// connects components, the smaller ones take the id of the largest. Compare ids only for equality, because the id of a
 /// component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
