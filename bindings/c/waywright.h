@@ -709,8 +709,9 @@ WW_API ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size
 WW_API ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count);
 /* Writes the items that block an end, ascending; 0 is the border of the domain. Empty unless an end is blocked. */
 WW_API ww_status ww_path_blockers(const ww_path* path, ww_id* items, size_t capacity, size_t* count);
-/* Gives the largest disc that gets through, if no path for the disc of the query exists (WW_PATH_NO_PATH) and a smaller
-   disc gets through. Otherwise the function sets is_connected to 0. The lists are as in ww_world_widest_path. */
+/* Gives the largest disc that gets from start to goal, if no path for the disc of the query exists (WW_PATH_NO_PATH)
+   and a smaller disc gets there. Otherwise the function sets is_connected to 0. The lists are as in
+   ww_world_widest_path. */
 WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                 size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 

@@ -330,7 +330,7 @@ Point NearestFit::inward(const Piece& piece, double parameter) const {
 }
 
 /// Tries positions at the distances `least`, 2 `least`, 4 `least`, ... up to `most` in a direction. If the disc fits at
-/// one of them, a bisection finds the nearest position between this one and the one before.
+/// one of them, a bisection finds the nearest position between this position and the previous one.
 bool NearestFit::push_inwards(const Point& from, const Point& direction, double least, double most) {
   double before = 0.0;
   for (double push = least; push <= most; push *= 2.0) {

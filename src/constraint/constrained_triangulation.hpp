@@ -130,7 +130,7 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kSmallestRegion = 2048;  ///< vertices
   static constexpr std::size_t kLargestRegion = 65536;
   static constexpr std::size_t kPointsPerItem = 64;
-  /// The first four sides are those of the domain.
+  /// The first four sides are the sides of the domain.
   static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
                                                                 UseLists::single(2), UseLists::single(3)};
 

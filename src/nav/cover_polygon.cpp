@@ -126,7 +126,7 @@ class WindingOfSides {
 }  // namespace
 
 /// Adds the polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
-/// polygons. The covers already contain those of them that come before `polygon`.
+/// polygons. The covers already contain the polygons that come before `polygon` in this list.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon,
                             std::span<const std::uint32_t> inserted) {
   covering_ = polygon;

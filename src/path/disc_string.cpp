@@ -170,8 +170,8 @@ DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   return Step::again;
 }
 
-/// Inserts the obstacle of a line. If there is one on the left and one on the right, inserts the one to which the line
-/// is shorter.
+/// Inserts the obstacle of a line. If there are obstacles on the left and on the right, inserts the obstacle to which
+/// the line is shorter.
 DiscString::Step DiscString::insert_obstacle(std::size_t i) {
   const DiscLine::Obstacle* obstacle = nullptr;
   int turn = kNoTurn;

@@ -148,7 +148,7 @@ function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   return imports as WebAssembly.Imports;
 }
 
-/** Makes an instance of the module the one that all functions of the package use. */
+/** Lets all functions of the package use an instance of the module. */
 function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
   exports = instance.exports as unknown as Exports;
   refreshViews();
