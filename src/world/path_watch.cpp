@@ -79,10 +79,10 @@ struct Ellipse {
   }
 };
 
-/// Returns the ellipse that contains each shorter path, and each position that is nearer to an end in the query than
-/// the moved end is. If the search has moved the start from `s` to `t` at the distance d, and p is nearer to `s` than
-/// `t` is, then p is at most d from `s`, and at most d + d + length from the goal. So the length of the ellipse is the
-/// length of the path plus 3 d.
+/// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
+/// position that is nearer to the end in the query than the moved end is. Let the search have moved the start from `s`
+/// to `t` by the distance d. If p is nearer to `s` than `t` is, then p is at most d away from `s`, and at most d + d +
+/// length away from the goal. So the length of the ellipse is the length of the path plus 3 d.
 Ellipse ellipse_of(const Path& path) {
   const bool has_points = !path.points.empty();
   if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
@@ -112,8 +112,8 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
     Ellipse ellipse;
-    std::vector<BoxTree::Handle> boxes;  ///< in `paths`
-    BoxTree::Handle ellipse_box = 0;     ///< in `ellipses`
+    std::vector<BoxTree::Handle> boxes;  ///< handles in `paths`
+    BoxTree::Handle ellipse_box = 0;     ///< a handle in `ellipses`
     bool has_ellipse_box = false;
     bool is_blocked = false;        ///< whether the last check found it blocked; only for a point agent
     std::uint64_t seen_by = 0;      ///< the last update that has found a change on the path
@@ -124,7 +124,8 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   explicit Impl(const World& world)
       : domain(world.domain()), version(world.version()), paths(domain), ellipses(domain) {}
 
-  /// The slot of a new path. If memory runs out while the path is added, the destructor removes it again.
+  /// The slot of a new path. If memory runs out while PathWatch::add() adds the path, the destructor removes the path
+  /// again.
   class Addition {
    public:
     explicit Addition(Impl& impl) : impl_(impl) {
