@@ -30,8 +30,8 @@ struct Change {
   enum class Kind : std::uint8_t { insert, remove, replace };
 
   Kind kind = Kind::insert;
-  ItemId id;    ///< the id of the item; for an insertion, null lets the world choose it
-  Shape shape;  ///< for an insertion or a replacement
+  ItemId id;    ///< the id of the item; if it is null in an insertion, the world chooses the id
+  Shape shape;  ///< the new shape, in an insertion or a replacement
 
   /// Returns the insertion of a shape under `id`, or under an id that the world chooses.
   [[nodiscard]] static Change insert(Shape shape, ItemId id = {}) { return {Kind::insert, id, std::move(shape)}; }

@@ -34,8 +34,7 @@ namespace waywright {
 ///
 /// World::is_affected() and PathWatch compare paths with the boxes. For a path of a disc, is_affected() can also return
 /// true if the distance from a box is larger than Path::radius: near an arc by up to a 32nd of the radius, elsewhere by
-/// rounding errors. A gap that an operation makes narrower elsewhere does not affect the path, because the disc does
-/// not pass it.
+/// rounding errors. If an operation makes a gap narrower that the path does not pass, the path is not affected.
 ///
 /// @code{.cpp}
 /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

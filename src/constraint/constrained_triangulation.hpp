@@ -14,6 +14,7 @@
 #include "base/compiler.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/item_table.hpp"
+#include "constraint/new_walls.hpp"
 #include "constraint/use_lists.hpp"
 #include "constraint/vertex_budget.hpp"
 #include "delaunay/triangulation.hpp"
@@ -49,6 +50,8 @@ class ConstrainedTriangulation {
   /// Sets the largest id seen, as a change of the operation under way. Requires: no item has a larger id.
   void set_largest_id_seen(ItemId id) { items_.set_largest_id_seen(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
+  /// Whether the fixed edges that the operation under way has made may divide a region of the domain into two.
+  [[nodiscard]] bool may_have_divided() const { return new_walls_.may_divide(); }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
 
@@ -221,9 +224,9 @@ class ConstrainedTriangulation {
   void remove_unneeded();
   /// Removes `v` if neither a corner nor a crossing needs it. Returns the number of its edges, or 0 if it stays.
   std::size_t remove_if_unneeded(mesh::Vertex v);
-  /// The edge on which `side` leaves `u`. Requires: there is such an edge, and the list of the edge on which `side`
-  /// reached `u` no longer contains `side`.
-  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;
+  /// The edge on which `side` leaves `u` or `w`, as a half-edge that starts there. Requires: the edges of `side` lead
+  /// from `u` to `w`, and no other edge contains `side`. Cost: O(1) plus the smaller degree of the two.
+  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, mesh::Vertex w, std::uint32_t side) const;
 
   [[nodiscard]] std::optional<std::string> find_shape_fault() const;
   [[nodiscard]] std::optional<std::string> find_delaunay_fault() const;
@@ -251,6 +254,7 @@ class ConstrainedTriangulation {
   std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::Vertex> touched_;
+  NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes
 };
 

@@ -48,13 +48,19 @@ HalfEdge TriangleMesh::find_in_turn(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
-bool TriangleMesh::has_more_edges(Vertex u, Vertex v) const {
-  HalfEdge g = outgoing(u);
+bool TriangleMesh::has_many_edges(Vertex v) const {
+  const HalfEdge start = outgoing(v);
+  HalfEdge h = start;
   for (std::size_t steps = 0; steps < kFewEdges; ++steps) {
-    g = next_around(g);
-    if (g == outgoing(u)) return false;
+    h = next_around(h);
+    if (h == start) return false;
   }
-  g = outgoing(u);
+  return true;
+}
+
+bool TriangleMesh::has_more_edges(Vertex u, Vertex v) const {
+  if (!has_many_edges(u)) return false;
+  HalfEdge g = outgoing(u);
   HalfEdge h = outgoing(v);
   do {
     g = next_around(g);

@@ -77,6 +77,10 @@ class TriangleMesh {
   [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
   /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: O(1) plus the smaller degree of the two.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
+  /// More edges than this are many.
+  static constexpr std::size_t kFewEdges = 16;
+  /// Whether `v` has many edges. Cost: O(1).
+  [[nodiscard]] bool has_many_edges(Vertex v) const;
   /// Whether `u` has many edges, and more than `v`. Cost: O(1), or proportional to the number of edges of the vertex
   /// with fewer edges.
   [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const;
@@ -220,8 +224,6 @@ class TriangleMesh {
 
  private:
   friend class UnloggedMesh;
-
-  static constexpr std::size_t kFewEdges = 16;
 
   [[nodiscard]] HalfEdge find_in_turn(Vertex from, Vertex to) const;
 

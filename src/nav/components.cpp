@@ -27,7 +27,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   remove_changed_faces(changes.changed);
   find_groups(mesh, changes.made);
   remove_from_covers(changes);
-  find_remainders(mesh, changes.has_new_walls);
+  find_remainders(mesh, changes.may_divide);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon, changes.inserted);

@@ -57,8 +57,8 @@ class Components {
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
-    /// Whether the operation inserted items with sides. If not, no component is divided.
-    bool has_new_walls;
+    /// If false, the walls that the operation made divide no component.
+    bool may_divide;
   };
   /// Updates the components to the triangulation. Logs every old value before it changes it.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);

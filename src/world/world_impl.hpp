@@ -24,7 +24,7 @@
 namespace waywright {
 
 inline constexpr char kInAttempt[] =
-    "World: the question of World::attempt() must not change the world, nor continue a PathSearch";
+    "World: the question of World::attempt() must not change the world and must not continue a PathSearch";
 
 /// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
 /// destructor takes all changes back.
@@ -244,9 +244,9 @@ inline void World::Operation::commit() {
 }
 
 inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
-  if (!impl_.abstraction || kind == ItemKind::point) return;
-  impl_.abstraction->note_walls();
-  if (kind == ItemKind::polygon) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  if (impl_.abstraction && kind == ItemKind::polygon) {
+    impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  }
 }
 
 inline void World::Operation::note_changed(ItemId id) {
