@@ -82,7 +82,7 @@ class WAYWRIGHT_API World {
   /// The searches (PathSearch) of this world do not belong to the copy. The copy keeps no context for queries yet. If
   /// memory runs out, this world does not change.
   /// Requires: no question of attempt() is running on this world.
-  /// Cost: a copy of memory().total() bytes at most; no geometry is computed.
+  /// Cost: a copy of memory().total() bytes at most. The function computes no geometry.
   [[nodiscard]] World clone() const;
 
   /// Returns the domain of the world: its closed box.
@@ -200,7 +200,7 @@ class WAYWRIGHT_API World {
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
   /// changed. An item whose shape is as it was at the tick costs only a comparison. The insertions are as fast as
-  /// insert_all(). If the removed items have most of the corners of the world, it costs as much as a new world.
+  /// insert_all(). If the removed items have most of the corners of the world, the rewind costs as much as a new world.
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
