@@ -57,6 +57,7 @@ def answers(world, path, tmp_path):
         "to_svg": (world.to_svg(), world._repr_svg_()),
         "plot": [len(each.get_paths()) for each in world.plot(axes, mesh=True).collections],
         "items_in": world.items_in((10, 10, 60, 60)),
+        "bridges": pickle.dumps(world.bridges()),
         "is_clear": [world.is_clear([a, b]) for a, b in pairs],
         "sweep_disc": [world.sweep_disc(a, b, 0.5) for a, b in pairs],
         "find_path": [pickle.dumps(world.find_path(a, b)) for a, b in pairs],

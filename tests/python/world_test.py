@@ -198,6 +198,39 @@ def test_queries(world):
     assert widest.is_connected and widest.is_limited and widest.radius == 20 and widest.gap[0][1] == 40 or widest.gap
 
 
+def test_bridges():
+    world = World((0, 0, 100, 100), keep_bridges=True)
+    world.insert_polygon([(40, 40), (60, 40), (60, 60), (40, 60)])
+    found = world.bridges()
+    assert len(found) == 8 and found.have_foot.all() and found.radii.tolist() == 8 * [20]
+    assert found.ends[0].tolist() == [[40, 40], [0, 40]]
+    assert found.ids.tolist() == 8 * [1, 0] and found.id_offsets.tolist() == list(range(17))
+    assert found == world.publish().bridges((-9, -9, 109, 109)) == pickle.loads(pickle.dumps(found))
+    assert world.bridges((20, 30, 30, 50)).ends.tolist() == [[[40, 40], [0, 40]]]
+    assert len(world.bridges((20, 45, 30, 50))) == 0 and world.bridges((20, 45, 30, 50)).ends.shape == (0, 2, 2)
+    with pytest.raises(waywright.NotSupportedError):
+        World((0, 0, 1, 1)).bridges()
+
+
+def test_windows_of_a_search(world):
+    search = waywright.PathSearch()
+    for wanted in (False, True):
+        search.record_windows(wanted)
+        search.begin(world, (10, 45), (90, 45))
+        while not search.step(1):
+            pass
+        assert len(search.windows) == (search.path.expansions if wanted else 0)
+    windows = search.windows
+    assert windows.dtype == waywright.WINDOW_DTYPE and search.path.points.tolist()[1] == [40, 40]
+    assert windows["root"][0].tolist() == [10, 45] and windows["length"][0] == 0
+    turned = windows[(windows["root"] == (40, 40)).all(axis=1)]
+    assert len(turned) > 0 and np.allclose(turned["length"], np.hypot(30, 5))
+    assert (windows["bound"] >= windows["length"]).all()
+    for edge, interval in zip(windows["edge"], windows["interval"]):
+        (x, y), (along_x, along_y) = edge[0], edge[1] - edge[0]
+        assert np.allclose(along_x * (interval[:, 1] - y), along_y * (interval[:, 0] - x))
+
+
 def test_limits():
     world = World((0, 0, 100, 100), new_vertex_limit=3)
     world.insert_segment((10, 50), (90, 50))

@@ -171,6 +171,79 @@ void bind_widest(py::module_& module) {
           }));
 }
 
+/// Returns the index in the list's ids of the first id at each end of each bridge, and the number of ids.
+std::vector<std::int64_t> id_offsets(const BridgeList& list) {
+  std::vector<std::int64_t> offsets;
+  offsets.reserve(2 * list.bridges.size() + 1);
+  for (const Bridge& bridge : list.bridges) {
+    offsets.push_back(bridge.first_id);
+    offsets.push_back(std::int64_t{bridge.first_id} + bridge.from_count);
+  }
+  offsets.push_back(static_cast<std::int64_t>(list.ids.size()));
+  return offsets;
+}
+
+void bind_bridges(py::module_& module) {
+  const auto first = [](const BridgeList& list) { return list.bridges.empty() ? nullptr : list.bridges.data(); };
+  const auto count = [](const BridgeList& list) { return static_cast<py::ssize_t>(list.bridges.size()); };
+  py::class_<BridgeList>(module, "BridgeList", R"(
+The answer of World.bridges(): the straight connections between two pieces of wall at the gaps between them. Its arrays
+share its memory.
+
+>>> list = world.bridges()
+>>> list.ends.shape == (len(list), 2, 2)
+True
+)")
+      .def_property_readonly(
+          "ends",
+          [=](const py::object& self) {
+            const auto& list = self.cast<const BridgeList&>();
+            return view_numbers(first(list) == nullptr ? nullptr : &first(list)->from.x, {count(list), 2, 2},
+                                {sizeof(Bridge), sizeof(Point), sizeof(double)}, self);
+          },
+          "The two ends of each bridge: an array (N, 2, 2). The first end is a corner.")
+      .def_property_readonly(
+          "radii",
+          [=](const py::object& self) {
+            const auto& list = self.cast<const BridgeList&>();
+            return view_numbers(first(list) == nullptr ? nullptr : &first(list)->radius, {count(list)},
+                                {sizeof(Bridge)}, self);
+          },
+          "The largest radius of a disc that passes each bridge.")
+      .def_property_readonly(
+          "have_foot",
+          [=](const py::object& self) {
+            const auto& list = self.cast<const BridgeList&>();
+            return view_numbers(first(list) == nullptr ? nullptr : &first(list)->has_foot, {count(list)},
+                                {sizeof(Bridge)}, self);
+          },
+          "Whether each bridge ends strictly inside a wall.")
+      .def_property_readonly(
+          "ids",
+          [](const py::object& self) {
+            const auto& ids = self.cast<const BridgeList&>().ids;
+            return view_numbers(ids.empty() ? nullptr : &ids.data()->value, {static_cast<py::ssize_t>(ids.size())},
+                                {sizeof(ItemId)}, self);
+          },
+          "The ids of the items at the first end, then at the second end, bridge after bridge; 0 stands for the border "
+          "of the domain.")
+      .def_property_readonly(
+          "id_offsets", [](const BridgeList& self) { return own_numbers(id_offsets(self)); },
+          "The index in ``ids`` of the first id at each end of each bridge, and the number of ids: 2 N + 1 numbers.")
+      .def("__len__", [](const BridgeList& self) { return self.bridges.size(); })
+      .def(
+          "__eq__", [](const BridgeList& a, const BridgeList& b) { return a == b; }, py::is_operator())
+      .def("__repr__",
+           [](const BridgeList& self) {
+             return "<waywright.BridgeList " + std::to_string(self.bridges.size()) + " bridges>";
+           })
+      .def(py::pickle([](const BridgeList& self) { return py::make_tuple(bytes_of(self.bridges), bytes_of(self.ids)); },
+                      [](const py::tuple& state) {
+                        return BridgeList{from_bytes<Bridge>(state[0].cast<py::bytes>()),
+                                          from_bytes<ItemId>(state[1].cast<py::bytes>())};
+                      }));
+}
+
 }  // namespace
 
 void bind_answers(py::module_& module) {
@@ -178,6 +251,7 @@ void bind_answers(py::module_& module) {
   bind_ray_hit(module);
   bind_fits(module);
   bind_widest(module);
+  bind_bridges(module);
 }
 
 }  // namespace waywright::python

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -53,6 +54,22 @@ bool step(SearchHandle& self, std::size_t expansions) {
   return std::visit(step_in, searched);
 }
 
+/// Returns the type of the elements of an array of windows.
+py::dtype window_type() {
+  const auto names = py::make_tuple("root", "edge", "interval", "length", "bound");
+  const auto formats = py::make_tuple("2f8", "(2,2)f8", "(2,2)f8", "f8", "f8");
+  const auto offsets =
+      py::make_tuple(offsetof(SearchWindow, root), offsetof(SearchWindow, edge), offsetof(SearchWindow, interval),
+                     offsetof(SearchWindow, length), offsetof(SearchWindow, bound));
+  return py::dtype(py::list(names), py::list(formats), py::list(offsets), sizeof(SearchWindow));
+}
+
+/// Copies the windows: the search writes to its list again.
+py::array windows_of(const SearchHandle& self) {
+  const auto windows = self.search.windows();
+  return py::array(window_type(), {static_cast<py::ssize_t>(windows.size())}, {sizeof(SearchWindow)}, windows.data());
+}
+
 }  // namespace
 
 void bind_search(py::module_& module) {
@@ -82,6 +99,27 @@ True
       .def_property_readonly(
           "restarts", [](const SearchHandle& self) { return self.search.restarts(); },
           "How often the search has started again because of changes of the world.")
+      .def(
+          "record_windows", [](SearchHandle& self, bool wanted) { self.search.record_windows(wanted); },
+          py::arg("wanted") = true, "Sets whether the searches that begin from now on record their windows.")
+      .def_property_readonly("windows", &windows_of, R"(
+The windows that the search has followed, one for each triangle that it has entered: an array of WINDOW_DTYPE.
+
+A window is the piece of an edge that is visible from its root: the start of the path, or a corner at which it turns. The
+fields are ``root``, ``edge`` and ``interval`` (the left and the right end of each), ``length`` (of the path to the root)
+and ``bound`` (no path through the window to the goal is shorter). The array is empty if the search does not record
+windows, if the algorithm is not ``"optimal"``, if the radius is above 0, or if no wall lies between the two ends.
+
+>>> search = waywright.PathSearch()
+>>> search.record_windows()
+>>> search.begin(world, (10, 45), (90, 45))
+>>> while not search.step(100):
+...     pass
+>>> len(search.windows) == search.path.expansions
+True
+>>> search.windows["root"][0].tolist()
+[10.0, 45.0]
+)")
       .def_property_readonly(
           "is_running", [](const SearchHandle& self) { return self.search.is_running(); },
           "Whether a search has begun and is neither done nor cancelled.")
@@ -90,6 +128,7 @@ True
       .def("__repr__", [](const SearchHandle& self) {
         return std::string("<waywright.PathSearch ") + (self.search.is_running() ? "running>" : "not running>");
       });
+  module.attr("WINDOW_DTYPE") = window_type();
 }
 
 }  // namespace waywright::python

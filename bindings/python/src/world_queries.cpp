@@ -143,6 +143,19 @@ void bind_discs(Class& world) {
 
 >>> world.widest_path((10, 70), (90, 70)).radius
 20.0
+)")
+      .def(
+          "bridges",
+          [](const Handle& self, const std::optional<Box>& box) {
+            auto list = std::make_unique<BridgeList>();
+            const ContextPool::Loan context(self.contexts());
+            self.read_long([&](const World& w) { w.bridges(box.value_or(w.domain()), *context, *list).value(); });
+            return list;
+          },
+          py::arg("box") = py::none(), R"(Lists the bridges of the world, or those that meet a box.
+
+>>> world.bridges((20, 30, 30, 50)).radii.tolist()
+[20.0]
 )");
 }
 
