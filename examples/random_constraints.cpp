@@ -1,5 +1,5 @@
-// Inserts random walls with ids that the program chooses, as the second test program of Chen's thesis (appendix) inserts
-// walls. Then removes all walls again.
+// Inserts random walls with ids that the program chooses, as the second test program of Chen's thesis (appendix)
+// inserts walls. Then removes all walls again.
 
 #include <cstdint>
 #include <cstdio>
