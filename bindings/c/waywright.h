@@ -28,6 +28,8 @@
    - Your functions that the library calls get the user_data that you gave with them. The library calls them on the
      thread that called it, except the functions of an allocator. They must return: they must not call longjmp, nor
      throw an exception. They must not use the objects of the call that runs them, except where the comment allows it.
+     If one uses the world of this call in another way, it gets WW_INVALID_ARGUMENT. In this case ww_world_destroy and
+     ww_snapshot_destroy do nothing, and ww_last_error() gives the error.
    - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use
      it. A function whose parameter is `const ww_world*` reads the world. A context serves one call at a time: make one
      for each thread. The library has no other shared data, except the allocator. */
@@ -354,7 +356,9 @@ typedef struct ww_job_system {
   uint32_t struct_size;
   /* Calls job(job_data, i) once for each i below `count`, on any threads, in any order, and returns when all these
      calls have returned. No job waits for another one. run() may omit calls: the library then makes them itself. It
-     must make no call after it has returned. The library calls run() on the thread that called the library. */
+     must make no call after it has returned. If it calls a job with another index, this job does nothing, and the
+     function of the library returns WW_INVALID_ARGUMENT. The library calls run() on the thread that called the
+     library. */
   void (*run)(size_t count, ww_job job, void* job_data, void* user_data);
   void* user_data;
 } ww_job_system;
