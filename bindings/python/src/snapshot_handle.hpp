@@ -12,6 +12,8 @@ namespace waywright::python {
 /// same name, but no query waits for anything. Requires of all members: the thread holds the GIL.
 class SnapshotHandle {
  public:
+  using BoundToPython = void;
+
   /// `contexts` is the pool of the world.
   SnapshotHandle(WorldSnapshot snapshot, std::shared_ptr<ContextPool> contexts)
       : snapshot_(std::move(snapshot)), contexts_(std::move(contexts)) {}

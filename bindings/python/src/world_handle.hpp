@@ -54,6 +54,8 @@ class ContextPool {
 /// itself: a progress function may query the world that its call reads, and a change throws a RuntimeError.
 class WorldHandle {
  public:
+  using BoundToPython = void;
+
   explicit WorldHandle(World world) : world_(std::move(world)) {}
 
   /// Calls a short function of the world with the GIL held. Returns its result.
