@@ -83,6 +83,30 @@ def test_objects_without_pickle(world):
     assert pickle.loads(pickle.dumps(snapshot.clone())).items_hash == world.items_hash
 
 
+def test_every_protocol_of_pickle(python):
+    """Wrong code for old protocols would end the process, so a child runs this."""
+    code = """
+import pickle, waywright
+class Level(waywright.World):
+    pass
+world = Level((0, 0, 100, 100), keep_bridges=True)
+world.insert_segment((50, 0), (50, 60))
+path, disc = world.find_path((20, 50), (80, 50)), world.find_path((20, 50), (80, 50), 5)
+things = [world, world.clone(), path, disc, path.at(1), world.locate((50, 50)), world.ray((20, 50), (80, 50))]
+things += [world.fit_disc((49, 50), 5), world.nearest_fit((49, 50), 5), world.widest_path((20, 50), (80, 50))]
+things += [world.snapshot(), world.shape(1), waywright.Change.remove(1)]
+for thing in things:
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        copy = pickle.loads(pickle.dumps(thing, protocol))
+        assert type(copy) is type(thing) and repr(copy) == repr(thing), thing
+picklable = {cls for cls in vars(waywright._core).values() if isinstance(cls, type) and "__setstate__" in vars(cls)}
+assert picklable == {type(thing) for thing in things[1:]}
+print("end")
+"""
+    run = subprocess.run([python, "-c", code], capture_output=True, text=True, timeout=60)
+    assert (run.returncode, run.stdout, run.stderr) == (0, "end\n", "")
+
+
 def test_a_pickled_arc_that_is_too_large(world):
     path = world.find_path((10, 45), (90, 45), radius=5)
     make, arguments, state = path.__reduce_ex__(4)[:3]
