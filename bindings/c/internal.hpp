@@ -238,7 +238,8 @@ void require_size(std::size_t size) {
   require(size <= sizeof(Struct), "struct_size is too large: the program was compiled for a later version");
 }
 
-/// Returns a copy of a struct of the caller. Members that the caller's version does not have are those of `defaults`.
+/// Returns a copy of a struct of the caller. Members that the caller's version of the struct does not have are copied
+/// from `defaults`.
 template <class Struct>
 Struct read_struct(const Struct* given, Struct defaults) {
   require(given != nullptr, "a pointer to a struct is null");

@@ -556,11 +556,11 @@ typedef struct ww_nearest_fit {
 
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_nearest_fit_query). */
 WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size);
-/* Finds the point nearest to query->point where a disc fits. The C++ header clearance.hpp says how precise the distance
-   is. Of several equally near points, the first in (x, y) order is the answer. ww_error.index is 0 for the point and 1
-   for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or not a number; with a goal, WW_NO_BRIDGES
-   if the radius is above 0 and the world does not keep its bridges, and WW_NOT_SUPPORTED if the radius is 0 and the
-   world does not keep its abstraction. */
+/* Finds, among all points where a disc fits, the nearest one to query->point. The C++ header clearance.hpp says how
+   precise the distance is. Of several equally near points, the first in (x, y) order is the answer. ww_error.index is 0
+   for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or not a number; with a
+   goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and WW_NOT_SUPPORTED if the
+   radius is 0 and the world does not keep its abstraction. */
 WW_API ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query* query, ww_context* context,
                                       ww_nearest_fit* fit);
 
@@ -583,7 +583,7 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
 /* ---------------------------------------------------------------------------------------------------------------------
    Paths */
 
-/* docs/paths.md says when to choose which. */
+/* docs/paths.md says when to choose which algorithm. */
 typedef int32_t ww_path_algorithm;
 enum {
   WW_ALGORITHM_TA = 0,     /* a first path quickly, and a better one within a budget */
@@ -713,8 +713,9 @@ WW_API ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size
 WW_API ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count);
 /* Writes the items that block an end, ascending; 0 is the border of the domain. Empty unless an end is blocked. */
 WW_API ww_status ww_path_blockers(const ww_path* path, ww_id* items, size_t capacity, size_t* count);
-/* Gives the largest disc that gets through, if no path for the disc of the query exists (WW_PATH_NO_PATH) and a smaller
-   disc gets through. Otherwise the function sets is_connected to 0. The lists are as in ww_world_widest_path. */
+/* Gives the largest disc that gets from start to goal, if no path for the disc of the query exists (WW_PATH_NO_PATH)
+   and a smaller disc gets there. Otherwise the function sets is_connected to 0. The lists are as in
+   ww_world_widest_path. */
 WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                 size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 

@@ -14,9 +14,9 @@ namespace waywright {
 /// One of several changes that World::apply makes together.
 ///
 /// @code{.cpp}
-/// const Shape gate = Shape::segment({30, 40}, {40, 40});
-/// const std::vector<Change> changes = {Change::insert(gate, 12), Change::remove(2)};
-/// const Path then = world.attempt(changes, [&](const World& changed) {
+/// const Shape barrier = Shape::segment({30, 40}, {40, 40});
+/// const std::vector<Change> changes = {Change::insert(barrier, 12), Change::remove(2)};
+/// const Path new_path = world.attempt(changes, [&](const World& changed) {
 ///   return changed.find_path({.start = start, .goal = goal});
 /// }).value();
 /// const std::size_t count = world.attempt(changes, [](const World& w) { return w.item_count(); }).value();  // == 2

@@ -29,7 +29,7 @@ struct DiscFit {
   friend bool operator==(const DiscFit&, const DiscFit&) = default;
 };
 
-/// A query for the position nearest to a point where a disc fits, for World::nearest_fit.
+/// A query for World::nearest_fit: among all positions where a disc fits, which one is the nearest to a point?
 ///
 /// @code{.cpp}
 /// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5, .limit = 20}).value();
@@ -40,8 +40,8 @@ struct NearestFitQuery {
   /// The radius of the disc, 0 or more. With the radius 0, the answer is the position that a path query would take
   /// instead of a blocked end: the nearest position in or on the border of a triangle that no polygon covers.
   double radius = 0.0;
-  /// The point to which the disc must get from the answer. If it is not set, every position at which the disc fits can
-  /// be the answer. If the disc does not fit at the goal, there is no answer.
+  /// The goal: the point to which the disc must get from the answer. If it is not set, every position at which the disc
+  /// fits can be the answer. If the disc does not fit at the goal, there is no answer.
   std::optional<Point> goal{};
   /// The largest distance of the answer from `point`, 0 or more.
   double limit = std::numeric_limits<double>::infinity();

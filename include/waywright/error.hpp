@@ -105,7 +105,7 @@ struct ErrorWords {
 struct Error {
   ErrorCode code = ErrorCode::malformed;
   detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
-  ItemId item;               ///< the id that caused the error; null if no id did
+  ItemId item;               ///< the id that caused the error, or null
   std::uint64_t index = 0;   ///< the index of the refused element in its list (from 0), or a line number (from 1)
 
   /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.

@@ -20,7 +20,7 @@ namespace waywright {
 /// @addtogroup paths
 /// @{
 
-/// A search algorithm for paths. docs/paths.md says when to choose which.
+/// A search algorithm for paths. docs/paths.md says when to choose which algorithm.
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
 /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta` and `tra`).
 enum class PathAlgorithm : std::uint8_t {
@@ -199,9 +199,10 @@ enum class Precision : std::uint8_t {
 /// @endcode
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
-  double length = 0.0;       ///< the Euclidean length; 0 unless found
-  double lower_bound = 0.0;  ///< no path is shorter; equal to `length` if the path is proven shortest; 0 unless found
-  double radius = 0.0;       ///< the radius of the agent, as in the query
+  double length = 0.0;  ///< the Euclidean length; 0 unless found
+  double lower_bound =
+      0.0;              ///< no path is shorter than this; equals `length` if the search has proven it; 0 unless found
+  double radius = 0.0;  ///< the radius of the agent, as in the query
   /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0. If
   /// the path turns at a crossing of two walls, the point of this turn has the rounded coordinates of the crossing. For
   /// this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear() also lets the
@@ -263,11 +264,11 @@ struct WAYWRIGHT_API Path {
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
 
   /// Returns the path as points, for programs that know no arcs. For a point agent, the result is `points`. For a disc,
-  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows. A
-  /// point that equals the one before it is left out. All points lie on the path, up to rounding errors. No position on
-  /// the straight segments between them is farther than `tolerance` from the path. So no wall is nearer to them than
-  /// the radius minus the tolerance. A tolerance above half the radius counts as half the radius, so that the segments
-  /// never touch a wall. If the path is not found, the result is empty.
+  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows.
+  /// The function leaves out each point that equals the point before it. All points lie on the path, up to rounding
+  /// errors. No position on the straight segments between them is farther than `tolerance` from the path. So no wall is
+  /// nearer to them than the radius minus the tolerance. A tolerance above half the radius counts as half the radius,
+  /// so that the segments never touch a wall. If the path is not found, the result is empty.
   ///
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

@@ -86,10 +86,10 @@ class WAYWRIGHT_API ReplayWriter {
 /// std::puts(result.refusal->message().c_str());
 /// @endcode
 struct ReplayResult {
-  bool is_same = true;      ///< whether all changes were made and all hashes are equal
-  std::uint64_t ticks = 0;  ///< the number of ticks that were replayed
+  bool is_same = true;      ///< whether the world accepted all changes and all hashes are equal
+  std::uint64_t ticks = 0;  ///< the number of ticks that replay() has replayed
   // The members below are meaningful only if `is_same` is false.
-  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or during which a change was refused
+  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or in which the world refused a change
   std::uint64_t last_same = 0;   ///< the last tick before `tick` whose hash is equal, or 0
   std::uint32_t line = 0;        ///< the line of the hash or of the refused change in the script
   ItemsHash expected;            ///< the hash in the log

@@ -453,7 +453,7 @@ class WAYWRIGHT_API World {
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
-  /// Finds a path for each query, in the order of the queries. Each path is the one that find_path() gives. The
+  /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives. The
   /// function uses as many threads as there are contexts: threads of the job system or, if `jobs` is null, threads that
   /// the library starts. Error::index is the index of the refused query in `queries`.
   /// Requires: at least one context.

@@ -35,8 +35,8 @@ class ConstrainedTriangulation {
   using Triangulation = delaunay::Triangulation<Geometry>;
 
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
-  /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster. If it needs more
-  /// vertices than the limits allow, the triangulation is incomplete, and has_too_many_vertices() returns true.
+  /// Makes the triangulation that insert_all() would make from a triangulation without items, but faster. If it needs
+  /// more vertices than the limits allow, the triangulation is incomplete, and has_too_many_vertices() returns true.
   template <class Batch>
   ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::ThreadTeam& team = {},
                            const VertexLimits& limits = {});
@@ -92,7 +92,7 @@ class ConstrainedTriangulation {
   /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(). For each i below
   /// this size, it has an id(i), a kind(i), a fill(i) and rings(i), which is a range of ranges of points: see
   /// batch.hpp. Reports progress with team.report(): first the number of corners that are inserted, then the number of
-  /// all corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
+  /// all corners plus the number of items whose sides are inserted. Requires: for each item, what insert() requires.
   template <class Batch>
   void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
 
@@ -122,15 +122,15 @@ class ConstrainedTriangulation {
 
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
-  static constexpr std::size_t kUsualTests = 32;  ///< edges to test for a new vertex: three times the usual number
-  static constexpr std::size_t kUsualDegree = 18;
+  static constexpr std::size_t kTestsPerVertex = 32;  ///< allowed edge tests for a new vertex: three times the usual
+  static constexpr std::size_t kEdgesPerVertex = 18;  ///< allowed edges of a removed vertex: three times the usual
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
-  static constexpr std::size_t kUsualRegions = 64;
+  static constexpr std::size_t kUsualRegions = 64;      ///< of a bulk load, if this gives regions of a suitable size
   static constexpr std::size_t kSmallestRegion = 2048;  ///< vertices
   static constexpr std::size_t kLargestRegion = 65536;
   static constexpr std::size_t kPointsPerItem = 64;
-  /// The first four sides are those of the domain.
+  /// The first four sides are the sides of the domain.
   static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
                                                                 UseLists::single(2), UseLists::single(3)};
 
@@ -139,7 +139,7 @@ class ConstrainedTriangulation {
   struct Step {
     mesh::Vertex vertex{};
     mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, if it exists already
-    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge that the side meets, from its right to its left
+    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge that the side meets; runs from right to left
   };
 
   /// An item with sides: the rank of its first corner, and its slot.

@@ -37,7 +37,7 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_corners(const Rings& rings, std::uint32_t slot) {
   outline_.clear();
   late_corners_.clear();
-  CostWatch watch(kUsualTests);
+  CostWatch watch(kTestsPerVertex);
   for (const PointSpan& ring : rings) {
     for_each_corner(ring, items_.kind(slot) == ItemKind::polygon, [&](const Point& point) {
       if (has_too_many_vertices()) return;

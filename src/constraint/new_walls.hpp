@@ -9,8 +9,8 @@
 namespace waywright::constraint {
 
 /// Says whether the fixed edges that an operation makes may divide a region into two. Such edges divide nothing if each
-/// connected set of them is a tree that shares at most one vertex with older fixed edges: a region without such a tree
-/// is still connected.
+/// connected set of them is a tree that shares at most one vertex with older fixed edges: a connected region stays
+/// connected if such a tree is removed from it.
 ///
 /// The answer may be true for edges that divide nothing, for example for many edges. It is never false for edges that
 /// divide a region.

@@ -38,7 +38,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
 /// the others in scattered order.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_unneeded() {
-  CostWatch watch(kUsualDegree);
+  CostWatch watch(kEdgesPerVertex);
   std::uint32_t i = 0;
   for (; i < touched_.size() && !watch.is_costly(); ++i) watch.add(remove_if_unneeded(touched_[i]));
   if (i == touched_.size()) return;

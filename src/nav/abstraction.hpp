@@ -39,7 +39,7 @@ class Abstraction {
   [[nodiscard]] const TwoCore& core() const { return core_; }
 
   /// Starts an operation. Call note_inserted() and note_removed() for every polygon that the operation inserts or
-  /// removes. Polygons are named by their slot.
+  /// removes. The argument of both functions is the slot of the polygon.
   void begin();
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
   void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }

@@ -57,7 +57,8 @@ TEST(Assertion, HandlerIsHandedBack) {
 TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
   const Result<Location> refused = world_of_ten().locate({3, 17});
   const char* const why =
-      "the value of a refused call was taken: the point, \\(3, 17\\), lies outside the domain, \\(0, 0\\) to \\(10, "
+      "the program took the value of a Result that has an error: the point, \\(3, 17\\), lies outside the domain, "
+      "\\(0, 0\\) to \\(10, "
       "10\\)";
   EXPECT_DEATH(static_cast<void>(*refused), why);
   EXPECT_DEATH(static_cast<void>(refused->kind), why);

@@ -11,8 +11,9 @@ const registry = new FinalizationRegistry<{ readonly address: number; readonly d
 const disposeKey: typeof Symbol.dispose = (Symbol.dispose ?? Symbol.for('Symbol.dispose')) as typeof Symbol.dispose;
 
 /**
- * An object of the module. `dispose()` frees its memory at once; if you do not call it, the garbage collector does so some
- * time. With TypeScript 5.2 or a later version you can also write `using world = new World(...)`.
+ * An object in the memory of the module. `dispose()` frees this memory at once. If you do not call `dispose()`, the garbage
+ * collector frees the memory at some later time. With TypeScript 5.2 or a later version you can also write
+ * `using world = new World(...)`.
  */
 export abstract class Handle {
   private address_ = 0;
@@ -21,8 +22,8 @@ export abstract class Handle {
   private change_ = 0;
 
   /**
-   * @internal Takes over the object at an address. With an owner, the object belongs to the owner, and the wrapper is valid
-   * until the owner changes.
+   * @internal Takes over the object at an address. If `destroy` is another handle, the object belongs to this owner, and the
+   * wrapper is valid until the owner changes.
    */
   protected constructor(address: number, destroy: Destroy | Handle) {
     this.address_ = address;
@@ -75,8 +76,8 @@ export function make(create: (address: number) => number): number {
 }
 
 /**
- * The memory that queries keep between calls. Each query uses a common context if you give none. An own context is useful
- * only to free this memory.
+ * The memory that queries keep between calls. A query without a context uses a context that all these queries share. Make a
+ * context of your own only if you want to free its memory yourself.
  */
 export class QueryContext extends Handle {
   constructor() {
@@ -86,12 +87,12 @@ export class QueryContext extends Handle {
 
 let common: QueryContext | null = null;
 
-/** @internal Returns the address of a context, or of the common one. */
+/** @internal Returns the address of a context, or of the shared context if `context` is undefined. */
 export function contextAddress(context: QueryContext | undefined): number {
   return (context ?? (common ??= new QueryContext())).address;
 }
 
-/** Frees the memory of the common context. The next query makes a new one. */
+/** Frees the memory of the shared context. The next query without a context makes a new one. */
 export function trim(): void {
   common?.dispose();
   common = null;

@@ -1,7 +1,7 @@
 import { type Functions, guarded, ww_error, WW_BUFFER_TOO_SMALL, WW_INVALID_ARGUMENT, WW_OK } from './generated/abi.js';
 import { type ErrorCode, WaywrightError } from './errors.js';
 
-/** What the module exports besides its functions. */
+/** The exports of the module: the functions of the C interface, and the functions and memory that the wrapper needs. */
 interface Exports extends Functions {
   readonly memory: WebAssembly.Memory;
   readonly _initialize: () => void;
@@ -11,7 +11,7 @@ interface Exports extends Functions {
   readonly stackRestore: (stack: number) => void;
 }
 
-/** Stands for the functions while no call is possible. */
+/** Returns an object in place of the functions of the module, for the time when no call is possible. Each call throws. */
 function unavailable(code: ErrorCode, message: string): Functions {
   const refuseCall = (): never => {
     throw new WaywrightError(code, message);
@@ -48,7 +48,7 @@ function refreshViews(): void {
 export const slots = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0 };
 const SLOT_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40 };
 
-/** What the progress function of the running call does, and what it has thrown. */
+/** The progress function of the running call, and the error that it has thrown. */
 let progress: ((done: number, total: number) => void) | null = null;
 let progressError: { readonly reason: unknown } | null = null;
 
@@ -64,7 +64,7 @@ function reportProgress(done: number, total: number): void {
   }
 }
 
-/** What the question of the running call does, and what it has thrown. */
+/** The question of the running call, and the error that it has thrown. */
 let question: (() => void) | null = null;
 let questionError: { readonly reason: unknown } | null = null;
 
@@ -83,7 +83,7 @@ function askQuestion(): number {
   }
 }
 
-/** Makes a call that asks a question. An error of the question is thrown after the call. */
+/** Makes a call that asks a question. If the question throws an error, throws this error after the call. */
 export function withQuestion(ask: () => void, call: () => number): void {
   question = ask;
   questionError = null;
@@ -99,7 +99,7 @@ export function withQuestion(ask: () => void, call: () => number): void {
   check(status);
 }
 
-/** Makes a call that may report its progress. An error of the progress function is thrown after the call. */
+/** Makes a call that may report its progress. If the progress function throws an error, throws it after the call. */
 export function withProgress<T>(report: ((done: number, total: number) => void) | undefined, call: () => T): T {
   progress = report ?? null;
   progressError = null;
@@ -113,7 +113,7 @@ export function withProgress<T>(report: ((done: number, total: number) => void) 
   }
 }
 
-/** A trap: a bug in the library, or too little stack. The stack of the module starts anew, so later calls work. */
+/** Handles a trap, which means a bug in the library, or too little stack. Resets the stack, so that later calls work. */
 function trapped(reason: unknown): never {
   exports!.stackRestore(initialStack);
   throw new WaywrightError(
@@ -127,7 +127,7 @@ function trapped(reason: unknown): never {
 
 const ENOSYS = 52;
 
-/** The imports of the module. It needs a clock; the rest of WASI only refuses. */
+/** Returns the imports of the module: a clock and four functions of the wrapper. All other functions of WASI return an error. */
 function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   const imports: Record<string, Record<string, unknown>> = {};
   for (const { module: space, name } of WebAssembly.Module.imports(module)) {
@@ -148,7 +148,7 @@ function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   return imports as WebAssembly.Imports;
 }
 
-/** Takes an instance of the module into use. */
+/** Lets all functions of the package use an instance of the module. */
 function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
   exports = instance.exports as unknown as Exports;
   refreshViews();
@@ -165,7 +165,7 @@ function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
   lib = functions;
 }
 
-/** Where {@link init} takes the module from. */
+/** The options of {@link init}. */
 export interface InitOptions {
   /** The module: its address, its bytes, or the compiled module. The default is the file waywright.wasm of the package. */
   readonly module?: string | URL | BufferSource | WebAssembly.Module;
@@ -208,7 +208,7 @@ export function init(options: InitOptions = {}): Promise<void> {
   return loading;
 }
 
-/** Like {@link init}, but at once, from a compiled module or from bytes. Browsers refuse this in the main thread. */
+/** Does the same as {@link init} at once, without a promise. Browsers refuse this in the main thread. */
 export function initSync(module: WebAssembly.Module | BufferSource, maximumMemory = 2 ** 32): void {
   if (exports !== null) return;
   const compiled = module instanceof WebAssembly.Module ? module : new WebAssembly.Module(module);

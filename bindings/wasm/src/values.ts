@@ -15,7 +15,7 @@ export interface Box {
  */
 export type ItemId = number | bigint;
 
-/** Returns an id, or a version, as the module takes it. */
+/** Converts an id, or a version, to the type that the functions of the module take. */
 export function toId(id: ItemId): bigint {
   if (typeof id === 'bigint' ? id >= 0n && id < 2n ** 64n : Number.isSafeInteger(id) && id >= 0) return BigInt(id);
   throw new WaywrightError('bad-id', `${String(id)} is not an id: ids are whole numbers from 1 to 2^63 - 1`);
@@ -120,7 +120,7 @@ export function askId(call: (address: number) => number): ItemId {
   return idAt(slots.id);
 }
 
-/** Makes a call that writes to a text object, and returns what `read` makes of the bytes. */
+/** Makes a call that writes to a text object, calls `read` with the bytes, and returns its result. */
 function askBytes<T>(call: (text: number) => number, read: (address: number, size: number) => T): T {
   check(lib.ww_text_create(slots.pointer));
   const text = u32[slots.pointer >>> 2]!;
@@ -132,7 +132,7 @@ function askBytes<T>(call: (text: number) => number, read: (address: number, siz
   }
 }
 
-/** Returns what `read` makes of the bytes of a text object. */
+/** Calls `read` with the bytes of a text object, and returns its result. */
 export function readBytes<T>(text: number, read: (address: number, size: number) => T): T {
   check(lib.ww_text_bytes(text, slots.pointer, slots.count));
   return read(u32[slots.pointer >>> 2]!, u32[slots.count >>> 2]!);

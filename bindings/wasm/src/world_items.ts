@@ -16,7 +16,7 @@ export type Change =
 const CHANGE_KINDS = { insert: abi.WW_CHANGE_INSERT, remove: abi.WW_CHANGE_REMOVE, replace: abi.WW_CHANGE_REPLACE };
 
 export interface BulkOptions {
-  /** Called now and then, at the end with `done === total`. It must not call functions of the package. */
+  /** The library calls it from time to time, at the end with `done === total`. It must not call functions of the package. */
   readonly progress?: (done: number, total: number) => void;
 }
 
@@ -104,7 +104,7 @@ export abstract class WorldItems extends Handle {
     }
   }
 
-  /** Inserts many points as one operation. The first has the id `first`, and each further one the next id. Returns `first`. */
+  /** Inserts many points as one operation. Their ids count up from `first`. Returns the first id. */
   insertPoints(points: Points, first: ItemId = 0, options: BulkOptions = {}): ItemId {
     arena.reset();
     const wanted = toId(first);
