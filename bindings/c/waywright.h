@@ -580,6 +580,24 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
                                       ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
+/* A bridge: the straight connection between two pieces of wall at the gap between them. A disc that passes between the
+   two pieces crosses it. */
+typedef struct ww_bridge {
+  ww_point from;       /* the corner of an item, or of the domain, at which it starts */
+  ww_point to;         /* where it ends: at another corner, or at a foot, rounded */
+  double radius;       /* the largest radius of a disc that passes */
+  ww_bool has_foot;    /* whether it ends at a foot: strictly inside a wall, which it meets at a right angle */
+  uint32_t first_id;   /* the index in `ids` of its first id */
+  uint32_t from_count; /* the number of items with a side at `from`; their ids come first, ascending */
+  uint32_t to_count;   /* the number of items with a side at `to`; their ids come next, ascending */
+} ww_bridge;
+
+/* Lists the bridges that have a position in common with a closed box, sorted by `from`, then by `to`. The box may reach
+   beyond the domain. The list does not contain the bridges in the interior of polygons. In `ids`, 0 is the border of
+   the domain. Errors: WW_COORDINATE_RANGE; WW_BAD_DOMAIN, if min is beyond max; WW_NO_BRIDGES. */
+WW_API ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context* context, ww_bridge* bridges,
+                                  size_t capacity, size_t* count, ww_id* ids, size_t id_capacity, size_t* id_count);
+
 /* ---------------------------------------------------------------------------------------------------------------------
    Paths */
 
@@ -769,6 +787,23 @@ WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* i
 WW_API ww_status ww_search_path(const ww_search* search, const ww_path** path);
 /* Gives the number of times that the search has started again because of changes of the world. */
 WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
+/* Sets whether the searches that begin from now on record their windows. They record none by default. */
+WW_API ww_status ww_search_record_windows(ww_search* search, ww_bool wanted);
+
+/* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded,
+   and serve for pictures. */
+typedef struct ww_search_window {
+  ww_point root;      /* where the path turned last, or its start */
+  ww_portal edge;     /* the whole edge; left and right as seen from the root */
+  ww_portal interval; /* the piece of the edge that is visible from the root */
+  double length;      /* of the path from the start to the root */
+  double bound;       /* up to rounding, no path through the window to the goal is shorter than this */
+} ww_search_window;
+
+/* Lists the windows that the search has followed since its last start, in order: one for each triangle that it has
+   entered. The list is empty if the search does not record them; if the algorithm is not WW_ALGORITHM_OPTIMAL; if the
+   radius is above 0; and if no wall lies between the start and the goal, because then there is no search. */
+WW_API ww_status ww_search_windows(const ww_search* search, ww_search_window* windows, size_t capacity, size_t* count);
 /* Cancels the search, if one is running. */
 WW_API ww_status ww_search_cancel(ww_search* search);
 /* Finds out whether a search has begun and is neither done nor cancelled. */

@@ -3,7 +3,18 @@ import { refuse } from './errors.js';
 import * as abi from './generated/abi.js';
 import { contextAddress, make, type QueryContext } from './handle.js';
 import { Mesh } from './mesh.js';
-import { findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readWidest, type WidestPath } from './path.js';
+import {
+  type Bridge,
+  findPath,
+  packQuery,
+  Path,
+  type PathOptions,
+  type PathQuery,
+  Paths,
+  readBridges,
+  readWidest,
+  type WidestPath,
+} from './path.js';
 import { check, idAt, lib, slots, textAt, withProgress } from './runtime.js';
 import { packSvgOptions, type SvgOptions, type SvgOverlay } from './svg.js';
 import {
@@ -264,6 +275,12 @@ export class World extends WorldHistory {
     return readWidest((struct, ...lists) =>
       lib.ww_world_widest_path(world, writePoint(slots.a, start), writePoint(slots.b, goal), asked, struct, ...lists),
     );
+  }
+
+  /** Lists the bridges that meet a closed box, for example `world.domain`. */
+  bridges(box: Box, context?: QueryContext): Bridge[] {
+    const [world, asked] = [this.address, contextAddress(context)];
+    return readBridges((...lists) => lib.ww_world_bridges(world, writeBox(slots.box, box), asked, ...lists));
   }
 
   /** Finds a path, or finds out that there is none. The answer is `path`, or a new path. */

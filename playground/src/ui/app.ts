@@ -151,6 +151,7 @@ export class App {
       if (topic === 'document') {
         view.selection.clear();
         view.mesh = null;
+        view.bridges = null;
         view.redrawAll();
       } else if (topic === 'items') {
         this.repaintChanges();
