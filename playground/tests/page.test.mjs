@@ -337,6 +337,45 @@ test('files of each format open', async () => {
   noErrors();
 });
 
+test('each example first shows its ends and its items, and the key 0 also shows its whole domain', async () => {
+  await fresh();
+  const seen = () => page.evaluate(() => {
+    const { session, view } = window.waywright;
+    const onScreen = (x, y) => {
+      const at = view.camera.toScreen({ x, y });
+      return at.x > 60 && at.x < 940 && at.y > 60 && at.y < 720 ? [at] : [];
+    };
+    const corners = [...session.document.items.values()].flatMap(({ points }) =>
+      Array.from({ length: points.length / 2 }, (_, i) => onScreen(points[2 * i], points[2 * i + 1])).flat());
+    const all = [...session.document.items.values()].flatMap(({ points }) => [...points]);
+    // The items of one example lie on one line.
+    const isLine = (axis) => all.every((value, i) => i % 2 !== axis || value === all[axis]);
+    const extent = (name, axis) => isLine(axis)
+      ? Infinity
+      : Math.max(...corners.map((at) => at[name])) - Math.min(...corners.map((at) => at[name]));
+    const [x0, y0, x1, y1] = session.document.domain;
+    const { start, goal } = session.ends;
+    return {
+      ends: onScreen(start.x, start.y).length + onScreen(goal.x, goal.y).length,
+      extents: [extent('x', 0), extent('y', 1)],
+      frame: onScreen(x0, y0).length + onScreen(x1, y1).length,
+    };
+  });
+  for (const id of await page.evaluate(() => window.waywright.files.exampleIds)) {
+    await page.evaluate((name) => (location.hash = `#example=${name}`), id);
+    await settle(page);
+    const { ends, extents } = await seen();
+    assert.equal(ends, 2, id);
+    assert.ok(extents.every((extent) => extent > 100), `${id}: the corners on the screen extend over ${extents} pixels`);
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('0');
+    const first = (await seen()).frame;
+    await page.keyboard.press('0');
+    assert.ok(first === 2 || (await seen()).frame === 2, id);
+  }
+  noErrors();
+});
+
 test('after a crash of the module the page restores the last world', async () => {
   await empty();
   await page.keyboard.press('b');

@@ -28,8 +28,13 @@ export interface Tool {
   finish?(): void;
   /** Removes the last corner. Returns whether there was one. */
   stepBack?(): boolean;
-  /** A second finger has come: the press counts no longer. Without this function, `cancel` is called. */
-  abandon?(): void;
+  /** Whether a press and a release at one position are one click, as for corners. */
+  readonly clicks?: boolean;
+  /**
+   * Something else has come, such as a second finger: the press counts no longer. Without this function, `cancel` is called.
+   * Returns whether the press had changed something.
+   */
+  abandon?(): boolean;
   /** Gives up what has begun. Returns whether there was something. */
   cancel(): boolean;
 }
