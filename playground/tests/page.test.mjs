@@ -341,24 +341,32 @@ test('each example first shows its ends and its items, and the key 0 also shows 
   await fresh();
   const seen = () => page.evaluate(() => {
     const { session, view } = window.waywright;
+    const [low, high] = [{ x: 60, y: 60 }, { x: 940, y: 720 }];
+    const screen = (x, y) => view.camera.toScreen({ x, y });
     const onScreen = (x, y) => {
-      const at = view.camera.toScreen({ x, y });
-      return at.x > 60 && at.x < 940 && at.y > 60 && at.y < 720 ? [at] : [];
+      const at = screen(x, y);
+      return at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y ? 1 : 0;
     };
-    const corners = [...session.document.items.values()].flatMap(({ points }) =>
-      Array.from({ length: points.length / 2 }, (_, i) => onScreen(points[2 * i], points[2 * i + 1])).flat());
+    /** The corners of the box of each item, or of the part of it that is on the screen. */
+    const clamp = (at) => ({ x: Math.min(high.x, Math.max(low.x, at.x)), y: Math.min(high.y, Math.max(low.y, at.y)) });
+    const shown = [...session.document.items.keys()].flatMap((id) => {
+      const [x0, y0, x1, y1] = session.document.boundsOf(id);
+      const [a, b] = [screen(x0, y1), screen(x1, y0)];
+      const isShown = a.x < high.x && b.x > low.x && Math.min(a.y, b.y) < high.y && Math.max(a.y, b.y) > low.y;
+      return isShown ? [clamp(a), clamp(b)] : [];
+    });
     const all = [...session.document.items.values()].flatMap(({ points }) => [...points]);
     // The items of one example lie on one line.
     const isLine = (axis) => all.every((value, i) => i % 2 !== axis || value === all[axis]);
     const extent = (name, axis) => isLine(axis)
       ? Infinity
-      : Math.max(...corners.map((at) => at[name])) - Math.min(...corners.map((at) => at[name]));
+      : Math.max(...shown.map((at) => at[name])) - Math.min(...shown.map((at) => at[name]));
     const [x0, y0, x1, y1] = session.document.domain;
     const { start, goal } = session.ends;
     return {
-      ends: onScreen(start.x, start.y).length + onScreen(goal.x, goal.y).length,
+      ends: onScreen(start.x, start.y) + onScreen(goal.x, goal.y),
       extents: [extent('x', 0), extent('y', 1)],
-      frame: onScreen(x0, y0).length + onScreen(x1, y1).length,
+      frame: onScreen(x0, y0) + onScreen(x1, y1),
     };
   });
   for (const id of await page.evaluate(() => window.waywright.files.exampleIds)) {
@@ -366,7 +374,7 @@ test('each example first shows its ends and its items, and the key 0 also shows 
     await settle(page);
     const { ends, extents } = await seen();
     assert.equal(ends, 2, id);
-    assert.ok(extents.every((extent) => extent > 100), `${id}: the corners on the screen extend over ${extents} pixels`);
+    assert.ok(extents.every((extent) => extent > 100), `${id}: the items on the screen extend over ${extents} pixels`);
     await page.locator('#canvas').focus();
     await page.keyboard.press('0');
     const first = (await seen()).frame;
