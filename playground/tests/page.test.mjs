@@ -384,6 +384,22 @@ test('each example first shows its ends and its items, and the key 0 also shows 
   noErrors();
 });
 
+test('at the largest zooms, items are drawn where the path and the pointer have them', async () => {
+  await fresh('#example=neighbouring-doubles');
+  const colours = await page.evaluate(() => {
+    const { view } = window.waywright;
+    const context = view.canvas.getContext('2d');
+    const ratio = view.canvas.width / view.camera.width;
+    return [[0, 14], [14, 14], [14, 0]].map(([i, j]) => {
+      const at = view.camera.toScreen({ x: 1 + i * 2 ** -52, y: 1 + j * 2 ** -52 });
+      return [...context.getImageData(at.x * ratio, at.y * ratio, 1, 1).data.slice(0, 3)].join();
+    });
+  });
+  // The colour of points, and of the wall that ends at the first one, in the light theme.
+  assert.deepEqual(colours, ['34,48,60', '86,120,154', '86,120,154']);
+  noErrors();
+});
+
 test('after a crash of the module the page restores the last world', async () => {
   await empty();
   await page.keyboard.press('b');
