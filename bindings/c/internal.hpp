@@ -54,7 +54,7 @@ ww_status status_of(const Result<T>& result) {
   return result.ok() ? ww_status{WW_OK} : fail(result.error());
 }
 
-/// What a query keeps between calls: the context of the library, and answers.
+/// The data that a query keeps between calls: the context of the library, and answers.
 struct Context {
   QueryContext query;
   std::vector<QueryContext> more;  ///< for the threads of ww_world_find_paths
@@ -82,7 +82,7 @@ struct Watch {
   PathChanges changes;
 };
 
-/// A replay log: where it writes, and its writer.
+/// A replay log: its stream and its writer.
 struct ReplayLog;
 
 /// The C++ class of an opaque type. A pointer to the opaque type is a pointer to an object of this class.
@@ -323,7 +323,8 @@ inline ww_status write_ids(std::span<const ItemId> ids, const ListOut<ww_id>& ou
   return out.write(ids, [](ItemId id) { return to_c(id); });
 }
 
-/// Returns an enumerator of the caller. Throws a Refusal if it is none: the enumerators count from 0 to `last`.
+/// Returns an enumerator of the caller. Throws a Refusal if the number is no enumerator: the enumerators count from 0
+/// to `last`.
 template <class Enum>
 Enum to_enum(std::int32_t value, Enum last) {
   require(value >= 0 && value <= static_cast<std::int32_t>(last), "an argument is no enumerator of its type");

@@ -783,8 +783,7 @@ WW_API ww_status ww_search_begin(ww_search* search, const ww_world* world, const
    Errors: WW_WORLD_GONE, if the world was destroyed. This error, and WW_OUT_OF_MEMORY, cancel the search. */
 WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done);
 /* Sets *path to the answer, or to the best path so far. The status of the path is WW_PATH_NO_PATH as long as the search
-   has found none. The path belongs to the search, and is valid until the next call that changes or destroys the search.
- */
+   has found none. The path belongs to the search, and is valid until a call changes or destroys the search. */
 WW_API ww_status ww_search_path(const ww_search* search, const ww_path** path);
 /* Gives the number of times that the search has started again because of changes of the world. */
 WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
@@ -972,7 +971,7 @@ WW_API ww_status ww_world_shrink_to_fit(ww_world* world);
 
 /* The number of calls of one predicate, by the stage of the arithmetic that decided the call. */
 typedef struct ww_stage_counts {
-  uint64_t doubles;  /* doubles with a proven error bound; for crossings: doubles, of which one division is rounded */
+  uint64_t doubles;  /* doubles with a proven error bound; for crossings: doubles, if only one division is rounded */
   uint64_t lattice;  /* integers of a fixed width */
   uint64_t integers; /* integers of any size */
 } ww_stage_counts;
@@ -1059,8 +1058,8 @@ typedef struct ww_scene_info {
 /* Gives the format for the ending of a file name. Errors: WW_NOT_SUPPORTED. */
 WW_API ww_status ww_scene_format_of(const char* file_name, ww_scene_format* format);
 /* Sets a scene to the contents of a file. A file that starts like a saved world counts as a saved world. Otherwise the
-   ending of the file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE.
- */
+   ending of the file name says the format.
+   Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
 WW_API ww_status ww_scene_read(const char* file_name, ww_scene* scene);
 /* Sets a scene to a map of Moving AI. Cell (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
 WW_API ww_status ww_scene_parse_movingai_map(const char* text, size_t length, const char* name, ww_scene* scene);

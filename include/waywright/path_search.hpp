@@ -57,6 +57,7 @@ class WAYWRIGHT_API PathSearch {
   /// last slice also finds Path::widest, at the cost of World::widest_path.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
+  /// Cost: proportional to the number of triangles that the search enters; for a radius above 0, to its steps.
   /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 

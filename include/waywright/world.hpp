@@ -454,14 +454,14 @@ class WAYWRIGHT_API World {
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
-  /// Finds the path of find_path() for each query, in the order of the queries. Uses as many threads as there are
-  /// contexts: threads of the job system or, if `jobs` is null, threads that the library starts. Error::index is the
-  /// index of the refused query in `queries`.
+  /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives, at the
+  /// same cost. The function uses as many threads as there are contexts: threads of the job system or, if `jobs` is
+  /// null, threads that the library starts. Error::index is the index of the refused query in `queries`.
   /// Requires: at least one context.
   /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                         std::vector<Path>& paths, JobSystem* jobs = nullptr) const;
-  /// Does the same on `threads` threads, with new contexts.
+  /// Finds a path for each query on `threads` threads, with new contexts, at the cost of find_path() for each.
   /// Requires: `threads` is 1 or more.
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                                      JobSystem* jobs = nullptr) const;
@@ -520,7 +520,7 @@ class WAYWRIGHT_API World {
   /// was not found is never affected: search again for it.
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
   [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
-  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
+  /// Finds the paths for which is_affected() is true. Writes their indices to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the regions that the operations after version `since` have changed, the oldest first: see ChangedBox.
@@ -552,7 +552,7 @@ class WAYWRIGHT_API World {
   /// @copydoc snapshot() const
   void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
   /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
-  /// have equal dumps.
+  /// have equal dumps. The cost is O(n log n), with exact arithmetic.
   [[nodiscard]] std::string dump() const;
   /// Returns the hash of the domain and the live items. Every operation updates the hash.
   /// Cost: O(1).

@@ -416,6 +416,69 @@ test('files of each format open', async () => {
   noErrors();
 });
 
+test('each example first shows its ends and its items, and the key 0 also shows its whole domain', async () => {
+  await fresh();
+  const seen = () => page.evaluate(() => {
+    const { session, view } = window.waywright;
+    const [low, high] = [{ x: 60, y: 60 }, { x: 940, y: 720 }];
+    const screen = (x, y) => view.camera.toScreen({ x, y });
+    const onScreen = (x, y) => {
+      const at = screen(x, y);
+      return at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y ? 1 : 0;
+    };
+    /** The corners of the box of each item, or of the part of it that is on the screen. */
+    const clamp = (at) => ({ x: Math.min(high.x, Math.max(low.x, at.x)), y: Math.min(high.y, Math.max(low.y, at.y)) });
+    const shown = [...session.document.items.keys()].flatMap((id) => {
+      const [x0, y0, x1, y1] = session.document.boundsOf(id);
+      const [a, b] = [screen(x0, y1), screen(x1, y0)];
+      const isShown = a.x < high.x && b.x > low.x && Math.min(a.y, b.y) < high.y && Math.max(a.y, b.y) > low.y;
+      return isShown ? [clamp(a), clamp(b)] : [];
+    });
+    const all = [...session.document.items.values()].flatMap(({ points }) => [...points]);
+    // The items of one example lie on one line.
+    const isLine = (axis) => all.every((value, i) => i % 2 !== axis || value === all[axis]);
+    const extent = (name, axis) => isLine(axis)
+      ? Infinity
+      : Math.max(...shown.map((at) => at[name])) - Math.min(...shown.map((at) => at[name]));
+    const [x0, y0, x1, y1] = session.document.domain;
+    const { start, goal } = session.ends;
+    return {
+      ends: onScreen(start.x, start.y) + onScreen(goal.x, goal.y),
+      extents: [extent('x', 0), extent('y', 1)],
+      frame: onScreen(x0, y0) + onScreen(x1, y1),
+    };
+  });
+  for (const id of await page.evaluate(() => window.waywright.files.exampleIds)) {
+    await page.evaluate((name) => (location.hash = `#example=${name}`), id);
+    await settle(page);
+    const { ends, extents } = await seen();
+    assert.equal(ends, 2, id);
+    assert.ok(extents.every((extent) => extent > 100), `${id}: the items on the screen extend over ${extents} pixels`);
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('0');
+    const first = (await seen()).frame;
+    await page.keyboard.press('0');
+    assert.ok(first === 2 || (await seen()).frame === 2, id);
+  }
+  noErrors();
+});
+
+test('at the largest zooms, items are drawn where the path and the pointer have them', async () => {
+  await fresh('#example=neighbouring-doubles');
+  const colours = await page.evaluate(() => {
+    const { view } = window.waywright;
+    const context = view.canvas.getContext('2d');
+    const ratio = view.canvas.width / view.camera.width;
+    return [[0, 14], [14, 14], [14, 0]].map(([i, j]) => {
+      const at = view.camera.toScreen({ x: 1 + i * 2 ** -52, y: 1 + j * 2 ** -52 });
+      return [...context.getImageData(at.x * ratio, at.y * ratio, 1, 1).data.slice(0, 3)].join();
+    });
+  });
+  // The colour of points, and of the wall that ends at the first one, in the light theme.
+  assert.deepEqual(colours, ['34,48,60', '86,120,154', '86,120,154']);
+  noErrors();
+});
+
 test('after a crash of the module the page restores the last world', async () => {
   await empty();
   await page.keyboard.press('b');

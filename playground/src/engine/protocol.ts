@@ -165,7 +165,8 @@ export type EngineEvent =
 
 /** The questions of the page. */
 export interface EngineApi {
-  load(module: ArrayBuffer | string): string;
+  /** `lock` is the name of a lock that the worker holds as long as it lives. */
+  load(module: ArrayBuffer | string, lock: string): string;
   open(domain: Bounds, items: PackedItems): WorldSummary;
   edit(changes: readonly WireChange[], query: RouteQuery | null): EditAnswer;
   routes(query: RouteQuery): RouteAnswer;

@@ -99,9 +99,20 @@ export class View {
     this.refresh();
   }
 
-  fit(insets: Insets): void {
+  private showsBox(box: Bounds, insets: Insets): boolean {
+    const { x, y, scale } = this.camera;
+    const fitted = new Camera();
+    fitted.copyFrom(this.camera);
+    fitted.fit(box, insets);
+    return fitted.x === x && fitted.y === y && fitted.scale === scale;
+  }
+
+  /** Shows what is worth seeing first. If the screen shows that already and `alternates`, shows the whole domain. */
+  fit(insets: Insets, alternates: boolean): void {
     this.camera.yStep = this.session.document.yDown ? 1 : -1;
-    this.camera.fit(this.session.document.domain, insets);
+    const { view, domain } = this.session.document;
+    const box = alternates && this.showsBox(view, insets) ? domain : view;
+    this.camera.fit(box, insets);
     this.refresh();
   }
 
