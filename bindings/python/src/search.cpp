@@ -107,10 +107,11 @@ True
       .def_property_readonly("windows", &windows_of, R"(
 The windows that the search has followed, one for each triangle that it has entered: an array of WINDOW_DTYPE.
 
-A window is the piece of an edge that is visible from its root: the start of the path, or a corner at which it turns. The
-fields are ``root``, ``edge`` and ``interval`` (the left and the right end of each), ``length`` (of the path to the root)
-and ``bound`` (no path through the window to the goal is shorter). The array is empty if the search does not record
-windows, if the algorithm is not ``"optimal"``, if the radius is above 0, or if no wall lies between the two ends.
+A window is the piece of an edge that is visible from its root: the start of the path, or a corner at which the path
+turns. The fields are ``root``, ``edge`` and ``interval`` (the left and the right end of each), ``length`` (of the path
+to the root) and ``bound`` (no path through the window to the goal is shorter). The array is empty if the search does
+not record windows, if the algorithm is not ``"optimal"``, if the radius is above 0, or if no wall lies between the two
+ends.
 
 >>> search = waywright.PathSearch()
 >>> search.record_windows()
