@@ -58,14 +58,13 @@ TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
   const Result<Location> refused = world_of_ten().locate({3, 17});
   const char* const why =
       "the program took the value of a Result that has an error: the point, \\(3, 17\\), lies outside the domain, "
-      "\\(0, 0\\) to \\(10, "
-      "10\\)";
+      "\\(0, 0\\) to \\(10, 10\\)";
   EXPECT_DEATH(static_cast<void>(*refused), why);
   EXPECT_DEATH(static_cast<void>(refused->kind), why);
   EXPECT_DEATH(static_cast<void>(*world_of_ten().locate({3, 17})), why);
   const Result<Location> done = world_of_ten().locate({3, 7});
-  EXPECT_DEATH(static_cast<void>(done.error()), "Result::error\\(\\): the call was carried out");
-  EXPECT_DEATH(static_cast<void>(Result<void>().error()), "Result::error\\(\\): the call was carried out");
+  EXPECT_DEATH(static_cast<void>(done.error()), "Result::error\\(\\): the result has no error");
+  EXPECT_DEATH(static_cast<void>(Result<void>().error()), "Result::error\\(\\): the result has no error");
 }
 
 TEST(AssertionOf, AnObjectThatHasBeenMovedFrom) {
