@@ -44,7 +44,7 @@ def members_of(name):
 
 
 def test_the_columns():
-    assert ROWS[0] == ["| operation", "C++", "C", "Python", "JavaScript |"]
+    assert ROWS[0] == ["| task", "C++", "C", "Python", "JavaScript |"]
     assert {len(row) for row in ROWS} == {5}
 
 
