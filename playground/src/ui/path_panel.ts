@@ -23,7 +23,7 @@ export class PathPanel {
   private readonly why = h('div');
   private readonly slider = h('input', { type: 'range', min: '0', max: String(SLIDER_STEPS), step: '1', id: 'radius' });
   private readonly radiusText = h('input', { type: 'text', inputMode: 'decimal', size: 7, 'aria-label': 'Radius as a number' });
-  private readonly radiusError = h('div', { className: 'why', id: 'radius-error', role: 'alert', hidden: true });
+  private readonly radiusError = h('div', { className: 'refused', id: 'radius-error', role: 'alert', hidden: true });
   private readonly rows = h('tbody');
   private measured: RouteAnswer | null = null;
   private timer = 0;
