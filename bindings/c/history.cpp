@@ -33,7 +33,7 @@ thread_local constinit Question* Question::innermost = nullptr;
 }  // namespace
 
 void require_no_question(const World& world) {
-  require(!Question::is_about(world), "a question of ww_world_attempt about this world has not ended yet");
+  require(!Question::is_about(world), "this world is trying changes out: the question may only make queries");
 }
 
 }  // namespace waywright::c
