@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   waywright::bench::register_many_paths();
   waywright::bench::register_abstraction();
   waywright::bench::register_maps();
+  waywright::bench::register_path_watch();
   waywright::bench::register_snapshots();
 #ifdef WAYWRIGHT_BENCH_WITH_CGAL
   waywright::bench::register_cgal_points();

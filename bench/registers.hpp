@@ -12,6 +12,7 @@ void register_paths();
 void register_many_paths();
 void register_abstraction();
 void register_maps();
+void register_path_watch();
 void register_snapshots();
 
 void register_cgal_points();

@@ -1,5 +1,5 @@
-// Units that follow their paths while buildings come and go. docs/guides/moving_a_unit.md explains the pieces. The
-// program checks itself, and exits with an error if a check fails.
+// Units follow their paths while the program inserts and removes buildings. docs/guides/moving_a_unit.md explains the
+// functions. The program checks its results, and exits with an error if a check fails.
 
 #include <cstddef>
 #include <cstdint>
@@ -91,7 +91,7 @@ void return_to_path(const World& world, QueryContext& context, Unit& unit, const
   }
 }
 
-// ---- After buildings come and go ----
+// ---- After a change of the world ----
 
 /// Finds new paths for the units whose paths a change blocks. `before` is World::version() before the change.
 std::size_t find_new_paths(const World& world, QueryContext& context, std::span<Unit> units, std::uint64_t before) {
@@ -131,7 +131,7 @@ class PathQueue {
   std::deque<Unit*> waiting_;
 };
 
-// ---- Many at once ----
+// ---- Many units ----
 
 /// Finds paths for all units, on as many threads as there are contexts.
 void find_all_paths(const World& world, std::span<QueryContext> contexts, std::span<Unit> units) {

@@ -1,5 +1,5 @@
-// Inserts random walls under ids of the program's own choice, then removes all of them: the second test program of
-// Chen's thesis (appendix), and what that program could not do.
+// Inserts random walls with ids that the program chooses, as the second test program of Chen's thesis (appendix)
+// inserts walls. Then removes all walls again.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Inserts random points, one at a time, and locates each before that: the first test program of Chen's thesis
-// (appendix).
+// Locates and then inserts random points, one after the other, as the first test program of Chen's thesis (appendix)
+// does.
 
 #include <cstdio>
 #include <random>

@@ -177,8 +177,7 @@ void spokes_removed(std::size_t n, Meter& meter) {
   measure_removal(world, ids, meter);
 }
 
-void lines_through_one_crossing(std::size_t n, Meter& meter) {
-  World world = World::create(kGrowthDomain).value();
+std::vector<Shape> lines_through_one_crossing(std::size_t n) {
   std::vector<Shape> shapes;
   for (std::size_t i = 0; i < n; ++i) {
     const double x = static_cast<double>(i + 1);
@@ -187,7 +186,17 @@ void lines_through_one_crossing(std::size_t n, Meter& meter) {
     shapes.push_back(Shape::segment({-x * scale, -y * scale}, {x * scale, y * scale}));
   }
   shuffle(shapes);
-  for (const Shape& shape : shapes) static_cast<void>(world.insert(shape).value());
+  return shapes;
+}
+
+void one_crossing_inserted(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain).value();
+  measure_insertion(world, lines_through_one_crossing(n), meter);
+}
+
+void one_crossing_removed(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain).value();
+  for (const Shape& shape : lines_through_one_crossing(n)) static_cast<void>(world.insert(shape).value());
   measure_removal(world, ids_up_to(n), meter);
 }
 
@@ -319,7 +328,8 @@ constexpr Input kInputs[] = {
      at_one_position_removed},
     {"spokes_inserted", 10000, false, "n segments that end at one vertex, inserted", spokes_inserted},
     {"spokes_removed", 10000, false, "the same, removed", spokes_removed},
-    {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", lines_through_one_crossing},
+    {"one_crossing_inserted", 4000, false, "n segments through one crossing, inserted", one_crossing_inserted},
+    {"one_crossing_removed", 1000, false, "the same, removed", one_crossing_removed},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a wall across n edges between two curves, inserted", wall_between_curves},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",

@@ -24,7 +24,8 @@ void insert_all(const Workload& workload) {
 
 void print_evaluations_table() {
   std::printf(
-      "| constraints | intervals | of them left to rationals | Waywright: doubles | fixed width | any width |\n"
+      "| constraints | interval + exact: evaluated with intervals | evaluated with rationals | "
+      "Waywright: decided in doubles | in integers of fixed width | in integers of any width |\n"
       "| ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (std::size_t count = 100; count <= 1000; count += 100) {
     const Workload workload = random_segments(count);

@@ -88,7 +88,7 @@ void print_outcomes(const char* name, std::size_t scenes) {
 }  // namespace
 
 void print_survival_table(std::size_t scenes) {
-  std::printf("| arithmetic | right of %zu | what else |\n| --- | ---: | --- |\n", scenes);
+  std::printf("| arithmetic | right meshes of %zu | faults in the other scenes |\n| --- | ---: | --- |\n", scenes);
   print_outcomes<DoubleGeometry>("double", scenes);
   print_outcomes<IntervalGeometry>("interval + exact", scenes);
   print_outcomes<RationalGeometry>("rationals", scenes);

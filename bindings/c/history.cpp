@@ -1,43 +1,5 @@
 #include "internal.hpp"
 
-namespace waywright::c {
-
-namespace {
-
-/// A question of ww_world_attempt that a thread is asking. While it asks one, it can ask another one about another
-/// world.
-class Question {
- public:
-  explicit Question(const World& world) : world_(&world), outer_(innermost) { innermost = this; }
-  ~Question() { innermost = outer_; }
-  Question(const Question&) = delete;
-  Question& operator=(const Question&) = delete;
-
-  /// Returns whether the calling thread is asking a question about the world.
-  static bool is_about(const World& world) {
-    for (const Question* question = innermost; question != nullptr; question = question->outer_) {
-      if (question->world_ == &world) return true;
-    }
-    return false;
-  }
-
- private:
-  static thread_local constinit Question* innermost;
-
-  const World* world_;
-  Question* outer_;
-};
-
-thread_local constinit Question* Question::innermost = nullptr;
-
-}  // namespace
-
-void require_no_question(const World& world) {
-  require(!Question::is_about(world), "this world is trying changes out: the question may only make queries");
-}
-
-}  // namespace waywright::c
-
 using namespace waywright;
 using namespace waywright::c;
 
@@ -69,7 +31,7 @@ ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t cha
     require(question != nullptr, "an attempt needs a question");
     World& tried = changing(world);
     const Result<ww_status> answered = tried.attempt(to_changes(changes, change_count), [&](const World& changed) {
-      const Question asked(changed);
+      const RunningCall asked(changed, RunningCall::Use::asks);
       return question(opaque<ww_world>(&changed), user_data);
     });
     return answered.ok() ? *answered : fail(answered.error());

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -150,6 +152,33 @@ struct ObjectOf<ww_svg_overlay> {
   using Type = SvgOverlay;
 };
 
+/// A call of the calling thread that uses a world and runs a function of the caller. Calls of this function about the
+/// same world are nested in it.
+class RunningCall {
+ public:
+  enum class Use { reads, asks, changes };
+
+  RunningCall(const World& world, Use use);
+  ~RunningCall();
+  RunningCall(const RunningCall&) = delete;
+  RunningCall& operator=(const RunningCall&) = delete;
+
+  /// Returns whether a running call of the calling thread uses a world in one of these manners.
+  [[nodiscard]] static bool uses(const World& world, std::initializer_list<Use> manners);
+
+ private:
+  const World* world_;
+  Use use_;
+  const RunningCall* outer_;
+};
+
+/// Throws a Refusal if a running call of this thread changes the world.
+void require_unchanging(const World& world);
+/// Throws a Refusal if a running call of this thread uses the world.
+void require_unused(const World& world);
+/// Throws a Refusal if this thread is asking a question of ww_world_attempt about the world.
+void require_no_question(const World& world);
+
 /// Returns the object behind a pointer of the caller.
 template <class Opaque>
 typename ObjectOf<Opaque>::Type& object(Opaque* pointer) {
@@ -161,6 +190,13 @@ const typename ObjectOf<Opaque>::Type& object(const Opaque* pointer) {
   require(pointer != nullptr, "a pointer to an object is null");
   return *reinterpret_cast<const typename ObjectOf<Opaque>::Type*>(pointer);
 }
+/// Returns the world of a call that reads it.
+inline const World& object(const ww_world* pointer) {
+  require(pointer != nullptr, "a pointer to an object is null");
+  const World& world = *reinterpret_cast<const World*>(pointer);
+  require_unchanging(world);
+  return world;
+}
 template <class Opaque>
 Opaque* opaque(typename ObjectOf<Opaque>::Type* object) {
   return reinterpret_cast<Opaque*>(object);
@@ -170,13 +206,10 @@ const Opaque* opaque(const typename ObjectOf<Opaque>::Type* object) {
   return reinterpret_cast<const Opaque*>(object);
 }
 
-/// Throws a Refusal if this thread is asking a question of ww_world_attempt about the world.
-void require_no_question(const World& world);
-
 /// Returns the world of a call that changes it.
 inline World& changing(ww_world* world) {
   World& changed = object(world);
-  require_no_question(changed);
+  require_unused(changed);
   return changed;
 }
 
@@ -205,7 +238,8 @@ void require_size(std::size_t size) {
   require(size <= sizeof(Struct), "struct_size is too large: the program was compiled for a later version");
 }
 
-/// Returns a copy of a struct of the caller. Members that the caller's version does not have are those of `defaults`.
+/// Returns a copy of a struct of the caller. Members that the caller's version of the struct does not have are copied
+/// from `defaults`.
 template <class Struct>
 Struct read_struct(const Struct* given, Struct defaults) {
   require(given != nullptr, "a pointer to a struct is null");

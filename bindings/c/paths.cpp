@@ -109,6 +109,7 @@ ww_status ww_world_find_paths(const ww_world* world, const ww_path_query* querie
     }
     const std::size_t count = std::min({threads, kMostThreads, std::max<std::size_t>(query_count, 1)});
     if (contexts.size() < count) contexts.resize(count);
+    const RunningCall running(asked, RunningCall::Use::reads);
     return status_of(asked.find_paths(wanted, std::span(contexts).first(count), answers, system.get()));
   });
 }

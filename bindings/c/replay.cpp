@@ -43,8 +43,10 @@ ww_status ww_replay_writer_create(const ww_output* output, const ww_world* world
   return guarded([&] {
     ww_replay_writer*& out = answer(writer);
     require(ticks_per_hash >= 1, "a replay log needs one tick or more for each hash");
-    require_no_question(object(world));
-    auto log = std::make_unique<ReplayLog>(output, object(world), ticks_per_hash);
+    const World& logged = object(world);
+    require_no_question(logged);
+    const RunningCall running(logged, RunningCall::Use::reads);
+    auto log = std::make_unique<ReplayLog>(output, logged, ticks_per_hash);
     if (!log->stream.good()) return fail(WW_UNWRITABLE, "the replay log cannot be written: the output takes no bytes");
     out = opaque<ww_replay_writer>(log.release());
     return ww_status{WW_OK};
@@ -67,8 +69,11 @@ ww_status ww_replay_writer_record(ww_replay_writer* writer, const ww_change* cha
 
 ww_status ww_replay_writer_tick(ww_replay_writer* writer, const ww_world* world) {
   return guarded([&] {
-    require_no_question(object(world));
-    return status_of(object(writer).writer.tick(object(world)));
+    ReplayLog& log = object(writer);
+    const World& logged = object(world);
+    require_no_question(logged);
+    const RunningCall running(logged, RunningCall::Use::reads);
+    return status_of(log.writer.tick(logged));
   });
 }
 

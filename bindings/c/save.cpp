@@ -48,7 +48,9 @@ ww_status ww_world_save(const ww_world* world, const ww_output* output) {
   return guarded([&] {
     OutputBuffer buffer(output);
     std::ostream stream(&buffer);
-    return status_of(save_world(object(world), stream));
+    const World& saved = object(world);
+    const RunningCall running(saved, RunningCall::Use::reads);
+    return status_of(save_world(saved, stream));
   });
 }
 

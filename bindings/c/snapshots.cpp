@@ -15,7 +15,15 @@ ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy) {
   return guarded([&] { return make_object(copy, WorldSnapshot(object(snapshot))); });
 }
 
-void ww_snapshot_destroy(ww_snapshot* snapshot) { destroy_object(snapshot); }
+void ww_snapshot_destroy(ww_snapshot* snapshot) {
+  if (snapshot == nullptr) return;
+  guarded([&] {
+    WorldSnapshot& released = object(snapshot);
+    require_unused(*released);
+    delete &released;
+    return WW_OK;
+  });
+}
 
 ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world** world) {
   return guarded([&] {

@@ -28,6 +28,8 @@
    - Your functions that the library calls get the user_data that you gave with them. The library calls them on the
      thread that called it, except the functions of an allocator. They must return: they must not call longjmp, nor
      throw an exception. They must not use the objects of the call that runs them, except where the comment allows it.
+     If one uses the world of this call in another way, it gets WW_INVALID_ARGUMENT. In this case ww_world_destroy and
+     ww_snapshot_destroy do nothing, and ww_last_error() gives the error.
    - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use
      it. A function whose parameter is `const ww_world*` reads the world. A context serves one call at a time: make one
      for each thread. The library has no other shared data, except the allocator. */
@@ -97,10 +99,10 @@ enum {
   WW_UNKNOWN_ID = 4,         /* no live item has this id */
   WW_BAD_RADIUS = 5,         /* a radius that is negative or not finite */
   WW_BAD_DISTANCE = 6,       /* a distance that is negative, not a number, or too small */
-  WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where it is not allowed */
+  WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where the function needs an id */
   WW_BAD_DOMAIN = 8,         /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
   WW_EMPTY_SHAPE = 9,        /* a polyline or ring without points, a polygon without rings */
-  WW_TOO_LARGE = 10,         /* more than 2^27 vertices without the crossings of a change, or 350 million with them */
+  WW_TOO_LARGE = 10,         /* more than 2^27 vertices, not counting new crossings, or more than 350 million in all */
   WW_TOO_MANY_VERTICES = 11, /* an operation that would make more vertices than the new_vertex_limit of the world */
   WW_WORLD_GONE = 12,        /* the world of a search no longer exists */
   WW_NOT_SUPPORTED = 13,     /* a request that this version, this build or this world does not support */
@@ -118,11 +120,11 @@ enum {
   WW_INTERNAL_ERROR = -4    /* a bug in the library; destroy the objects that the call used */
 };
 
-/* Returns the name of a status: "out-of-domain". Returns "unknown" for any other number. All functions ww_..._name
-   return a text that is valid as long as the library is loaded; never null. */
+/* Returns the name of a status: "out-of-domain". Returns "unknown" for a number that is no status. The text that a
+   function ww_..._name returns is never null, and is valid as long as the library is loaded. */
 WW_API const char* ww_status_name(ww_status status);
 
-/* Returns the version of the library as text: "0.1.0". It is valid as long as the library is loaded. */
+/* Returns the version of the library as text: "0.1.0". The text is valid as long as the library is loaded. */
 WW_API const char* ww_version(void);
 /* Returns the version of the library as a number like WW_VERSION_NUMBER. */
 WW_API int32_t ww_version_number(void);
@@ -135,7 +137,7 @@ typedef struct ww_error {
   uint64_t index;   /* the index of the refused element in its list (from 0), or a line number (from 1) */
 } ww_error;
 
-/* Gives the last error of this thread. This function and the next one do not change it. */
+/* Gives the last error of this thread. A call of ww_last_error or ww_last_error_message does not change this error. */
 WW_API ww_status ww_last_error(ww_error* error);
 /* Writes the last error in words, in English: "the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)". The
    text is empty if no call has failed yet. */
@@ -149,7 +151,7 @@ typedef struct ww_allocator {
   uint32_t struct_size;
   /* Returns `size` bytes (1 or more) at a multiple of `alignment`, or null. */
   void* (*allocate)(size_t size, size_t alignment, void* user_data);
-  /* Frees memory that allocate() has returned for the same alignment. Never called with null. */
+  /* Frees memory that allocate() has returned for the same alignment. The library never passes null. */
   void (*deallocate)(void* memory, size_t alignment, void* user_data);
   void* user_data;
 } ww_allocator;
@@ -163,14 +165,14 @@ WW_API ww_status ww_set_allocator(const ww_allocator* allocator);
 /* ---------------------------------------------------------------------------------------------------------------------
    Objects */
 
-typedef struct ww_world ww_world;           /* obstacles, and their mesh */
-typedef struct ww_context ww_context;       /* the memory that queries keep between calls; one for each thread */
-typedef struct ww_items ww_items;           /* a list of items: ids and shapes */
-typedef struct ww_path ww_path;             /* the answer to a path query */
-typedef struct ww_paths ww_paths;           /* the answers to several path queries */
-typedef struct ww_search ww_search;         /* a path search in slices */
-typedef struct ww_path_watch ww_path_watch; /* the paths of many agents, which changes of a world may concern */
-typedef struct ww_snapshot ww_snapshot;
+typedef struct ww_world ww_world;                 /* obstacles, and their mesh */
+typedef struct ww_context ww_context;             /* the memory that queries keep between calls; one for each thread */
+typedef struct ww_items ww_items;                 /* a list of items: ids and shapes */
+typedef struct ww_path ww_path;                   /* the answer to a path query */
+typedef struct ww_paths ww_paths;                 /* the answers to several path queries */
+typedef struct ww_search ww_search;               /* a path search in slices */
+typedef struct ww_path_watch ww_path_watch;       /* watches the paths of many agents while a world changes */
+typedef struct ww_snapshot ww_snapshot;           /* an immutable world for readers on other threads */
 typedef struct ww_mesh ww_mesh;                   /* a copy of the mesh of a world */
 typedef struct ww_text ww_text;                   /* text or bytes that the library has written */
 typedef struct ww_scene ww_scene;                 /* a domain and items, as a file gives them */
@@ -207,7 +209,7 @@ WW_API void ww_replay_destroy(ww_replay* replay);
 WW_API ww_status ww_svg_overlay_create(ww_svg_overlay** overlay);
 WW_API void ww_svg_overlay_destroy(ww_svg_overlay* overlay);
 
-/* Copies a text. It may contain zero bytes besides the one at its end. */
+/* Writes a text to a buffer. The text may contain further zero bytes before the zero byte at its end. */
 WW_API ww_status ww_text_read(const ww_text* text, char* buffer, size_t capacity, size_t* count);
 /* Sets *bytes to the bytes of the text and *size to their number, without the zero byte that follows them. The bytes
    belong to the text, and are valid until it changes or is destroyed. */
@@ -283,6 +285,7 @@ typedef struct ww_item_info {
 WW_API ww_status ww_items_clear(ww_items* items);
 /* Appends a copy of a shape. If id is 0, a world that inserts the item chooses the id. */
 WW_API ww_status ww_items_add(ww_items* items, ww_id id, const ww_shape* shape);
+/* Gives the number of items of a list. */
 WW_API ww_status ww_items_count(const ww_items* items, size_t* count);
 /* Gives facts about an item. The items of a list have the indices 0 to count - 1. */
 WW_API ww_status ww_items_get_info(const ww_items* items, size_t index, ww_item_info* info);
@@ -297,11 +300,12 @@ WW_API ww_status ww_items_ring_sizes(const ww_items* items, size_t index, size_t
 
 typedef struct ww_world_options {
   uint32_t struct_size;
-  ww_bool keep_abstraction; /* 1 by default: whether the world maintains the path abstraction. docs/paths.md */
+  ww_bool keep_abstraction; /* 1 by default: whether the world maintains the path abstraction: see docs/paths.md */
   ww_bool keep_bridges;     /* 0 by default: whether the world can answer path queries for discs */
   size_t new_vertex_limit;  /* SIZE_MAX by default, no limit: see ww_world_set_new_vertex_limit */
 } ww_world_options;
 
+/* Sets all options to their defaults. `struct_size` is sizeof(ww_world_options). */
 WW_API ww_status ww_world_options_init(ww_world_options* options, size_t struct_size);
 /* Makes an empty world over a closed box. `options` may be null: then all options have their defaults.
    Errors: WW_COORDINATE_RANGE, WW_BAD_DOMAIN. */
@@ -310,6 +314,7 @@ WW_API void ww_world_destroy(ww_world* world);
 /* Makes an independent copy of a world: with the same domain, options, items, mesh, hashes, version and history. It
    chooses the same ids for later items. Searches and path watches of the world do not belong to the copy. */
 WW_API ww_status ww_world_clone(const ww_world* world, ww_world** clone);
+/* Gives the domain of the world. */
 WW_API ww_status ww_world_domain(const ww_world* world, ww_box* domain);
 /* Gives the options with which the world was made, and its present new_vertex_limit. */
 WW_API ww_status ww_world_get_options(const ww_world* world, ww_world_options* options);
@@ -323,7 +328,7 @@ WW_API ww_status ww_world_get_options(const ww_world* world, ww_world_options* o
 
 /* Inserts a shape of any kind. */
 WW_API ww_status ww_world_insert(ww_world* world, const ww_shape* shape, ww_id id, ww_id* inserted);
-/* Inserts a vertex that stays as long as the item is live. It is no wall. */
+/* Inserts a point: a vertex that stays as long as the item is live. It is not a wall. */
 WW_API ww_status ww_world_insert_point(ww_world* world, ww_point point, ww_id id, ww_id* inserted);
 /* Inserts a wall from `a` to `b`. */
 WW_API ww_status ww_world_insert_segment(ww_world* world, ww_point a, ww_point b, ww_id id, ww_id* inserted);
@@ -336,7 +341,7 @@ WW_API ww_status ww_world_insert_polygon(ww_world* world, const ww_point* points
                                          ww_id* inserted);
 /* Removes an item. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
 WW_API ww_status ww_world_remove(ww_world* world, ww_id id);
-/* Gives an item another shape, for example to move it. It keeps its id. Errors: WW_UNKNOWN_ID, and the errors of
+/* Gives an item another shape, for example to move it. The item keeps its id. Errors: WW_UNKNOWN_ID, and the errors of
    insertions. */
 WW_API ww_status ww_world_replace(ww_world* world, ww_id id, const ww_shape* shape);
 
@@ -351,7 +356,9 @@ typedef struct ww_job_system {
   uint32_t struct_size;
   /* Calls job(job_data, i) once for each i below `count`, on any threads, in any order, and returns when all these
      calls have returned. No job waits for another one. run() may omit calls: the library then makes them itself. It
-     must make no call after it has returned. The library calls run() on the thread that called the library. */
+     must make no call after it has returned. If it calls a job with another index, this job does nothing, and the
+     function of the library returns WW_INVALID_ARGUMENT. The library calls run() on the thread that called the
+     library. */
   void (*run)(size_t count, ww_job job, void* job_data, void* user_data);
   void* user_data;
 } ww_job_system;
@@ -359,13 +366,14 @@ typedef struct ww_job_system {
 typedef struct ww_bulk_options {
   uint32_t struct_size;
   /* Null, or a function that the library calls on the calling thread from time to time, and at the end with done ==
-     total. The unit of both numbers has no meaning. It must not use the world. */
+     total. The unit of both numbers has no meaning. The function must not use the world. */
   void (*progress)(size_t done, size_t total, void* user_data);
   void* progress_user_data;
   size_t threads;            /* 1 by default; including the calling thread; a number above 256 counts as 256 */
   const ww_job_system* jobs; /* null by default: the library starts threads itself */
 } ww_bulk_options;
 
+/* Sets all options to their defaults. `struct_size` is sizeof(ww_bulk_options). */
 WW_API ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_size);
 
 /* Inserts all items of a list as one operation. This is much faster than one call for each item. `options` may be null.
@@ -443,6 +451,7 @@ WW_API ww_status ww_world_would_disconnect(ww_world* world, const ww_change* cha
    items of the operation together. An operation that would make more changes nothing and returns WW_TOO_MANY_VERTICES.
    SIZE_MAX stands for no limit. ww_error.item is the item at which the operation passed the limit. */
 WW_API ww_status ww_world_set_new_vertex_limit(ww_world* world, size_t limit);
+/* Gives the largest number of vertices that one operation may make. */
 WW_API ww_status ww_world_new_vertex_limit(const ww_world* world, size_t* limit);
 
 /* ---------------------------------------------------------------------------------------------------------------------
@@ -506,8 +515,8 @@ WW_API ww_status ww_world_items_in(const ww_world* world, ww_box box, ww_context
 typedef struct ww_ray_hit {
   uint32_t struct_size;
   ww_bool hit;      /* whether the segment or the disc touches a wall; if not, the points have no meaning */
-  ww_point at;      /* the first position where it does, rounded; for a disc, the position of its centre */
-  ww_point contact; /* the position on these walls that is nearest to `at`; for a segment, it equals `at` */
+  ww_point at;      /* the first position of the segment, or of the disc's centre, at a touch; rounded */
+  ww_point contact; /* the position on the touched walls that is nearest to `at`; for a segment, it equals `at` */
 } ww_ray_hit;
 
 /* Finds the first wall that a segment touches, seen from `from`. The border of the domain is a wall, too. The decision
@@ -520,8 +529,8 @@ WW_API ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to,
    Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN; with a radius also WW_BAD_RADIUS. */
 
 /* Finds the first wall that a disc touches while its centre moves straight from `from` to `to`: a wall that is not
-   farther from the centre than the radius. A disc that touches a wall at the start has its hit there. The list is the
-   items that it touches there, ascending; 0 is the border of the domain. */
+   farther from the centre than the radius. If a disc touches a wall before it moves, the hit is at the start. The list
+   is the items that the disc touches at the hit, ascending; 0 is the border of the domain. */
 WW_API ww_status ww_world_sweep_disc(const ww_world* world, ww_point from, ww_point to, double radius,
                                      ww_context* context, ww_ray_hit* hit, ww_id* items, size_t capacity,
                                      size_t* count);
@@ -546,9 +555,10 @@ typedef struct ww_nearest_fit {
   double distance;  /* from query->point to `at` */
 } ww_nearest_fit;
 
+/* Sets all members to their defaults. `struct_size` is sizeof(ww_nearest_fit_query). */
 WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size);
-/* Finds the point nearest to query->point where a disc fits. The C++ header clearance.hpp says how precise the distance
-   is. Of equally near points, the first in (x, y) order is the answer. ww_error.index is 0
+/* Finds, among all points where a disc fits, the nearest one to query->point. The C++ header clearance.hpp says how
+   precise the distance is. Of several equally near points, the first in (x, y) order is the answer. ww_error.index is 0
    for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or not a number; with a
    goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and WW_NOT_SUPPORTED if the
    radius is 0 and the world does not keep its abstraction. */
@@ -557,7 +567,7 @@ WW_API ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fi
 
 typedef struct ww_widest_path {
   uint32_t struct_size;
-  ww_bool is_connected; /* whether the walls leave a connection at all; if not, the other members are 0 */
+  ww_bool is_connected; /* whether a disc of some radius above 0 gets from start to goal; if not, all others are 0 */
   ww_bool is_limited;   /* whether a gap between the ends limits the disc */
   double radius;        /* the largest radius of a disc that passes all gaps; infinity if no gap limits it */
   ww_point from;        /* where the narrowest gap starts: the corner of an item, or of the domain */
@@ -574,7 +584,7 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
 /* ---------------------------------------------------------------------------------------------------------------------
    Paths */
 
-/* docs/paths.md says when to choose which. */
+/* docs/paths.md says when to choose which algorithm. */
 typedef int32_t ww_path_algorithm;
 enum {
   WW_ALGORITHM_TA = 0,     /* a first path quickly, and a better one within a budget */
@@ -600,6 +610,7 @@ typedef struct ww_path_query {
   int64_t budget_nanoseconds; /* for TA: the time since the start of the search; INT64_MAX by default, no limit */
 } ww_path_query;
 
+/* Sets all members to their defaults. `struct_size` is sizeof(ww_path_query). */
 WW_API ww_status ww_path_query_init(ww_path_query* query, size_t struct_size);
 /* Finds a path, or finds out that there is none. Both are answers, not errors: ww_path_get_info says which of the two.
    The path never passes through a wall, nor through a point where walls meet. It may touch both. The search may move a
@@ -618,13 +629,14 @@ typedef struct ww_many_goals_query {
   uint32_t struct_size;
   ww_bool wants_points; /* 0 by default: the answers have only status and length; 1: also points or pieces */
   ww_point start;
-  const ww_point* goals; /* they must exist during the call */
+  const ww_point* goals; /* goal_count points, which must exist during the call */
   size_t goal_count;
   double radius;             /* 0 by default */
   double end_tolerance;      /* like ww_path_query.end_tolerance */
   ww_bool has_end_tolerance; /* 0 by default */
 } ww_many_goals_query;
 
+/* Sets all members to their defaults. `struct_size` is sizeof(ww_many_goals_query). */
 WW_API ww_status ww_many_goals_query_init(ww_many_goals_query* query, size_t struct_size);
 /* Finds the shortest path to each goal, in the order of the goals. For many goals, this is faster than one query for
    each. Errors: the errors of ww_world_find_path. ww_error.index is 0 for the start, and i + 1 for goals[i]. */
@@ -702,8 +714,9 @@ WW_API ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size
 WW_API ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count);
 /* Writes the items that block an end, ascending; 0 is the border of the domain. Empty unless an end is blocked. */
 WW_API ww_status ww_path_blockers(const ww_path* path, ww_id* items, size_t capacity, size_t* count);
-/* Gives the largest disc that gets through, if no path for the disc of the query exists (WW_PATH_NO_PATH) and a smaller
-   disc gets through. Otherwise the function sets is_connected to 0. The lists are as in ww_world_widest_path. */
+/* Gives the largest disc that gets from start to goal, if no path for the disc of the query exists (WW_PATH_NO_PATH)
+   and a smaller disc gets there. Otherwise the function sets is_connected to 0. The lists are as in
+   ww_world_widest_path. */
 WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                 size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
@@ -741,7 +754,8 @@ WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_poin
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Searches in slices, if a whole search takes more time than one frame of your program has. Between the slices you may
-   query, change and even destroy the world. If a change concerns what the search has seen, the search starts again.
+   query, change and even destroy the world. If a change touches the start, the goal or a triangle at which the search
+   has looked, the search starts again.
    Threads: a search belongs to one thread at a time. ww_search_begin and ww_search_step read the world. */
 
 /* Starts a search, and cancels the search that is running. Errors: the errors of ww_world_find_path. After an error no
@@ -751,11 +765,13 @@ WW_API ww_status ww_search_begin(ww_search* search, const ww_world* world, const
    `expansions` is a number of steps. Sets *is_done to 1 if the search is done, or if no search is running.
    Errors: WW_WORLD_GONE, if the world was destroyed. This error, and WW_OUT_OF_MEMORY, cancel the search. */
 WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done);
-/* Sets *path to the answer, or to the best path so far; its status is WW_PATH_NO_PATH as long as there is none. It
-   belongs to the search, and is valid until the next call that changes or destroys the search. */
+/* Sets *path to the answer, or to the best path so far. The status of the path is WW_PATH_NO_PATH as long as the search
+   has found none. The path belongs to the search, and is valid until the next call that changes or destroys the search.
+ */
 WW_API ww_status ww_search_path(const ww_search* search, const ww_path** path);
 /* Gives the number of times that the search has started again because of changes of the world. */
 WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
+/* Cancels the search, if one is running. */
 WW_API ww_status ww_search_cancel(ww_search* search);
 /* Finds out whether a search has begun and is neither done nor cancelled. */
 WW_API ww_status ww_search_is_running(const ww_search* search, ww_bool* is_running);
@@ -796,9 +812,8 @@ typedef struct ww_changed_box {
 } ww_changed_box;
 
 /* Writes the regions that the operations after version `since` have changed, the oldest first: the bounding box of each
-   segment, polyline or polygon that they inserted or removed. If the world no longer has all boxes since then, sets
-   *is_known to 0 and writes none. ww_world_is_affected says how many boxes a world
-   keeps. */
+   segment, polyline or polygon that they inserted or removed. If the world no longer has all boxes since that version,
+   the function sets *is_known to 0 and writes no box. ww_world_is_affected says how many boxes a world keeps. */
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
 
@@ -808,13 +823,14 @@ WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, w
    Threads: each handle belongs to one thread at a time; give each thread a handle of its own by ww_snapshot_copy.
    Threads may copy and destroy their handles while another thread calls any function on the world. */
 WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
-/* Makes another handle of the same immutable world, at a cost that does not depend on the world. */
+/* Makes another handle of the same immutable world. The cost does not depend on the world. */
 WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy);
 /* Destroys a handle. If it was the last handle of an immutable world, the library frees the memory of this world or
    uses it again. A snapshot may outlive its world. */
 WW_API void ww_snapshot_destroy(ww_snapshot* snapshot);
-/* Sets `world` to the immutable world. All functions that take a `const ww_world*` work, from several threads at once,
-   each with its own context. It is valid until this handle is destroyed. Do not destroy it. */
+/* Sets *world to the immutable world. You can pass this world to all functions that take a `const ww_world*`, on
+   several threads at once, each with its own context. The world is valid until you destroy this handle. Do not destroy
+   the world itself. */
 WW_API ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world** world);
 
 /* A path watch holds copies of the paths of many agents under keys that you choose. After operations, it says which
@@ -827,7 +843,9 @@ WW_API void ww_path_watch_destroy(ww_path_watch* watch);
 WW_API ww_status ww_path_watch_add(ww_path_watch* watch, uint64_t key, const ww_path* path);
 /* Stops watching the path under a key. `was_there` receives whether there was one, and may be null. */
 WW_API ww_status ww_path_watch_remove(ww_path_watch* watch, uint64_t key, ww_bool* was_there);
+/* Finds out whether the watch has a path under a key. */
 WW_API ww_status ww_path_watch_contains(const ww_path_watch* watch, uint64_t key, ww_bool* contains);
+/* Gives the number of paths that the watch has. */
 WW_API ww_status ww_path_watch_count(const ww_path_watch* watch, size_t* count);
 /* Finds out what the operations since the last update, or since the watch was made, mean for the paths. `world` must be
    the world for which the watch was made. The watch keeps all paths. The three functions below read the answer, until
@@ -864,17 +882,20 @@ typedef struct ww_triangle {
 typedef struct ww_constrained_edge {
   uint32_t vertices[2]; /* indices in the list of vertices, the smaller first */
   uint32_t first_id;    /* the index of the first id of the edge in the list of ids */
-  uint32_t id_count;
+  uint32_t id_count;    /* the number of ids of the edge */
 } ww_constrained_edge;
 
 /* Gives the number of vertices of the mesh: the corners of the domain, the corners of items, and the crossings. */
 WW_API ww_status ww_world_vertex_count(const ww_world* world, size_t* vertex_count);
+/* Gives the number of triangles of the mesh. */
 WW_API ww_status ww_world_triangle_count(const ww_world* world, size_t* triangle_count);
 /* Sets `mesh` to a copy of the mesh in canonical order: vertices by (x, y), triangles and edges by their indices. */
 WW_API ww_status ww_world_snapshot(const ww_world* world, ww_context* context, ww_mesh* mesh);
 /* Writes the vertices, rounded to nearest. */
 WW_API ww_status ww_mesh_vertices(const ww_mesh* mesh, ww_point* vertices, size_t capacity, size_t* count);
+/* Writes the triangles, sorted by their indices. */
 WW_API ww_status ww_mesh_triangles(const ww_mesh* mesh, ww_triangle* triangles, size_t capacity, size_t* count);
+/* Writes the constrained edges, sorted by their indices. */
 WW_API ww_status ww_mesh_constrained_edges(const ww_mesh* mesh, ww_constrained_edge* edges, size_t capacity,
                                            size_t* count);
 /* Writes the ids of the items on all constrained edges, edge after edge; 0 is the border of the domain. */
@@ -910,13 +931,14 @@ typedef struct ww_memory_use {
   size_t total;       /* the sum of all of them */
 } ww_memory_use;
 
+/* Gives the memory of the world, by purpose. */
 WW_API ww_status ww_world_memory(const ww_world* world, ww_memory_use* use);
 /* Frees most of the spare memory. Changes no answer and no hash. The next operations allocate it again. */
 WW_API ww_status ww_world_shrink_to_fit(ww_world* world);
 
 /* The number of calls of one predicate, by the stage of the arithmetic that decided the call. */
 typedef struct ww_stage_counts {
-  uint64_t doubles;  /* doubles with a proven error bound */
+  uint64_t doubles;  /* doubles with a proven error bound; for crossings: doubles, of which one division is rounded */
   uint64_t lattice;  /* integers of a fixed width */
   uint64_t integers; /* integers of any size */
 } ww_stage_counts;
@@ -1002,8 +1024,9 @@ typedef struct ww_scene_info {
 
 /* Gives the format for the ending of a file name. Errors: WW_NOT_SUPPORTED. */
 WW_API ww_status ww_scene_format_of(const char* file_name, ww_scene_format* format);
-/* Sets a scene to the contents of a file. A file that starts like a saved world counts as one. Otherwise the ending
-   of the file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
+/* Sets a scene to the contents of a file. A file that starts like a saved world counts as a saved world. Otherwise the
+   ending of the file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE.
+ */
 WW_API ww_status ww_scene_read(const char* file_name, ww_scene* scene);
 /* Sets a scene to a map of Moving AI. Cell (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
 WW_API ww_status ww_scene_parse_movingai_map(const char* text, size_t length, const char* name, ww_scene* scene);
@@ -1018,6 +1041,7 @@ WW_API ww_status ww_scene_parse_triangle_node(const char* text, size_t length, c
 WW_API ww_status ww_scene_parse_saved_world(const void* bytes, size_t size, const char* name, ww_scene* scene);
 /* Sets a scene to a copy of a domain and items. */
 WW_API ww_status ww_scene_set(ww_scene* scene, ww_box domain, const ww_items* items, ww_bool y_down);
+/* Gives facts about a scene. */
 WW_API ww_status ww_scene_get_info(const ww_scene* scene, ww_scene_info* info);
 /* Sets *items to the items of the scene. They belong to the scene, and are valid until it changes or is destroyed. */
 WW_API ww_status ww_scene_items(const ww_scene* scene, const ww_items** items);
@@ -1064,11 +1088,11 @@ typedef struct ww_script_line {
   ww_items_hash items_hash; /* for WW_SCRIPT_TICK */
 } ww_script_line;
 
-/* Sets `script` to the lines of a world script. Accepts points outside the domain: only a world refuses
-   them. */
+/* Sets `script` to the lines of a world script. Accepts points outside the domain: only a world refuses them. */
 WW_API ww_status ww_script_parse(const char* text, size_t length, const char* name, ww_script* script);
 /* Gives the domain. `line` receives its line in the text, from 1, and may be null. */
 WW_API ww_status ww_script_domain(const ww_script* script, ww_box* domain, uint32_t* line);
+/* Gives the number of lines. */
 WW_API ww_status ww_script_line_count(const ww_script* script, size_t* count);
 /* Gives the line with this index. The lines have the indices 0 to count - 1. */
 WW_API ww_status ww_script_get_line(const ww_script* script, size_t index, ww_script_line* line);
@@ -1090,6 +1114,7 @@ typedef struct ww_scenario_query {
 
 /* Sets `scenario` to the queries of a scenario file. */
 WW_API ww_status ww_scenario_parse(const char* text, size_t length, const char* name, ww_scenario* scenario);
+/* Gives the number of queries. */
 WW_API ww_status ww_scenario_count(const ww_scenario* scenario, size_t* count);
 /* Gives one query. `map` receives the file name of the map, a text. */
 WW_API ww_status ww_scenario_get(const ww_scenario* scenario, size_t index, ww_scenario_query* query, char* map,
@@ -1113,7 +1138,7 @@ WW_API ww_status ww_replay_writer_record(ww_replay_writer* writer, const ww_chan
 /* Ends a tick. Ticks count from 1. At a tick with a hash, the function also flushes the output.
    Errors: WW_UNWRITABLE. */
 WW_API ww_status ww_replay_writer_tick(ww_replay_writer* writer, const ww_world* world);
-/* Gives the number of the last tick, 0 before the first. */
+/* Gives the number of the last tick, or 0 before the first tick. */
 WW_API ww_status ww_replay_writer_last_tick(const ww_replay_writer* writer, uint64_t* tick);
 
 /* A function that the library calls to report how much of a call is done. */
@@ -1125,7 +1150,7 @@ typedef struct ww_replay_result {
   ww_bool is_same;        /* whether all changes were made and all hashes are equal */
   uint64_t ticks;         /* the number of ticks that were replayed */
   uint64_t tick;          /* the first tick whose hash differs, or during which a change was refused */
-  uint64_t last_same;     /* the last tick before it whose hash is equal, or 0 */
+  uint64_t last_same;     /* the last tick before `tick` whose hash is equal, or 0 */
   uint32_t line;          /* the line of the hash or of the refused change in the script */
   ww_bool is_refused;     /* whether the world refused a change: ww_replay_refusal says why */
   ww_items_hash expected; /* the hash in the log */
@@ -1158,10 +1183,10 @@ typedef struct ww_replay_difference {
   uint32_t struct_size;
   ww_bool is_different;
   ww_difference_kind kind;
-  uint32_t line;       /* the line in the first log, or 0 if it ends before */
+  uint32_t line;       /* the line in the first log, or 0 if this log ends before the difference */
   uint32_t other_line; /* the same for the second log */
   uint64_t tick;       /* the tick during which the logs begin to differ */
-  ww_id item;          /* of WW_DIFFERENCE_CHANGE: the item of the first log's change; 0 if it has no change there */
+  ww_id item;          /* for WW_DIFFERENCE_CHANGE: the item that the first log changes there, or 0 */
   ww_id other_item;    /* the same for the second log */
 } ww_replay_difference;
 
@@ -1198,6 +1223,7 @@ typedef struct ww_svg_frame {
   double scale; /* the pixels of one unit of length */
 } ww_svg_frame;
 
+/* Sets all options to their defaults. `struct_size` is sizeof(ww_svg_options). */
 WW_API ww_status ww_svg_options_init(ww_svg_options* options, size_t struct_size);
 /* Sets `text` to a picture of the world as SVG. `overlay` and `options` may be null. docs/pictures.md shows examples.
    Errors: WW_COORDINATE_RANGE; WW_BAD_DOMAIN, if min of the crop box is not below its max; WW_OUT_OF_DOMAIN, if the

@@ -56,9 +56,22 @@ Jobs::Jobs(const ww_job_system* jobs) {
 }
 
 void Jobs::run(std::size_t count, const std::function<void(std::size_t)>& job) {
-  using Job = const std::function<void(std::size_t)>;
-  const ww_job call = [](void* job_data, std::size_t index) { (*static_cast<Job*>(job_data))(index); };
-  jobs_.run(count, call, const_cast<std::function<void(std::size_t)>*>(&job), jobs_.user_data);
+  struct Run {
+    std::size_t count;
+    const std::function<void(std::size_t)>& job;
+    std::atomic<std::int32_t> is_wrong{0};  // threads of the caller write it
+  };
+  Run run{count, job};
+  const ww_job call = [](void* job_data, std::size_t index) {
+    Run& called = *static_cast<Run*>(job_data);
+    if (index < called.count) {
+      called.job(index);
+    } else {
+      called.is_wrong = 1;
+    }
+  };
+  jobs_.run(count, call, &run, jobs_.user_data);
+  require(run.is_wrong == 0, "a job system has called a job with an index that is not below the number of jobs");
 }
 
 }  // namespace waywright::c
@@ -82,7 +95,13 @@ ww_status ww_world_create(ww_box domain, const ww_world_options* options, ww_wor
   });
 }
 
-void ww_world_destroy(ww_world* world) { destroy_object(world); }
+void ww_world_destroy(ww_world* world) {
+  if (world == nullptr) return;
+  guarded([&] {
+    delete &changing(world);
+    return WW_OK;
+  });
+}
 
 ww_status ww_world_clone(const ww_world* world, ww_world** clone) {
   return guarded([&] {
@@ -149,7 +168,10 @@ ww_status ww_bulk_options_init(ww_bulk_options* options, size_t struct_size) {
 ww_status ww_world_insert_all(ww_world* world, const ww_items* items, const ww_bulk_options* options, ww_id* ids) {
   return guarded([&] {
     const Bulk bulk(options);
-    return write_all_ids(changing(world).insert_all(object(items), bulk.options), ids);
+    World& changed = changing(world);
+    const std::vector<Item>& inserted = object(items);
+    const RunningCall running(changed, RunningCall::Use::changes);
+    return write_all_ids(changed.insert_all(inserted, bulk.options), ids);
   });
 }
 
@@ -157,7 +179,10 @@ ww_status ww_world_insert_points(ww_world* world, const ww_point* points, size_t
                                  const ww_bulk_options* options, ww_id* first_id) {
   return guarded([&] {
     const Bulk bulk(options);
-    return write_id(changing(world).insert_points(to_points(points, point_count), first, bulk.options), first_id);
+    World& changed = changing(world);
+    const PointSpan inserted = to_points(points, point_count);
+    const RunningCall running(changed, RunningCall::Use::changes);
+    return write_id(changed.insert_points(inserted, first, bulk.options), first_id);
   });
 }
 

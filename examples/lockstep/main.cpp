@@ -6,7 +6,7 @@
 //        lockstep_game --watch PORT [OPTION...]    a machine that joins in the middle of the game
 //
 // The results depend on the options of the host alone, whatever the network does. Exits with 1 if two machines have
-// different states at a tick, and with 2 if another machine is silent.
+// different states at a tick, and with 2 if no packets arrive from another machine.
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #pragma once
 
-// A player who needs no screen.
+// The commands of a player that the computer chooses.
 
 #include "numbers.hpp"
 #include "simulation.hpp"
@@ -8,8 +8,8 @@
 namespace lockstep {
 
 /// The commands of a player at a tick. The players take turns: in each tick, one of them builds or destroys one
-/// building. At first they only build. Nothing here must be the same on all machines: the commands of a player come
-/// from one machine.
+/// building. At first they only build. The result of this function need not be the same on all machines, because the
+/// commands of a player come from one machine.
 inline Commands commands_of(std::size_t player, Tick tick, const Simulation& game) {
   constexpr Tick kOpening = 64;  // buildings that a player places before it destroys the first
   constexpr Tick kTicksPerOrder = 16;

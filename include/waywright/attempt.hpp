@@ -35,8 +35,8 @@ ResultOfAttempt<Question> ask(Question& question, const World& world) {
   }
 }
 
-/// Ends the attempt in a world when it is destroyed, unless release() was called. `W` is World, which is complete where
-/// this template is instantiated.
+/// The destructor of this class ends the attempt in a world, unless release() was called. `W` is World, which is
+/// complete where this template is instantiated.
 template <class W>
 class AttemptGuard {
  public:

@@ -14,9 +14,9 @@ namespace waywright {
 /// One of several changes that World::apply makes together.
 ///
 /// @code{.cpp}
-/// const Shape gate = Shape::segment({30, 40}, {40, 40});
-/// const std::vector<Change> changes = {Change::insert(gate, 12), Change::remove(2)};
-/// const Path then = world.attempt(changes, [&](const World& changed) {
+/// const Shape barrier = Shape::segment({30, 40}, {40, 40});
+/// const std::vector<Change> changes = {Change::insert(barrier, 12), Change::remove(2)};
+/// const Path new_path = world.attempt(changes, [&](const World& changed) {
 ///   return changed.find_path({.start = start, .goal = goal});
 /// }).value();
 /// const std::size_t count = world.attempt(changes, [](const World& w) { return w.item_count(); }).value();  // == 2
@@ -30,8 +30,8 @@ struct Change {
   enum class Kind : std::uint8_t { insert, remove, replace };
 
   Kind kind = Kind::insert;
-  ItemId id;    ///< the id of the item; for an insertion, null lets the world choose it
-  Shape shape;  ///< for an insertion or a replacement
+  ItemId id;    ///< the id of the item; if it is null in an insertion, the world chooses the id
+  Shape shape;  ///< the new shape, in an insertion or a replacement
 
   /// Returns the insertion of a shape under `id`, or under an id that the world chooses.
   [[nodiscard]] static Change insert(Shape shape, ItemId id = {}) { return {Kind::insert, id, std::move(shape)}; }

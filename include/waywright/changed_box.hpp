@@ -29,13 +29,13 @@ namespace waywright {
 /// if it inserts and removes more than 256 items, the remaining items share the last box.
 ///
 /// These boxes are enough to find out what a change means for paths, although the triangles of the mesh change outside
-/// of them, too. Triangles without walls do not matter for paths: an agent can walk where it could walk before, unless
-/// an item was inserted there.
+/// of them, too. Changes of the triangles alone do not matter for paths: an agent can walk where it could walk before,
+/// unless an operation has inserted an item there.
 ///
 /// World::is_affected() and PathWatch compare paths with the boxes. For a path of a disc, is_affected() can also return
-/// true if the distance from a box is larger than Path::radius: near an arc by up to a 32nd of the radius, elsewhere by
-/// rounding errors. A gap that an operation makes narrower elsewhere does not affect the path, because the disc does
-/// not pass it.
+/// true if the distance from a box is a little larger than Path::radius: by up to a 32nd of the radius near an arc, and
+/// by rounding errors elsewhere. If an operation makes a gap narrower that the path does not pass, the path is not
+/// affected.
 ///
 /// @code{.cpp}
 /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

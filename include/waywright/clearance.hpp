@@ -29,7 +29,7 @@ struct DiscFit {
   friend bool operator==(const DiscFit&, const DiscFit&) = default;
 };
 
-/// A query for the position nearest to a point where a disc fits, for World::nearest_fit.
+/// A query for World::nearest_fit: among all positions where a disc fits, which one is the nearest to a point?
 ///
 /// @code{.cpp}
 /// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5, .limit = 20}).value();
@@ -40,8 +40,8 @@ struct NearestFitQuery {
   /// The radius of the disc, 0 or more. With the radius 0, the answer is the position that a path query would take
   /// instead of a blocked end: the nearest position in or on the border of a triangle that no polygon covers.
   double radius = 0.0;
-  /// If it is set, the answer is the nearest of the positions from which the disc gets to this point. If the disc does
-  /// not fit at the goal, there is no answer.
+  /// The goal: the point to which the disc must get from the answer. If it is not set, every position at which the disc
+  /// fits can be the answer. If the disc does not fit at the goal, there is no answer.
   std::optional<Point> goal{};
   /// The largest distance of the answer from `point`, 0 or more.
   double limit = std::numeric_limits<double>::infinity();
@@ -54,22 +54,23 @@ struct NearestFitQuery {
 /// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
 /// @endcode
 ///
-/// If the disc fits at the point itself, this is the answer. The distance is the least one up to a relative error of
-/// 1e-9, or up to the rounding of coordinates: the answer is a point of doubles, so it can lie a little farther away
-/// than the nearest position. In a corner where the disc just fits between two walls, few points of doubles are free.
-/// There the answer can lie up to about a millionth of the radius farther away than the nearest of them. Where the disc
-/// fits only at a single position, or only along a line between two walls, there is an answer only if doubles can
-/// express a position there. Of equally near points, the first in (x, y) order is the answer.
+/// If the disc fits at the point of the query, this point is the answer. The coordinates of the answer are doubles, so
+/// the answer can lie a little farther away than the nearest position at which the disc fits. The distance is the
+/// smallest possible one, up to a relative error of 1e-9 or up to the rounding of coordinates. In a corner where the
+/// disc only just fits between two walls, it fits at few points whose coordinates are doubles. There the answer can lie
+/// up to about a millionth of the radius farther away than the nearest of these points. If the disc fits only at a
+/// single position, or only along a line between two walls, there is an answer only if doubles can express a position
+/// there. Of several equally near points, the first in (x, y) order is the answer.
 struct NearestFit {
   bool is_found = false;  ///< whether the disc fits somewhere; if not, all other members are zero
-  Point at;               ///< where the disc fits: World::fit_disc says so exactly
+  Point at;               ///< a point where the disc fits, as World::fit_disc decides exactly
   double distance = 0.0;  ///< from the query's point to `at`
 
   friend bool operator==(const NearestFit&, const NearestFit&) = default;
 };
 
-/// The answer of World::widest_path: the largest disc that gets from a start to a goal, and the gap that stops every
-/// larger disc. If you reuse one object for many queries, it keeps its memory.
+/// The answer of World::widest_path: the radius of the largest disc that gets from a start to a goal, and the gap that
+/// stops every larger disc. If you reuse one object for many queries, it keeps its memory.
 ///
 /// @code{.cpp}
 /// World rooms = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
@@ -84,8 +85,9 @@ struct NearestFit {
 /// Source: Pollack, *The maximum capacity through a network*, 1960, on gaps that are Gabriel edges (Gabriel and Sokal
 /// 1969).
 struct WidestPath {
-  /// Whether the walls leave a connection at all. It is false, too, if an end lies on a wall, or in the interior of a
-  /// polygon. If it is false, all other members are empty.
+  /// Whether a disc of some radius above 0 gets from the start to the goal. This is impossible, for example, if the
+  /// start or the goal lies on a wall or in the interior of a polygon. If the member is false, all other members are
+  /// zero or empty.
   bool is_connected = false;
   /// Whether a gap between the ends limits the disc. If not, each disc that fits at both ends gets from one to the
   /// other.

@@ -31,17 +31,19 @@ enum class ErrorCode : std::uint8_t {
   bad_id,                ///< an id above 2^63 - 1, for example an id made from a negative number
   bad_domain,            ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   empty_shape,           ///< a polyline or ring without points, a polygon without rings
-  too_large,             ///< more than 2^27 vertices without the crossings of the change, or 350 million with them
-  too_many_vertices,     ///< an operation that would make more vertices than WorldOptions::new_vertex_limit allows
-  world_gone,            ///< the world of a PathSearch no longer exists
-  not_supported,         ///< a request that this version or this world does not support
-  no_bridges,            ///< a query that needs bridges, of a world that does not keep them
-  no_history,            ///< a rewind of a world that keeps no history
-  old_tick,              ///< a tick that the history of a world no longer contains
-  unknown_tick,          ///< a tick that no mark of a world has
-  unreadable,            ///< a file that cannot be opened or read
-  malformed,             ///< text or bytes that do not follow their format
-  unwritable,            ///< a file or a stream that cannot be written
+  /// A change after which the mesh could have more than 2^27 vertices, not counting the crossings that the change
+  /// makes, or more than 350 million vertices in all.
+  too_large,
+  too_many_vertices,  ///< an operation that would make more vertices than WorldOptions::new_vertex_limit allows
+  world_gone,         ///< the world of a PathSearch no longer exists
+  not_supported,      ///< a request that this version or this world does not support
+  no_bridges,         ///< a query that needs bridges, of a world that does not keep them
+  no_history,         ///< a rewind of a world that keeps no history
+  old_tick,           ///< a tick that the history of a world no longer contains
+  unknown_tick,       ///< a tick that no mark of a world has
+  unreadable,         ///< a file that cannot be opened or read
+  malformed,          ///< text or bytes that do not follow their format
+  unwritable,         ///< a file or a stream that cannot be written
 };
 
 /// Returns the name of a code in the output of world scripts: `coordinate-range`, `out-of-domain`, ...
@@ -77,12 +79,12 @@ struct ErrorWords {
 
   std::string text;
   const char* literal = nullptr;
-  /// If an element of a list is refused: the noun for the element, for example `change`. Error::index is its index.
+  /// The noun for the refused element of a list, for example `change`. Error::index is the index of this element.
   const char* list = nullptr;
-  PointName point_name;  ///< if a point is refused: its name
+  PointName point_name;  ///< the name of the refused point, if the error is about a point
   Point point;
   Box domain;
-  std::uint64_t limit = 0;  ///< if a limit would be passed: the limit
+  std::uint64_t limit = 0;  ///< the limit that the operation would have passed, if the error is about a limit
 };
 
 }  // namespace detail
@@ -103,7 +105,7 @@ struct ErrorWords {
 struct Error {
   ErrorCode code = ErrorCode::malformed;
   detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
-  ItemId item;               ///< the id that caused the error; null if no id did
+  ItemId item;               ///< the id that caused the error, or null
   std::uint64_t index = 0;   ///< the index of the refused element in its list (from 0), or a line number (from 1)
 
   /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.
@@ -139,8 +141,10 @@ class WAYWRIGHT_API_EXCEPTION BadResult : public std::runtime_error {
 /// @}
 
 namespace detail {
+/// Throws BadResult. In a build without exceptions it ends the process instead.
 [[noreturn]] WAYWRIGHT_API void raise(const Error& error);
-/// Calls the assertion handler and aborts. Result calls it if you take the value of a refused call by `*` or `->`.
+/// Calls the assertion handler and aborts. Result calls this function if you use `*` or `->` on a result that has an
+/// error.
 [[noreturn]] WAYWRIGHT_API void fail_value_of(const Error& error);
 }  // namespace detail
 
@@ -212,7 +216,7 @@ class [[nodiscard]] Result {
   /// Returns the error.
   /// Requires: not ok(). The library checks this in every build.
   [[nodiscard]] const Error& error() const {
-    WAYWRIGHT_ASSERT(!ok(), "Result::error(): the call was carried out, there is no error");
+    WAYWRIGHT_ASSERT(!ok(), "Result::error(): the result has no error");
     return *std::get_if<1>(&state_);
   }
 
@@ -248,7 +252,7 @@ class [[nodiscard]] Result<void> {
   /// Returns the error.
   /// Requires: not ok(). The library checks this in every build.
   [[nodiscard]] const Error& error() const {
-    WAYWRIGHT_ASSERT(!ok(), "Result::error(): the call was carried out, there is no error");
+    WAYWRIGHT_ASSERT(!ok(), "Result::error(): the result has no error");
     return *error_;
   }
 

@@ -11,7 +11,7 @@ namespace waywright {
 
 namespace detail {
 
-/// An integer type that can hold an id: every integral type but `bool` and the character types.
+/// An integer type that can hold an id: every integral type except `bool` and the character types.
 template <class T>
 concept IdNumber = std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char> && !std::same_as<T, wchar_t> &&
                    !std::same_as<T, char8_t> && !std::same_as<T, char16_t> && !std::same_as<T, char32_t>;

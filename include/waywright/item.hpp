@@ -17,7 +17,7 @@ namespace waywright {
 
 /// The kind of an item.
 enum class ItemKind : std::uint8_t {
-  point,     ///< a vertex, no wall
+  point,     ///< a vertex; it is not a wall
   segment,   ///< a wall; a segment of length zero acts as a point
   polyline,  ///< an open chain of walls
   polygon,   ///< a solid obstacle of one or more closed rings; its FillRule says what lies inside
@@ -34,7 +34,7 @@ enum class FillRule : std::uint8_t {
   nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if their directions differ
 };
 
-/// Whether a polygon with this rule covers the positions whose winding number is `turns`.
+/// Returns whether a polygon with this rule covers the positions whose winding number is `turns`.
 [[nodiscard]] constexpr bool is_filled(FillRule rule, std::int32_t turns) {
   return rule == FillRule::even_odd ? turns % 2 != 0 : turns != 0;
 }
@@ -75,8 +75,10 @@ struct Shape {
     return {ItemKind::polygon, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
   }
   /// Returns the polygon of `corner_count` corners on a circle, counter-clockwise from the corner to the right of the
-  /// centre. Each corner is rounded to doubles. The result is the same on every machine.
+  /// centre. The function rounds each corner to doubles. The result is the same on every machine. The radius is in the
+  /// unit of the coordinates.
   /// Requires: `corner_count` is 3 or more.
+  /// Cost: linear in the corners.
   [[nodiscard]] WAYWRIGHT_API static Shape regular_polygon(const Point& centre, double radius,
                                                            std::size_t corner_count);
 };
@@ -90,12 +92,14 @@ struct Shape {
 /// @{
 
 /// Returns a copy of the shape, moved by (`dx`, `dy`). The coordinates are sums of doubles, rounded to nearest.
+/// Cost: linear in the points of the shape.
 [[nodiscard]] WAYWRIGHT_API Shape translated(const Shape& shape, double dx, double dy);
 
 /// Returns the centroid of a shape, computed in plain doubles. For a polygon, this is the centroid of the area inside
 /// it by its fill rule. For a polygon without area and for the other kinds, it is the mean of the points. If rings
 /// cross each other or themselves, the result is an approximation.
 /// Requires: the shape has a point.
+/// Cost: linear in the points of the shape.
 /// Source: Bourke, *Calculating the area and centroid of a polygon*, 1988.
 [[nodiscard]] WAYWRIGHT_API Point centroid(const Shape& shape);
 

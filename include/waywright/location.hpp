@@ -34,8 +34,8 @@ enum class LocationKind : std::uint8_t { vertex, edge, face };
 struct Location {
   LocationKind kind = LocationKind::face;
   /// The vertices of the location, each coordinate rounded to the nearest double: 1 vertex, the 2 ends of an edge, or
-  /// the 3 vertices of a face, counter-clockwise. Of an edge or a face, the first vertex in the array is the one that
-  /// comes first in (x, y) order.
+  /// the 3 vertices of a face, counter-clockwise. The first vertex of an edge or a face in this array is the vertex
+  /// that comes first in (x, y) order.
   std::array<Point, 3> vertices{};
   std::size_t vertex_count = 0;  ///< the number of vertices in `vertices`
   /// The polygons that contain the point in their interior or on their boundary, ascending.

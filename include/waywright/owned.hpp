@@ -24,12 +24,12 @@ class Owned {
   std::unique_ptr<T> object_;
 };
 
-inline constexpr char kMovedWorld[] = "World: this one has been moved from; it may only be assigned to or destroyed";
+inline constexpr char kMovedWorld[] = "World: this object has been moved from; you may only assign to it or destroy it";
 inline constexpr char kMovedContext[] =
-    "QueryContext: this one has been moved from; it may only be assigned to or destroyed";
+    "QueryContext: this object has been moved from; you may only assign to it or destroy it";
 inline constexpr char kMovedSearch[] =
-    "PathSearch: this one has been moved from; it may only be assigned to or destroyed";
+    "PathSearch: this object has been moved from; you may only assign to it or destroy it";
 inline constexpr char kMovedWatch[] =
-    "PathWatch: this one has been moved from; it may only be assigned to or destroyed";
+    "PathWatch: this object has been moved from; you may only assign to it or destroy it";
 
 }  // namespace waywright::detail

@@ -20,7 +20,7 @@ namespace waywright {
 /// @addtogroup paths
 /// @{
 
-/// A search algorithm for paths. docs/paths.md says when to choose which.
+/// A search algorithm for paths. docs/paths.md says when to choose which algorithm.
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
 /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta` and `tra`).
 enum class PathAlgorithm : std::uint8_t {
@@ -48,8 +48,8 @@ struct PathBudget {
   /// The number of triangles that the whole search may enter, including the search for the first path. If it is 0, the
   /// first path is the answer.
   std::size_t expansions = 0;
-  /// The time since the start of the search. If this limit ends the search, the answer depends on the clock. In all
-  /// other cases the answer does not.
+  /// The largest time since the start of the search. If this limit ends the search, the answer depends on the clock. In
+  /// all other cases the answer does not depend on the clock.
   std::chrono::nanoseconds time = std::chrono::nanoseconds::max();
 
   /// The value of `expansions` for a search without a limit on triangles.
@@ -79,13 +79,15 @@ struct PathQuery {
   /// value is 0, the search moves no end. The value must be 0 or more; infinity is allowed. If the domain is much
   /// larger than the area that the items fill, the default is too large for the items: then set the tolerance.
   ///
-  /// There are two reasons to move an end. If the search has moved one, Path::moved_start or Path::moved_goal is set.
+  /// There are two reasons to move an end. If the search has moved an end, it sets Path::moved_start or
+  /// Path::moved_goal.
   /// - Polygons cover all triangles around the end, so no path can start or end there. The search then takes the
   ///   nearest free position within the tolerance. If the world keeps its abstraction, the search prefers free
   ///   positions that are connected with the other end.
-  /// - Walls separate start and goal, but one of them lies so near to a wall that a rounding error may have put it
-  ///   beyond the wall: its distance is at most World::default_end_tolerance() and at most the tolerance. The search
-  ///   then moves it across the wall, if this connects start and goal. This requires a world that keeps its
+  /// - Walls separate start and goal, but the start or the goal lies so near to a wall that a rounding error may have
+  ///   put it beyond the wall: its distance from the wall is at most World::default_end_tolerance() and at most the
+  ///   tolerance. The search then moves this end across the wall, if this connects start and goal. This requires a
+  ///   world that keeps its
   ///   abstraction.
   ///
   /// If the radius is above 0 and the disc does not fit at an end, the search takes the position that
@@ -96,10 +98,12 @@ struct PathQuery {
 
 /// The outcome of a search. "No path" is an answer, not an error.
 enum class PathStatus : std::uint8_t {
-  found,          ///< there is a path
-  start_blocked,  ///< the start lies strictly inside a polygon, or a wall is nearer than the radius; it was not moved
-  goal_blocked,   ///< the goal lies strictly inside a polygon, or a wall is nearer than the radius; it was not moved
-  no_path,        ///< no end is blocked, but no path connects them
+  found,  ///< there is a path
+  /// The start lies strictly inside a polygon, or a wall is nearer to the start than the radius. The search found no
+  /// free position within the tolerance.
+  start_blocked,
+  goal_blocked,  ///< the goal lies strictly inside a polygon or too near to a wall, as for `start_blocked`
+  no_path,       ///< neither the start nor the goal is blocked, but no path connects them
 };
 
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
@@ -195,9 +199,10 @@ enum class Precision : std::uint8_t {
 /// @endcode
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
-  double length = 0.0;       ///< the Euclidean length; 0 unless found
-  double lower_bound = 0.0;  ///< no path is shorter; equal to `length` if the path is proven shortest; 0 unless found
-  double radius = 0.0;       ///< the radius of the agent, as in the query
+  double length = 0.0;  ///< the Euclidean length; 0 unless found
+  double lower_bound =
+      0.0;              ///< no path is shorter than this; equals `length` if the search has proven it; 0 unless found
+  double radius = 0.0;  ///< the radius of the agent, as in the query
   /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0. If
   /// the path turns at a crossing of two walls, the point of this turn has the rounded coordinates of the crossing. For
   /// this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear() also lets the
@@ -220,8 +225,8 @@ struct WAYWRIGHT_API Path {
   /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
   /// disc there, see DiscFit::items. Empty unless the status is start_blocked or goal_blocked.
   std::vector<ItemId> blockers;
-  /// The largest disc that gets from start to goal. Set if the query has a radius above 0, the status is no_path, and a
-  /// smaller disc gets through.
+  /// The radius of the largest disc that gets from start to goal. The search sets this member if the query has a radius
+  /// above 0, the status is no_path, and a smaller disc gets from start to goal.
   std::optional<WidestPath> widest;
 
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
@@ -243,11 +248,11 @@ struct WAYWRIGHT_API Path {
   /// may not fit exactly at the position, see World::fit_disc. The heading has no jumps, because the lines touch the
   /// arcs.
   /// Requires: the path is found.
-  /// Cost: linear in the turns before the position.
+  /// Cost: linear in the turns (for a disc, the pieces) before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
   /// result is rounded as for at(). NaN counts as 0.
-  /// Requires: the path is found. It returned `from`, and has not changed since then.
+  /// Requires: the path is found. A function of this path returned `from`, and the path has not changed since then.
   /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
@@ -259,11 +264,11 @@ struct WAYWRIGHT_API Path {
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
 
   /// Returns the path as points, for programs that know no arcs. For a point agent, the result is `points`. For a disc,
-  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows. A
-  /// point that equals the one before it is left out. All points lie on the path, up to rounding errors. No position on
-  /// the straight segments between them is farther than `tolerance` from the path. So no wall is nearer to them than
-  /// the radius minus the tolerance. A tolerance above half the radius counts as half the radius, so that the segments
-  /// never touch a wall. If the path is not found, the result is empty.
+  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows.
+  /// The function leaves out each point that equals the point before it. All points lie on the path, up to rounding
+  /// errors. No position on the straight segments between them is farther than `tolerance` from the path. So no wall is
+  /// nearer to them than the radius minus the tolerance. A tolerance above half the radius counts as half the radius,
+  /// so that the segments never touch a wall. If the path is not found, the result is empty.
   ///
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
@@ -298,7 +303,7 @@ struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;
   double radius = 0.0;                    ///< the radius of the agent, 0 or more: like PathQuery::radius
-  bool wants_points = false;              ///< whether the answers have points or pieces; if not, only status and length
+  bool wants_points = false;              ///< whether the answers have points or pieces, besides status and length
   std::optional<double> end_tolerance{};  ///< like PathQuery::end_tolerance, for the start and for each goal
 };
 

@@ -41,7 +41,8 @@ class WAYWRIGHT_API PathSearch {
   PathSearch(PathSearch&&) noexcept;
   PathSearch& operator=(PathSearch&&) noexcept;
 
-  /// Starts a search, and cancels the search that is running, if there is one. After an error no search is running.
+  /// Starts a search, and cancels the search that is running, if there is one. If the function returns an error, no
+  /// search is running afterwards.
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
   /// wall. If the segment meets no wall, the first step ends the search. For a radius above 0: the location of both
@@ -49,9 +50,9 @@ class WAYWRIGHT_API PathSearch {
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
-  /// search is done. For PathAlgorithm::tra the first step ends the search. If no search is running, the function
-  /// returns true. For a radius above 0, `expansions` is the number of further steps of the search. If there is no
-  /// path, the last slice also finds Path::widest, at the cost of World::widest_path.
+  /// search is done. The first step ends a search by PathAlgorithm::tra. If no search is running, the function returns
+  /// true. For a radius above 0, `expansions` is the number of further steps of the search. If there is no path, the
+  /// last slice also finds Path::widest, at the cost of World::widest_path.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
   /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
@@ -59,15 +60,19 @@ class WAYWRIGHT_API PathSearch {
 
   /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound.
   /// The status is PathStatus::no_path as long as the search has found no path.
+  /// Cost: O(1).
   [[nodiscard]] const Path& path() const;
 
   /// Returns how often the search has started again because of changes of the world. Path::expansions counts from the
   /// last start.
+  /// Cost: O(1).
   [[nodiscard]] std::size_t restarts() const;
 
-  /// Cancels the search.
+  /// Cancels the search, if one is running.
+  /// Cost: O(1).
   void cancel();
   /// Returns whether a search has begun and is neither done nor cancelled.
+  /// Cost: O(1).
   [[nodiscard]] bool is_running() const;
 
  private:

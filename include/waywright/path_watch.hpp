@@ -16,11 +16,11 @@ namespace waywright {
 
 class World;
 
-/// The answer of PathWatch::update: the keys of the paths that the operations since the last update concern. The keys
-/// of each list ascend. A path can be in two lists.
+/// The answer of PathWatch::update: the keys of the paths that the operations since the last update may have blocked or
+/// made longer than necessary. The keys of each list ascend. A path can be in two lists.
 struct PathChanges {
-  /// The paths of point agents that are not clear any more: World::is_clear() is false for their points, and an
-  /// operation has changed something where they run. The list is exact.
+  /// The paths of point agents that are no longer clear: World::is_clear() is false for their points, and an operation
+  /// has inserted or removed an item near them. The list is exact.
   std::vector<std::uint64_t> blocked;
   /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;
@@ -51,8 +51,8 @@ struct PathChanges {
 /// item was. Each position on a shorter path lies in the ellipse whose foci are the start and the goal of the old path,
 /// and whose major axis is as long as the old path. So the watch compares the bounding boxes of removed items with this
 /// ellipse. A replacement counts as a removal and an insertion. A path that was not found counts as infinitely long:
-/// each removal of a wall concerns it. If the search moved an end of the path, the ellipse is larger, and contains the
-/// end that the query wanted.
+/// the watch reports it after each removal of a wall. If the search moved an end of the path, the ellipse is larger,
+/// and also contains the point at which the query wanted this end.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it.
@@ -79,9 +79,10 @@ class WAYWRIGHT_API PathWatch {
   /// Cost: O(1).
   [[nodiscard]] std::size_t size() const;
 
-  /// Finds the paths that the operations since the last update, or since the watch was made, concern. The watch keeps
-  /// all paths, also those that are blocked: add or remove them. A path that stays blocked appears in `changes` again
-  /// only if a later operation changes something near it.
+  /// Finds the paths that may be blocked or longer than necessary because of the operations since the last update, or
+  /// since you made the watch. The watch keeps all paths, also the blocked ones, until you replace them with add() or
+  /// remove them. A path that stays blocked appears in `changes` again only if a later operation changes something near
+  /// it.
   ///
   /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch checks all
   /// paths.

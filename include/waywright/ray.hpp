@@ -23,20 +23,20 @@ namespace waywright {
 /// const Point contact = disc_hit.contact;   // == Point{40, 50}
 /// @endcode
 ///
-/// A disc touches a wall if the wall is not farther from its centre than the radius. So a disc that touches a wall at
-/// the start has its hit there, whatever its direction. Points are not walls. To slide along a wall, continue at right
-/// angles to the direction from `contact` to `at`.
+/// A disc touches a wall if the wall is not farther from its centre than the radius. So if a disc touches a wall before
+/// it moves, the hit is at the start, whatever the direction of the motion. Points are not walls. To slide along a
+/// wall, continue at right angles to the direction from `contact` to `at`.
 struct RayHit {
   bool hit = false;  ///< whether the segment or the disc touches a wall
   /// The first position where the segment touches a wall, rounded to the nearest doubles. For a disc: the position of
-  /// its centre when it first touches a wall. Each coordinate then differs from the exact one by a few units of 2^-53
-  /// times the larger coordinate of the two ends.
+  /// its centre when it first touches a wall. Each coordinate of this position then differs from the exact one by at
+  /// most a few times 2^-53 times the larger magnitude of this coordinate at the two ends of the motion.
   Point at;
-  /// The items that the segment or the disc touches there, ascending. They have a side at `at` or, for a disc, at most
-  /// the radius away from it. The null id is the border of the domain.
+  /// The items that the segment or the disc touches there, ascending. Each has a side through `at` or, for a disc, a
+  /// side whose distance from `at` is at most the radius. The null id is the border of the domain.
   std::vector<ItemId> items;
-  /// The position on these walls that is nearest to `at`, up to rounding errors. If several are equally near: the first
-  /// one in (x, y) order. For a segment, it equals `at`.
+  /// The position on these walls that is nearest to `at`, up to rounding errors. If several positions are equally near:
+  /// the first of them in (x, y) order. For a segment, it equals `at`.
   Point contact;
 
   friend bool operator==(const RayHit&, const RayHit&) = default;

@@ -36,7 +36,7 @@ namespace waywright {
 /// const bool is_same = replay(script).value().is_same;  // == true
 /// @endcode
 ///
-/// The log records changes, not calls: each change is one line, also if World::apply made several as one operation.
+/// The log records changes, not calls: each change is one line, also if one call of World::apply made several changes.
 class WAYWRIGHT_API ReplayWriter {
  public:
   /// Starts a log: writes the domain and the items that `world` contains now. Writes a hash at each tick whose number
@@ -50,7 +50,9 @@ class WAYWRIGHT_API ReplayWriter {
   /// Errors: bad_id, if the id is null or too large; unwritable.
   /// Cost: linear in the points of the shape.
   Result<void> record(const Change& change);
-  /// Records the changes that World::apply has made. `ids` is the answer of this call.
+  /// Records the changes that World::apply has made. `ids` is the answer of that call.
+  /// Errors: bad_id, if an id is null or too large; unwritable.
+  /// Cost: linear in the points of the shapes.
   Result<void> record(std::span<const Change> changes, std::span<const ItemId> ids);
 
   /// Ends a tick. Ticks count from 1. If the log gets a hash at this tick, the function also flushes the stream, so
@@ -58,11 +60,11 @@ class WAYWRIGHT_API ReplayWriter {
   /// Errors: unwritable.
   /// Cost: O(1).
   Result<void> tick(const World& world);
-  /// Does the same for a game with rollback, which knows only later that a tick is final: `hash` is World::items_hash()
-  /// at the end of this tick.
+  /// Ends a tick, too. Use this function in a game with rollback, which knows only later that a tick is final. `hash`
+  /// is the World::items_hash() at the end of this tick. Errors: unwritable. Cost: O(1).
   Result<void> tick(const ItemsHash& hash);
 
-  /// Returns the number of the last tick, 0 before the first.
+  /// Returns the number of the last tick, or 0 before the first tick.
   [[nodiscard]] std::uint64_t last_tick() const { return tick_; }
 
  private:
@@ -71,7 +73,7 @@ class WAYWRIGHT_API ReplayWriter {
   std::ostream* out_;
   std::uint64_t ticks_per_hash_;
   std::uint64_t tick_ = 0;
-  std::string text_;  ///< of the lines that are not written yet
+  std::string text_;  ///< the lines that the object has not written to the stream yet
 };
 
 /// The answer of replay().
@@ -84,16 +86,16 @@ class WAYWRIGHT_API ReplayWriter {
 /// std::puts(result.refusal->message().c_str());
 /// @endcode
 struct ReplayResult {
-  bool is_same = true;      ///< whether all changes were made and all hashes are equal
-  std::uint64_t ticks = 0;  ///< the number of ticks that were replayed
+  bool is_same = true;      ///< whether the world accepted all changes and all hashes are equal
+  std::uint64_t ticks = 0;  ///< the number of ticks that replay() has replayed
   // The members below are meaningful only if `is_same` is false.
-  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or during which a change was refused
-  std::uint64_t last_same = 0;   ///< the last tick before it whose hash is equal, or 0
+  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or in which the world refused a change
+  std::uint64_t last_same = 0;   ///< the last tick before `tick` whose hash is equal, or 0
   std::uint32_t line = 0;        ///< the line of the hash or of the refused change in the script
   ItemsHash expected;            ///< the hash in the log
   ItemsHash computed;            ///< the hash of the replayed world
   std::optional<Error> refusal;  ///< why the world refused a change, if it did
-  std::vector<ItemId> changed;   ///< the items that were changed after tick `last_same`, ascending; or the refused one
+  std::vector<ItemId> changed;   ///< the items that changed after tick `last_same`, ascending; or the refused item
 };
 
 /// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at
@@ -116,9 +118,9 @@ struct ReplayDifference {
   std::uint64_t tick = 0;        ///< the tick during which the logs begin to differ
   std::uint32_t line = 0;        ///< the line in the first log
   std::uint32_t other_line = 0;  ///< the line in the second log
-  ItemId item;                   ///< change: the item of the first log's change; null if the log has no change there
+  ItemId item;                   ///< if `kind` is change: the item that the first log changes there, or null
   ItemId other_item;             ///< the same for the second log
-  std::vector<ItemId> changed;   ///< hash: the items that were changed since the last equal hash, ascending
+  std::vector<ItemId> changed;   ///< if `kind` is hash: the items changed since the last equal hash, ascending
 };
 
 /// Compares two logs, change by change and hash by hash. Ignores queries, and the hash of a tick that has no hash in

@@ -150,7 +150,7 @@ class Rings {
   /// Returns the points of the i-th ring. `points` are the points of all rings.
   template <class P>
   [[nodiscard]] std::span<P> ring_of(std::size_t i, std::span<P> points) const {
-    WAYWRIGHT_ASSERT(i < ring_count_, "Rings: there is no ring of this index");
+    WAYWRIGHT_ASSERT(i < ring_count_, "Rings: there is no ring with this index");
     const std::size_t begin = i == 0 ? 0 : later_begins_[i - 1];
     const std::size_t end = i + 1 == ring_count_ ? points.size() : later_begins_[i];
     return points.subspan(begin, end - begin);

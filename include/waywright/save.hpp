@@ -37,14 +37,15 @@ namespace waywright {
 /// const std::size_t item_count = load_world(stream).value().item_count();  // == 2
 /// @endcode
 /// Errors: unwritable, if the stream accepts no more bytes.
-/// Cost: O(n log n) for n items, and linear in their points. A point takes 16 bytes. An item takes 1 to 11 bytes
-/// more; points whose ids count up take almost nothing more.
+/// Cost: O(n log n) for n items, and linear in their points. Each point takes 16 bytes. Each item takes 1 to 11 further
+/// bytes. For items of the kind point whose ids count up, this further size is almost nothing.
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world(const World& world, std::ostream& out);
 
 /// Reads a world from a stream, and leaves the stream after the last byte of the world. Open the stream in binary mode.
 /// The function trusts no byte of the stream: it checks the form, the checksum, and the hash of the items. It
 /// allocates memory only for the bytes that the stream really has. Error::index is the number of bytes before the
-/// fault. Of the options, `progress` reports the construction of the mesh, after all bytes have been read.
+/// fault. BulkOptions::progress reports only the construction of the mesh, which begins after the function has read all
+/// bytes.
 /// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world;
 /// not_supported, if a later version of the format is needed.
 /// Cost: the cost of World::insert_all().

@@ -56,6 +56,7 @@ enum class SceneFormat : unsigned char {
 
 /// Returns the format for the ending of a file name.
 /// Errors: not_supported.
+/// Cost: O(1).
 [[nodiscard]] WAYWRIGHT_API Result<SceneFormat> scene_format(std::string_view file_name);
 
 /// Reads a map of Moving AI from text. Cell (x, y) is the square [x, x+1] x [y, y+1], and y points down. The cells `.`,
@@ -84,6 +85,7 @@ enum class SceneFormat : unsigned char {
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_node(std::string_view text, std::string_view name);
 
 /// Returns whether the bytes of a file start like a saved world (SceneFormat::saved_world).
+/// Cost: O(1).
 [[nodiscard]] WAYWRIGHT_API bool is_saved_world(std::string_view bytes);
 
 /// Reads the domain and the items of a saved world from its bytes. Error messages start with `NAME: `. To read the
@@ -95,10 +97,12 @@ enum class SceneFormat : unsigned char {
 /// Reads a scene from a file. A file that starts like a saved world counts as a saved world, whatever its name.
 /// Otherwise the ending of the file name says the format. Error messages start with the file name.
 /// Errors: unreadable, not_supported, malformed, coordinate_range.
+/// Cost: linear in the length of the file; for a saved world, the cost of load_world().
 [[nodiscard]] WAYWRIGHT_API Result<Scene> read_scene(const std::string& file_name);
 
 /// Returns the scene as a world script: a header, the domain, and an insertion for each item in the order of the items.
 /// A script has no line for Scene::y_down.
+/// Cost: linear in the points of the items.
 [[nodiscard]] WAYWRIGHT_API std::string to_script(const Scene& scene);
 
 /// @}

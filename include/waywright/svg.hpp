@@ -37,13 +37,13 @@ struct SvgOptions {
   bool ids = true;        ///< give each item its id as text on hover
   bool y_down = false;    ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;
-  /// The box that the picture shows. It may extend beyond the domain. If there is none, the picture shows the domain.
+  /// The box that the picture shows. It may extend beyond the domain. If `crop` is empty, the picture shows the domain.
   /// The text contains nothing that lies outside the box.
   std::optional<Box> crop = std::nullopt;
   std::string title = {};  ///< the text above the map; empty for no title
 };
 
-/// A path query without a path. The picture shows a dashed line between two marks, and the status.
+/// A path query that found no path. The picture shows a dashed line between two marks, and the status.
 struct SvgFailedPath {
   Point start;
   Point goal;
@@ -158,8 +158,8 @@ struct SvgOverlay {
 /// @endcode
 class WAYWRIGHT_API SvgFrame {
  public:
-  /// Makes the transform of a picture that shows the box `shown`. Its upper left corner is at the pixel `corner`, and a
-  /// unit of length is `scale` pixels long.
+  /// Makes the transform of a picture that shows the box `shown`. In the picture, the upper left corner of this box is
+  /// at the pixel `corner`, and a unit of length is `scale` pixels long.
   SvgFrame(const Box& shown, Point corner, double scale, bool y_down);
 
   /// Returns the position of a point of the world in the picture, in pixels.
@@ -200,7 +200,7 @@ class WAYWRIGHT_API SvgFrame {
 ///
 /// The function computes positions in doubles. If an item reaches out of a crop box by more than 2^40 times the size of
 /// the box, the picture may show the item at a wrong position. The same is true if the radius of a disc is more than
-/// 10,000 times the size of the box. It omits details of large worlds to keep the text small:
+/// 10,000 times the size of the box. The function omits details of large worlds to keep the text small:
 /// - It omits a mesh of more than 300,000 edges in the picture, and the legend says so.
 /// - If the picture shows more than 50,000 items, no item shows its id on hover.
 ///

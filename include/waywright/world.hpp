@@ -81,7 +81,7 @@ class WAYWRIGHT_API World {
   /// The searches (PathSearch) of this world do not belong to the copy. The copy keeps no context for queries yet. If
   /// memory runs out, this world does not change.
   /// Requires: no question of attempt() is running on this world.
-  /// Cost: a copy of memory().total() bytes at most; no geometry is computed.
+  /// Cost: a copy of memory().total() bytes at most. The function computes no geometry.
   [[nodiscard]] World clone() const;
 
   /// Returns the domain of the world: its closed box.
@@ -202,7 +202,7 @@ class WAYWRIGHT_API World {
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
   /// changed. An item whose shape is as it was at the tick costs only a comparison. The insertions are as fast as
-  /// insert_all(). If the removed items have most of the corners of the world, it costs as much as a new world.
+  /// insert_all(). If the removed items have most of the corners of the world, the rewind costs as much as a new world.
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
@@ -415,8 +415,8 @@ class WAYWRIGHT_API World {
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
   /// its abstraction.
   /// Cost: n log n in the walls that are not farther away than the answer's distance plus the radius, and for each of
-  /// them the triangles near the positions where the disc touches it. With a goal, also the gaps that the disc can
-  /// pass, up to the number that two searches need until they meet. Allocates nothing if `context` has been used for a
+  /// them the triangles near the positions where the disc touches it. With a goal, also two searches through
+  /// the gaps that the disc can pass, which end when they meet. Allocates nothing if `context` has been used for a
   /// query of the same size before; if the radius is 0 and the point is blocked, exact arithmetic may allocate.
   [[nodiscard]] Result<void> nearest_fit(const NearestFitQuery& query, QueryContext& context, NearestFit& fit) const;
   /// @copydoc nearest_fit(const NearestFitQuery&, QueryContext&, NearestFit&) const
@@ -453,7 +453,7 @@ class WAYWRIGHT_API World {
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
-  /// Finds a path for each query, in the order of the queries. Each path is the one that find_path() gives. The
+  /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives. The
   /// function uses as many threads as there are contexts: threads of the job system or, if `jobs` is null, threads that
   /// the library starts. Error::index is the index of the refused query in `queries`.
   /// Requires: at least one context.
@@ -590,8 +590,8 @@ class WAYWRIGHT_API World {
   class Operation;
 
   explicit World(std::unique_ptr<Impl> impl);
-  /// Makes changes and leaves their operation open.
-  /// Requires: no attempt is under way.
+  /// Makes changes that end_attempt() takes back.
+  /// Requires: no question of attempt() is running.
   [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);
   /// Takes the changes of begin_attempt() back. Allocates nothing.
   void end_attempt() noexcept;

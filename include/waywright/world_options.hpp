@@ -26,8 +26,8 @@ struct WorldOptions {
   /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
   /// them. An operation then takes two to four times as long, because it also updates the bridges near its changes. A
   /// world takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one corner, the
-  /// world keeps a second mesh, of the walls alone, and each operation changes both meshes. World::shrink_to_fit()
-  /// drops the second mesh if no item needs it any more.
+  /// world also keeps a second mesh, which contains only the walls, and each operation changes both meshes.
+  /// World::shrink_to_fit() drops the second mesh if no item needs it any more.
   bool keep_bridges = false;
   /// The largest number of vertices that one operation may make. World::set_new_vertex_limit changes it.
   ///
@@ -37,13 +37,14 @@ struct WorldOptions {
   /// between your largest size and World::vertex_count().
   ///
   /// The limit counts the vertices at new corners and the vertices at new crossings. It does not count vertices that
-  /// exist already. If an operation changes several items, their new vertices are added up. If it also removes items, a
-  /// vertex that their removal has removed and that an insertion makes again counts.
+  /// exist already. If an operation changes several items, their new vertices are added up. If the removal of an item
+  /// removes a vertex and an insertion of the same operation makes this vertex again, the vertex counts.
   ///
   /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
   /// Error::item is the item at which it passed the limit. World::insert_all, insert_points and apply choose the order
-  /// in which they make the vertices of the items, so it need not be the item with the most vertices. A refused
-  /// operation costs the check of all its points, the work until it passed the limit, and taking this work back.
+  /// in which they make the vertices of the items. So Error::item need not be the item with the most vertices. A
+  /// refused operation costs the check of all its points, the work until it passed the limit, and taking this work
+  /// back.
   ///
   /// @code{.cpp}
   /// World board = World::create({{0, 0}, {100, 100}}, {.new_vertex_limit = 3}).value();

@@ -16,7 +16,7 @@ namespace detail {
 class Replica;
 
 inline constexpr char kEmptySnapshot[] =
-    "WorldSnapshot: this one is empty: it was default-constructed, moved from or released";
+    "WorldSnapshot: this snapshot is empty: it was default-constructed, moved from or released";
 
 }  // namespace detail
 
@@ -37,14 +37,14 @@ inline constexpr char kEmptySnapshot[] =
 /// above 0. So a PathWatch can read one snapshot after the other: each of them counts as the world for which the watch
 /// was made. The immutable world has no history. To get a world that you can change, call its World::clone().
 ///
-/// If nothing has changed since the last call of World::publish() and a reader still has that snapshot, the function
-/// returns the same snapshot. The world keeps up to two copies of itself for later snapshots. When the readers have
-/// released a snapshot, a later call uses its copy again: it repeats the later changes of the world in this copy. If
-/// readers always release a snapshot after the next one has been made, these are the changes since the second last
-/// call. If no copy is free, the call makes one. The first call makes a copy for this reason, and so does each call at
-/// which readers hold more snapshots at once than ever before. After the first call, each operation also records the
-/// ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much memory as a
-/// clone(). World::shrink_to_fit() frees the copies that no reader holds.
+/// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
+/// function returns the same snapshot. The world keeps up to two copies of itself for later snapshots. When the readers
+/// have released a snapshot, a later call uses its copy again: it repeats the later changes of the world in this copy.
+/// If readers always release a snapshot after the next one has been made, these are the changes since the call before
+/// the last call. If no copy is free, the call makes one. The first call makes a copy for this reason, and so does each
+/// call at which readers hold more snapshots at once than ever before. After the first call, each operation also
+/// records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
+/// memory as a clone(). World::shrink_to_fit() frees the copies that no reader holds.
 ///
 /// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
 /// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can outlive its

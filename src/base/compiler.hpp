@@ -1,7 +1,8 @@
 #pragma once
 
-/// All code that depends on the compiler. The other files are standard C++: scripts/check_portable.py refuses these
-/// constructs elsewhere. Each construct has a fallback for compilers that do not have it.
+/// This file contains all code that depends on the compiler. The other files are standard C++:
+/// scripts/check_portable.py refuses constructs like these in other files. Each construct has a fallback for compilers
+/// that do not have it.
 
 #if defined(__GNUC__)
 /// The compiler inlines each call of the function.

@@ -23,7 +23,7 @@ inline Bounds domain_bounds(const Bounds& box, double largest) {
   const double extent = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
   const double size =
       std::max({std::fabs(box.min_x), std::fabs(box.min_y), std::fabs(box.max_x), std::fabs(box.max_y)});
-  // Far from the origin, rounding would swallow a margin of 1. There the least margin depends on the distance of
+  // Far from the origin, rounding would remove a margin of 1. There the least margin depends on the distance of
   // neighbouring doubles.
   const double margin = std::max({1.0, extent / 8.0, std::ldexp(size, -48)});
   const double unit = std::ldexp(1.0, std::max(0, std::ilogb(margin) - 1));

@@ -17,7 +17,8 @@ Gap BridgeFinder::gap_to_wall(HalfEdge corner, HalfEdge wall) const {
   return {position_of(mesh_.origin(corner)), position_of(side.from), position_of(side.to)};
 }
 
-// If the circle contains an end of the border edge, the test is a sign. Both cases are frequent.
+// Often the face of `h` and the edge `border` have a vertex in common. Then the circle passes through an end of
+// `border`, and the sign of one dot product is the answer.
 bool BridgeFinder::may_circle_meet(HalfEdge h, HalfEdge border) const {
   const Vertex p = mesh_.origin(border);
   const Vertex q = mesh_.target(border);
@@ -221,14 +222,14 @@ bool BridgeFinder::enter(const Candidate& candidate, HalfEdge h) {
   const Vertex q = mesh_.target(h);
   if (p == candidate.from || p == candidate.to) return enter_at_end(candidate, h, p, q);
   if (q == candidate.from || q == candidate.to) return enter_at_end(candidate, h, q, p);
-  return !may_touch(candidate.disc, h) || enter_surely(candidate, h);
+  return !may_touch(candidate.disc, h) || enter_untested(candidate, h);
 }
 
 /// Looks at an edge from an end of the candidate to `v`. Such an edge contains a position strictly inside the disc, or
 /// no position of the disc except the end.
 bool BridgeFinder::enter_at_end(const Candidate& candidate, HalfEdge h, Vertex end, Vertex v) {
   if (candidate.to == mesh::kNoVertex || !is_explicit(v)) {
-    return !candidate.may_enter_from(end, position_of(v), rounding_) || enter_surely(candidate, h);
+    return !candidate.may_enter_from(end, position_of(v), rounding_) || enter_untested(candidate, h);
   }
   const Point& from = position_of(end);
   const Point& to = end == candidate.from ? candidate.gap.a : candidate.gap.from;
@@ -238,7 +239,8 @@ bool BridgeFinder::enter_at_end(const Candidate& candidate, HalfEdge h, Vertex e
   return true;
 }
 
-bool BridgeFinder::enter_surely(const Candidate& candidate, HalfEdge h) {
+/// Does the same as enter(), without the test in doubles.
+bool BridgeFinder::enter_untested(const Candidate& candidate, HalfEdge h) {
   if (mesh_.is_fixed(h)) return !is_blocked_by(candidate.gap, h);
   scratch_.to_enter.push_back(mesh_.twin(h));
   return true;

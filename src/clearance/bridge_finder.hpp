@@ -100,7 +100,8 @@ class BridgeFinder {
   /// Returns false only if the closed disc whose diameter is the edge of `h` contains no point of the boxes.
   [[nodiscard]] bool may_disc_touch(mesh::HalfEdge h, std::span<const Box> boxes) const;
 
-  /// The gap of a bridge along an edge, and of a bridge from the origin of `corner` to the inside of `wall`.
+  /// The first function returns the gap of a bridge along an edge. The second one returns the gap of a bridge from the
+  /// origin of `corner` to its foot inside `wall`.
   [[nodiscard]] exact::Gap gap_along(mesh::HalfEdge h) const {
     const Point& to = position_of(mesh_.target(h));
     return {position_of(mesh_.origin(h)), to, to};
@@ -136,7 +137,7 @@ class BridgeFinder {
   [[nodiscard]] bool is_clear(const Candidate& candidate);
   [[nodiscard]] bool enter(const Candidate& candidate, mesh::HalfEdge h);
   [[nodiscard]] bool enter_at_end(const Candidate& candidate, mesh::HalfEdge h, mesh::Vertex end, mesh::Vertex v);
-  [[nodiscard]] bool enter_surely(const Candidate& candidate, mesh::HalfEdge h);
+  [[nodiscard]] bool enter_untested(const Candidate& candidate, mesh::HalfEdge h);
   /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
     return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);

@@ -38,7 +38,7 @@ class Bridges {
 
   static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
 
-  /// A bridge that ends inside a wall.
+  /// A foot bridge. The code names it by its foot, the end inside a wall.
   struct Foot {
     mesh::HalfEdge corner;  ///< the bridge starts at the origin and runs into the face of this half-edge
     mesh::HalfEdge wall;    ///< has the bridge on its left

@@ -19,7 +19,9 @@ struct CellEdge {
 
   Kind kind = Kind::wall;
   mesh::HalfEdge h = mesh::kNoHalfEdge;
-  std::uint32_t foot = Bridges::kNone;  ///< foot bridge: its foot; wall: where the piece starts, or kNone at the origin
+  /// The number of the foot bridge. For a wall, the foot bridge at whose foot the piece of the wall starts, or kNone if
+  /// the piece starts at the origin of `h`.
+  std::uint32_t foot = Bridges::kNone;
 
   [[nodiscard]] bool is_gate() const { return kind != Kind::wall; }
   friend bool operator==(const CellEdge&, const CellEdge&) = default;

@@ -9,13 +9,13 @@ namespace waywright::clearance {
 using mesh::Face;
 using mesh::HalfEdge;
 
-// Which bridges can change. Let b be a bridge before the operation or after it, but not both, and let its corner or its
-// edge belong to untouched faces only. If b ends at a wall that has changed, the face between b and this wall is
-// touched. Otherwise, a wall blocks b in one state and not in the other. This wall lies in R, because all other walls
-// are the same in both states. In the state in which b is a bridge, its closed disc D touches no wall except at the
-// ends of b. Each vertex is the end of a wall. So D contains no vertex of an untouched face except the ends of b, and
-// no other position of a wall on the border of R. The blocking wall therefore does not only touch D at the border of R.
-// In all these cases the open disc D meets the interior of R.
+// Which bridges can change. The region R is the union of the touched faces. Let b be a bridge before the operation or
+// after it, but not both, and let its corner or its edge belong to untouched faces only. If b ends at a wall that has
+// changed, the face between b and this wall is touched. Otherwise, a wall blocks b in one state and not in the other.
+// This wall lies in R, because all other walls are the same in both states. In the state in which b is a bridge, its
+// closed disc D touches no wall except at the ends of b. Each vertex is the end of a wall. So D contains no vertex of
+// an untouched face except the ends of b, and no other position of a wall on the border of R. The blocking wall
+// therefore does not only touch D at the border of R. In all these cases the open disc D meets the interior of R.
 //
 // Let w be an end of b that is a vertex, and F the face at w into which b runs or, if b is an edge, one of its two
 // faces. Among the positions inside D and R, choose one whose direction from w is as near to the direction of F as
@@ -43,8 +43,8 @@ using mesh::HalfEdge;
 //
 // Most of these bridges do not change. The walls decide alone what a bridge is: b changes only if its closed disc
 // touches a wall that the operation has inserted or removed. So the search notes only corners and edges for which such
-// a disc may touch the box of a changed item. Bridges.cpp adds the corners whose bridges it has removed because they
-// end at touched faces.
+// a disc may touch the box of a changed item. The code in bridges.cpp adds the corners of the bridges that it has
+// removed because they end at touched faces.
 
 void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   mesh_ = &triangulation.topology();

@@ -68,7 +68,7 @@ class Clearance {
   /// depends on what changed. The first loose ring costs as much as a new world.
   void update(const Triangulation& world);
 
-  /// Returns the first fault, or nothing: the bridges must equal those of a rebuild, and the second triangulation must
+  /// Returns the first fault, or nothing: the bridges must equal rebuilt bridges, and the second triangulation must
   /// equal one that is built from the live items. Cost: linear.
   [[nodiscard]] std::optional<std::string> find_fault(const Triangulation& world) const;
 

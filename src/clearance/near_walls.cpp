@@ -128,8 +128,8 @@ void NearWalls::find_candidates(const Triangulation& triangulation, const Point&
 }
 
 // Two pieces of one side have the same line, so the distance to the whole side does not say which of them is nearest.
-// The foot of the perpendicular says it: it lies on the nearest piece. A crossing is never nearest: the angles there
-// are less than 180 degrees.
+// The foot of the perpendicular decides: the foot lies on the nearest piece. A crossing is never nearest: the angles
+// there are less than 180 degrees.
 std::optional<CellEdge> NearWalls::find_cell(const Triangulation& triangulation, const Bridges& bridges,
                                              const Point& point) {
   find_candidates(triangulation, point);

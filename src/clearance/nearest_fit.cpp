@@ -68,7 +68,7 @@ std::optional<Point> NearestFit::find(const Triangulation& triangulation, constr
   const Box& domain = triangulation.domain();
   if (query.radius > domain.width() || query.radius > domain.height()) return std::nullopt;
   if (goal != nullptr) reach_.begin(Cells(goal->walls, goal->bridges), goal->cell, query.radius);
-  if (fits(query.point) && counts(query.point)) return query.point;
+  if (fits(query.point) && is_allowed(query.point)) return query.point;
   largest_ = exact::filter::largest_magnitude(domain);
   rounding_ = constraint::largest_rounding(triangulation);
   open_.clear();
@@ -301,9 +301,9 @@ HalfEdge NearestFit::blocker_at(const Piece& piece, double parameter) const {
   return parameter == piece.interval.high ? piece.interval.high_blocker : mesh::kNoHalfEdge;
 }
 
-/// The intervals of clip() are a little longer than the exact ones. Returns the end of the exact interval, as precisely
-/// as doubles allow.
-/// If the angle between the two curves is small, the parameter stays as it is.
+/// The intervals of clip() are a little longer than the exact ones. If the parameter is an end of such an interval,
+/// returns the end of the exact interval, as precisely as doubles allow. If the angle between the two curves is small,
+/// returns the parameter as it is.
 double NearestFit::sharpened(const Piece& piece, double parameter) const {
   const HalfEdge blocker = blocker_at(piece, parameter);
   if (blocker == mesh::kNoHalfEdge) return parameter;
@@ -330,7 +330,7 @@ Point NearestFit::inward(const Piece& piece, double parameter) const {
 }
 
 /// Tries positions at the distances `least`, 2 `least`, 4 `least`, ... up to `most` in a direction. If the disc fits at
-/// one of them, a bisection finds the nearest position between this one and the one before.
+/// one of them, a bisection finds the nearest position between this position and the previous one.
 bool NearestFit::push_inwards(const Point& from, const Point& direction, double least, double most) {
   double before = 0.0;
   for (double push = least; push <= most; push *= 2.0) {
@@ -406,7 +406,7 @@ bool NearestFit::try_point(const Point& point) {
     const auto order = exact::compare_distances(query_.point, point, point, best_.at, best_.at);
     if (order > 0 || (order == 0 && !comes_before(point, best_.at))) return true;
   }
-  if (counts(point)) best_ = {true, point, distance(query_.point, point)};
+  if (is_allowed(point)) best_ = {true, point, distance(query_.point, point)};
   return true;
 }
 
@@ -417,7 +417,7 @@ bool NearestFit::fits(const Point& point) {
 }
 
 /// Returns whether a point where the disc fits is near enough and, if the query has a goal, connected with it.
-bool NearestFit::counts(const Point& point) {
+bool NearestFit::is_allowed(const Point& point) {
   const bool is_limited = query_.limit < std::numeric_limits<double>::infinity();
   if (is_limited && exact::compare_distance(query_.point, point, point, query_.limit) > 0) return false;
   if (goal_ == nullptr) return true;

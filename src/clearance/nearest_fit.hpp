@@ -98,7 +98,7 @@ class NearestFit {
   [[nodiscard]] bool try_at(const Point& position);
   [[nodiscard]] bool try_point(const Point& point);
   [[nodiscard]] bool fits(const Point& point);
-  [[nodiscard]] bool counts(const Point& point);
+  [[nodiscard]] bool is_allowed(const Point& point);
   [[nodiscard]] const Point& position(mesh::Vertex v) const;
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const;
 

@@ -53,7 +53,7 @@ class Arc {
   explicit Arc(const Point& axis) : axis_(axis) {}
 
   /// Adds the end of an arc around `middle` whose half-angle has this cosine: the end that comes last counter-clockwise
-  /// if `direction` is 1, or the one that comes last clockwise if it is -1.
+  /// if `direction` is 1, or the end that comes last clockwise if `direction` is -1.
   void add(const Point& middle, double cosine, int direction) {
     const double sine = direction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     add(Point{middle.x * cosine - middle.y * sine, middle.y * cosine + middle.x * sine}, direction);

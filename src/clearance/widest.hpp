@@ -14,12 +14,12 @@ namespace waywright::clearance {
 
 /// What limits the discs that can go from one cell to another.
 struct Narrowest {
-  bool is_connected = false;     ///< whether walls leave a connection at all
-  std::optional<CellEdge> gate;  ///< the gate that limits the disc; nothing if both cells are the same or not connected
+  bool is_connected = false;     ///< whether a chain of gates connects the cells
+  std::optional<CellEdge> gate;  ///< the gate that limits the disc; empty if the cells are equal or not connected
 };
 
-/// Finds the widest connection between two cells: the one whose narrowest gate is longest. Use one object for many
-/// queries, because it keeps its memory.
+/// Finds the widest connection between two cells: the connection whose narrowest gate is longest. Use one object for
+/// many queries, because it keeps its memory.
 ///
 /// Two searches run in turns, one from each end, until one of them enters a cell that the other has entered. Each
 /// search has a *level*: the narrowest gate that it has crossed so far. It first crosses all gates that it has seen and

@@ -14,9 +14,9 @@
 // first corners.
 //
 // In an empty world, all threads insert sides. The vertices are numbered along the curve, so a range of numbers is a
-// region of the domain. Each region is a task of one thread, which inserts the sides that concern only vertices of the
-// region (delaunay::LocalEdges). Then one thread inserts the other sides. The regions do not depend on the number of
-// threads, so neither does the mesh, including the numbers of its faces.
+// region of the domain. Each region is a task of one thread, which inserts the sides for which all vertices of the
+// crossed faces belong to the region (delaunay::LocalEdges). Then one thread inserts the other sides. The regions do
+// not depend on the number of threads, so neither does the mesh, including the numbers of its faces.
 
 namespace waywright::constraint {
 
@@ -55,7 +55,8 @@ std::size_t find_item(const Batch& batch, std::span<const std::uint32_t> ranks, 
   return batch.size();
 }
 
-/// The sum of the hashes of a batch's items. The corners are hashed as the caller gave them, so no mesh is needed.
+/// The sum of the hashes of a batch's items. The function hashes the corners as the caller gave them, so it needs no
+/// mesh.
 template <class Batch>
 ItemHash::Words hash_of_batch(const Batch& batch) {
   ItemHash::Words sum{};
@@ -73,8 +74,8 @@ ItemHash::Words hash_of_batch(const Batch& batch) {
 }
 
 // The vertices of the corners are known when the points are sorted, so one job makes the records and another one hashes
-// the items while the triangulation is made. No caller can see this object before it is complete, so there is nothing
-// to undo, and the undo logs are emptied from time to time.
+// the items while other threads make the triangulation. No caller can see this object before it is complete, so there
+// is nothing to undo, and the code empties the undo logs from time to time.
 template <class Geometry>
 template <class Batch>
 ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
@@ -144,7 +145,7 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::insert_sorted(s
                                                                                const threads::ThreadTeam& team,
                                                                                std::vector<mesh::Vertex>& vertices) {
   vertices.reserve(points.size());
-  CostWatch watch(kUsualTests);
+  CostWatch watch(kTestsPerVertex);
   while (vertices.size() < points.size() && !watch.is_costly()) {
     const auto inserted = triangulation_.insert(points[vertices.size()]);
     watch.add(inserted.tested_edges);

@@ -14,6 +14,7 @@
 #include "base/compiler.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/item_table.hpp"
+#include "constraint/new_walls.hpp"
 #include "constraint/use_lists.hpp"
 #include "constraint/vertex_budget.hpp"
 #include "delaunay/triangulation.hpp"
@@ -34,8 +35,8 @@ class ConstrainedTriangulation {
   using Triangulation = delaunay::Triangulation<Geometry>;
 
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
-  /// Makes the triangulation that insert_all() makes of a triangulation without items, but faster. If it needs more
-  /// vertices than the limits allow, the triangulation is incomplete, and has_too_many_vertices() returns true.
+  /// Makes the triangulation that insert_all() would make from a triangulation without items, but faster. If it needs
+  /// more vertices than the limits allow, the triangulation is incomplete, and has_too_many_vertices() returns true.
   template <class Batch>
   ConstrainedTriangulation(const Box& domain, const Batch& batch, const threads::ThreadTeam& team = {},
                            const VertexLimits& limits = {});
@@ -49,6 +50,8 @@ class ConstrainedTriangulation {
   /// Sets the largest id seen, as a change of the operation under way. Requires: no item has a larger id.
   void set_largest_id_seen(ItemId id) { items_.set_largest_id_seen(id); }
   [[nodiscard]] const UseLists& uses() const { return uses_; }
+  /// Whether the fixed edges that the operation under way has made may divide a region of the domain into two.
+  [[nodiscard]] bool may_have_divided() const { return new_walls_.may_divide(); }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
 
@@ -89,7 +92,7 @@ class ConstrainedTriangulation {
   /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(). For each i below
   /// this size, it has an id(i), a kind(i), a fill(i) and rings(i), which is a range of ranges of points: see
   /// batch.hpp. Reports progress with team.report(): first the number of corners that are inserted, then the number of
-  /// all corners plus the number of items whose sides are inserted. Requires: for each item the same as insert().
+  /// all corners plus the number of items whose sides are inserted. Requires: for each item, what insert() requires.
   template <class Batch>
   void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
 
@@ -119,15 +122,15 @@ class ConstrainedTriangulation {
 
  private:
   static constexpr std::size_t kItemsBetweenReports = 1024;
-  static constexpr std::size_t kUsualTests = 32;  ///< edges to test for a new vertex: three times the usual number
-  static constexpr std::size_t kUsualDegree = 18;
+  static constexpr std::size_t kTestsPerVertex = 32;  ///< allowed edge tests for a new vertex: three times the usual
+  static constexpr std::size_t kEdgesPerVertex = 18;  ///< allowed edges of a removed vertex: three times the usual
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
-  static constexpr std::size_t kUsualRegions = 64;
+  static constexpr std::size_t kUsualRegions = 64;      ///< of a bulk load, if this gives regions of a suitable size
   static constexpr std::size_t kSmallestRegion = 2048;  ///< vertices
   static constexpr std::size_t kLargestRegion = 65536;
   static constexpr std::size_t kPointsPerItem = 64;
-  /// The first four sides are those of the domain.
+  /// The first four sides are the sides of the domain.
   static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
                                                                 UseLists::single(2), UseLists::single(3)};
 
@@ -136,7 +139,7 @@ class ConstrainedTriangulation {
   struct Step {
     mesh::Vertex vertex{};
     mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, if it exists already
-    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge that the side meets, from its right to its left
+    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge that the side meets; runs from right to left
   };
 
   /// An item with sides: the rank of its first corner, and its slot.
@@ -221,9 +224,9 @@ class ConstrainedTriangulation {
   void remove_unneeded();
   /// Removes `v` if neither a corner nor a crossing needs it. Returns the number of its edges, or 0 if it stays.
   std::size_t remove_if_unneeded(mesh::Vertex v);
-  /// The edge on which `side` leaves `u`. Requires: there is such an edge, and the list of the edge on which `side`
-  /// reached `u` no longer contains `side`.
-  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, std::uint32_t side) const;
+  /// The edge on which `side` leaves `u` or `w`, as a half-edge that starts there. Requires: the edges of `side` lead
+  /// from `u` to `w`, and no other edge contains `side`. Cost: O(1) plus the smaller degree of the two.
+  [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, mesh::Vertex w, std::uint32_t side) const;
 
   [[nodiscard]] std::optional<std::string> find_shape_fault() const;
   [[nodiscard]] std::optional<std::string> find_delaunay_fault() const;
@@ -251,6 +254,7 @@ class ConstrainedTriangulation {
   std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::Vertex> touched_;
+  NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes
 };
 

@@ -33,15 +33,15 @@ class Cover {
   /// Whether the location lies strictly inside a polygon: the polygon covers it and has no side or corner there.
   bool is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& location);
 
-  /// The polygons, by slot, that have the location strictly inside; each once, in no particular order.
+  /// The polygons, by slot, in whose interior the location lies; each once, in no particular order.
   const std::vector<std::uint32_t>& strictly_covering(const ExactTriangulation& triangulation,
                                                       const locate::Located& location);
 
   /// The faces around the location that no polygon covers, each as one of its half-edges. If the location is a vertex,
-  /// this half-edge starts there; if it is an edge, the half-edge lies on that edge; if it is a face, it is the one
-  /// whose origin comes first in (x, y) order. The order of the faces depends only on the geometry of the mesh. At a
-  /// vertex they are counter-clockwise, from its first neighbour in (x, y) order on. At an edge, directed in (x, y)
-  /// order, the face on its left comes first.
+  /// this half-edge starts there. If the location is an edge, the half-edge lies on that edge. If the location is a
+  /// face, the half-edge starts at the vertex of the face that comes first in (x, y) order. The order of the faces
+  /// depends only on the geometry of the mesh. At a vertex they are counter-clockwise, from its first neighbour in (x,
+  /// y) order on. At an edge, directed in (x, y) order, the face on its left comes first.
   const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation,
                                                 const locate::Located& location);
 

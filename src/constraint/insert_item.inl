@@ -37,7 +37,7 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_corners(const Rings& rings, std::uint32_t slot) {
   outline_.clear();
   late_corners_.clear();
-  CostWatch watch(kUsualTests);
+  CostWatch watch(kTestsPerVertex);
   for (const PointSpan& ring : rings) {
     for_each_corner(ring, items_.kind(slot) == ItemKind::polygon, [&](const Point& point) {
       if (has_too_many_vertices()) return;
@@ -94,13 +94,15 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 }
 
 // Inserts a side piece by piece. A piece ends at the next vertex on the side, or at a new vertex on the first fixed
-// edge that the side crosses. Stops if the vertices are too many.
+// edge that the side crosses. To leave a vertex with many edges would take long, so the insertion of pieces then
+// continues from the other end of the side, towards this vertex. Stops if the vertices are too many.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   if (has_too_many_vertices()) return;
   Side side = items_.side(slot);
   if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   mesh::Vertex u = side.from;
+  mesh::Vertex end = side.to;
   Step step = leave_corner(u, side);
   for (;;) {
     if (step.fixed != mesh::kNoHalfEdge) {
@@ -113,8 +115,15 @@ void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
       const std::optional<std::uint32_t> guide = guide_along(step.along);
       const mesh::HalfEdge piece = take(u, step, slot);
       u = step.vertex;
-      if (u == side.to) return;
-      step = leave_vertex(topology().twin(piece), side, guide);
+      if (u == end) return;
+      if (end == side.to && topology().has_many_edges(u)) {
+        std::swap(side.from, side.to);
+        end = u;
+        u = side.from;
+        step = leave_corner(u, side);
+      } else {
+        step = leave_vertex(topology().twin(piece), side, guide);
+      }
     }
   }
 }
@@ -149,6 +158,7 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
 
 template <class Geometry>
 mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, std::uint32_t side) {
+  if (step.along == mesh::kNoHalfEdge || !topology().is_fixed(step.along)) new_walls_.add(topology(), u, step.vertex);
   if (step.along == mesh::kNoHalfEdge) {
     return triangulation_.force_edge(u, step.vertex, crossed_, UseLists::single(side));
   }

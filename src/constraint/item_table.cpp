@@ -118,12 +118,12 @@ void ItemTable::roll_back() {
   nonzero_count_ = nonzero_count_before_;
 }
 
-/// Frees the slot of an item and the slots of its sides, which are linked in a ring.
+/// Frees the slot of an item and the slots of its sides, which form a circular list.
 void ItemTable::free_slots(std::uint32_t slot) {
   Record& record = items_[slot];
   if (record.kind != ItemKind::point && record.corner_or_side != kNone) {
     const std::uint32_t first = sides_[record.corner_or_side].next & ~kEndsRing;
-    sides_[record.corner_or_side].next = free_sides_.push(first);  // the whole ring
+    sides_[record.corner_or_side].next = free_sides_.push(first);  // the whole circular list
   }
   record.corner_or_side = free_items_.push(slot);
 }

@@ -40,10 +40,10 @@ struct Outline {
 /// The items by id and by slot, and their sides. Slot 0 is the domain itself, with the null id. An undo log records
 /// which items are added and removed; roll_back() returns to the last begin().
 ///
-/// The table is compact for worlds of a million points: an item owns no memory of its own. Its sides form a ring of
-/// links in the table of sides; the item stores its last side, which links to the first. If the ids of a world count
-/// up, the id of an item is its slot. Other ids are stored in pages, and a hash table with open addressing (the index)
-/// finds their slots.
+/// The table is compact for worlds of a million points: an item owns no memory of its own. Its sides form a circular
+/// list in the table of sides; the item stores the slot of its last side, which links to its first side. If the ids of
+/// a world count up, the id of an item is its slot. Other ids are stored in pages, and a hash table with open
+/// addressing (the index) finds their slots.
 class ItemTable {
  public:
   static constexpr std::uint32_t kDomain = 0;
@@ -158,8 +158,9 @@ class ItemTable {
     FillRule fill = FillRule::even_odd;
   };
   struct Link {
-    Side side;                   ///< has no length if it is the side of a ring with one corner
-    std::uint32_t next = kNone;  ///< the item's next side (after the last: the first); kEndsRing: the last of a ring
+    Side side;  ///< has no length if it is the side of a ring with one corner
+    /// The next side of the item; after the last side, the first one. The bit kEndsRing marks the last side of a ring.
+    std::uint32_t next = kNone;
   };
   struct Undo {
     std::uint32_t slot;

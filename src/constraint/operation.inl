@@ -16,6 +16,7 @@ void ConstrainedTriangulation<Geometry>::begin_records() {
   items_.begin();
   uses_.begin();
   corner_uses_.begin();
+  new_walls_.begin();
 }
 
 // Each member has its own undo log and undoes its own changes without reading the other members.

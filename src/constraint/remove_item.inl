@@ -25,6 +25,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   for (const mesh::Vertex v : outline_.corners) triangulation_.prefetch_star(v);
   items_.remove_item(slot, hash);
   touched_.clear();
+  new_walls_.forget();
   items_.for_each_side(slot, [&](std::uint32_t side) { remove_side(side); });
   for (const mesh::Vertex v : outline_.corners) remove_corner_use(v, slot);
   triangulation_.legalise_freed();
@@ -37,7 +38,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
 /// the others in scattered order.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_unneeded() {
-  CostWatch watch(kUsualDegree);
+  CostWatch watch(kEdgesPerVertex);
   std::uint32_t i = 0;
   for (; i < touched_.size() && !watch.is_costly(); ++i) watch.add(remove_if_unneeded(touched_[i]));
   if (i == touched_.size()) return;
@@ -46,15 +47,20 @@ void ConstrainedTriangulation<Geometry>::remove_unneeded() {
   for (const std::uint32_t late : order_) remove_if_unneeded(touched_[late]);
 }
 
+// Takes the side off its edges from both ends. A vertex with many edges inside the side stops only one of the two
+// walks.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
-  Side side = items_.side(slot);
-  if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
-  for (mesh::Vertex u = side.from; u != side.to;) {
-    const mesh::HalfEdge h = edge_of_side(u, slot);
-    u = topology().target(h);
-    touched_.push_back(u);
-    const Uses rest = uses_.remove(topology().label(h), slot);
+  const mesh::TriangleMesh& mesh = topology();
+  const Side& side = items_.side(slot);
+  mesh::Vertex u = side.from;
+  mesh::Vertex w = side.to;
+  while (u != w) {
+    const mesh::HalfEdge h = edge_of_side(u, w, slot);
+    mesh::Vertex& end = mesh.origin(h) == u ? u : w;
+    end = mesh.target(h);
+    touched_.push_back(end);
+    const Uses rest = uses_.remove(mesh.label(h), slot);
     if (rest == UseLists::kNone) {
       triangulation_.free_edge(h);
     } else {
@@ -82,12 +88,22 @@ std::size_t ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex 
   return degree;
 }
 
+// First looks at a few edges of `u`, then at the edges of both vertices in turn.
 template <class Geometry>
-mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, std::uint32_t side) const {
+mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, mesh::Vertex w,
+                                                                std::uint32_t side) const {
   const mesh::TriangleMesh& mesh = topology();
-  mesh::HalfEdge h = mesh.outgoing(u);
-  while (!mesh.is_fixed(h) || !uses_.contains(mesh.label(h), side)) h = mesh.next_around(h);
-  return h;
+  const auto lies_on = [&](mesh::HalfEdge h) { return mesh.is_fixed(h) && uses_.contains(mesh.label(h), side); };
+  mesh::HalfEdge g = mesh.outgoing(u);
+  for (std::size_t i = 0; i < mesh::TriangleMesh::kFewEdges; ++i) {
+    if (lies_on(g)) return g;
+    g = mesh.next_around(g);
+  }
+  for (mesh::HalfEdge h = mesh.outgoing(w);; h = mesh.next_around(h)) {
+    if (lies_on(g)) return g;
+    if (lies_on(h)) return h;
+    g = mesh.next_around(g);
+  }
 }
 
 }  // namespace waywright::constraint

@@ -16,21 +16,21 @@
 
 namespace waywright::constraint {
 
-/// Adds up what the vertices have cost so far, in edges.
+/// Adds up the costs of the vertices that an operation has handled so far. The cost of a vertex is a number of edges.
 class CostWatch {
  public:
-  /// `usual` is a multiple of the usual cost of a vertex.
-  explicit CostWatch(std::size_t usual) : usual_(usual) {}
+  /// `per_vertex` is the largest mean cost of a vertex that the operation accepts: a few times the usual cost.
+  explicit CostWatch(std::size_t per_vertex) : per_vertex_(per_vertex) {}
 
   void add(std::size_t cost) {
     cost_ += cost;
-    allowed_ += usual_;
+    allowed_ += per_vertex_;
   }
   /// Whether the mean cost of a vertex is high: the operation then handles the other vertices in scattered order.
   [[nodiscard]] bool is_costly() const { return cost_ > allowed_; }
 
  private:
-  std::size_t usual_;
+  std::size_t per_vertex_;
   std::size_t cost_ = 0;
   std::size_t allowed_ = 512;
 };

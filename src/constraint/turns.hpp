@@ -33,7 +33,7 @@ class Winding {
   /// Whether the polygon covers a face in which its winding number is `turns`.
   [[nodiscard]] static bool covers(std::int32_t turns) { return is_filled(rule, turns); }
 
-  /// The winding number in the face of `h` minus the one in the face of its twin.
+  /// The winding number in the face of `h` minus the winding number in the face of the twin of `h`.
   [[nodiscard]] std::int32_t across(mesh::HalfEdge h) const {
     std::int32_t turns = 0;
     triangulation_.for_each_side(h, [&](const Side& side) {

@@ -159,9 +159,10 @@ void CavityFiller<Geometry>::pair_dangling_edges(const Mesh& mesh, Chain& chain)
 //          b          Where the chain turns right at b, the triangle a b r is an ear, whichever ears have been cut
 //        /   \        before: no vertex of the rest of the polygon lies in the triangle or on a - r. Proof: suppose
 //      a ----- r      that such a vertex z comes after r. A crossed edge connects z to the base. This edge cannot leave
-//     /         \     the triangle through b - r: b - r is an edge of the chain, or only ears lie behind it, and the
-//    u - - - - - w    edge cannot leave these elsewhere. So it leaves through a - r and meets the base before the
-//                     crossed edge of r does. But the crossed edges meet the base in the order of the chain.
+//     /         \     the triangle through b - r: b - r is an edge of the chain, or only ears lie beyond it. The other
+//    u - - - - - w    sides of these ears are edges of the chain, which the edge of z does not cross. So the edge of z
+//                     leaves the triangle through a - r and meets the base before the crossed edge of r does. But the
+//                     crossed edges meet the base in the order of the chain.
 //
 // Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay.
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,

@@ -137,7 +137,7 @@ class DivideAndConquer {
   [[nodiscard]] HalfEdge find_last(HalfEdge hull, Cut cut) const;
   [[nodiscard]] HalfEdge find_first(HalfEdge hull, Cut cut) const;
   [[nodiscard]] MergeState lower_tangent(const Piece& left, const Piece& right, Cut cut) const;
-  void open(MergeState& state, std::uint32_t f);
+  void make_lower_ghost(MergeState& state, std::uint32_t f);
   void remove_left_edges(MergeState& state, Vertex& candidate);
   void remove_right_edges(MergeState& state, Vertex& candidate);
   void join_left(MergeState& state, Vertex candidate);
@@ -363,7 +363,7 @@ typename DivideAndConquer<Geometry>::MergeState DivideAndConquer<Geometry>::lowe
 //      \     /
 //       ghost
 template <class Geometry>
-void DivideAndConquer<Geometry>::open(MergeState& state, std::uint32_t f) {
+void DivideAndConquer<Geometry>::make_lower_ghost(MergeState& state, std::uint32_t f) {
   state.base = make_face(f, state.r, state.l, kGhost);
   const HalfEdge l_to_ghost = next(state.base);
   const HalfEdge ghost_to_r = previous(state.base);
@@ -449,7 +449,7 @@ template <class Geometry>
 typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::merge(const Piece& left, const Piece& right,
                                                                              std::uint32_t f, Cut cut) {
   MergeState state = lower_tangent(left, right, cut);
-  open(state, f);
+  make_lower_ghost(state, f);
   for (;;) {
     Vertex p = state.left == mesh::kNoHalfEdge ? state.l : origin(state.left);
     Vertex q = state.right == mesh::kNoHalfEdge ? state.r : target(state.right);

@@ -61,8 +61,9 @@ class LargeHole {
   [[nodiscard]] static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
   /// Puts all vertices except the two ends of the base into random order, always the same for the same number of
-  /// vertices. Then notes for each vertex its neighbours in the polygon of the vertices that come after it in this
-  /// order, and of the two ends of the base.
+  /// vertices. Then notes the two neighbours of each vertex at the time of its insertion. The insertions take the
+  /// vertices in the reverse of this order. So the neighbours are those in the polygon of the later vertices of the
+  /// order and the two ends of the base.
   void shuffle(std::size_t count) {
     order_.resize(count - 2);
     before_.resize(count);

@@ -70,7 +70,7 @@ class LocalEdges {
     mesh::HalfEdge h = first_crossed(u, w);
     if (h == mesh::kNoHalfEdge) return false;
     for (;;) {
-      // The range is tested first: another thread may be changing an edge between two foreign vertices.
+      // The code tests the range first: another thread may be changing an edge between two vertices outside the range.
       if (!is_own(mesh_.origin(h)) || !is_own(mesh_.target(h)) || mesh_.is_fixed(h)) return false;
       crossed_.push_back(h);
       const mesh::HalfEdge t = mesh_.twin(h);

@@ -19,9 +19,9 @@ void Triangulation<Geometry>::legalise_freed() {
   legalise(geometry_, mesh_, freed_);
 }
 
-// Each step around the vertex waits for the memory that the step before has asked for, so the function goes around in
-// both directions at once. In the meantime it prefetches the data of the neighbours that a removal needs. It knows a
-// neighbour as soon as it reads a face: the apex of the face is the next neighbour.
+// Each step around the vertex waits for memory whose address the previous step has read, so the function goes around
+// the vertex in both directions at once. In the meantime it prefetches the data of the neighbours that a removal needs.
+// It knows a neighbour as soon as it reads a face: the apex of the face is the next neighbour.
 template <class Geometry>
 const typename Triangulation<Geometry>::Star& Triangulation<Geometry>::star(mesh::Vertex v) {
   star_.spokes.clear();
@@ -149,7 +149,7 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 //
 // No edge of the hole hides a vertex that lies in the circle, because v lies in the circle and saw all vertices.
 // Source: Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*,
-// 2011, which uses decision tables; at the degrees that occur, tests in order need about as many in-circle tests.
+// 2011, which uses decision tables. For vertices of usual degrees, this loop needs about as many in-circle tests.
 template <class Geometry>
 typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_over(std::uint32_t from,
                                                                                   std::uint32_t to) const {

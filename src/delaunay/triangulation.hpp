@@ -93,7 +93,7 @@ class Triangulation {
   /// Makes a vertex at `point`, if there is none yet. A new vertex on a fixed edge splits this edge into two that have
   /// the same label. Source: Chen 2009, sections 3.2.2 and 3.2.3.
   Inserted insert(const Point& point);
-  /// Like insert(point), if the caller knows the location of the point.
+  /// Does the same as insert(point). `location` is the location of the point.
   Inserted insert(const Point& point, const locate::Located& location);
 
   /// Splits the fixed edge of `h` at its crossing with the line through `a` and `b`. The fixed edge lies on the line
@@ -169,8 +169,8 @@ class Triangulation {
   void set_positions(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
-  /// Prefetches the face beyond an edge. The second function prefetches the position of the apex of this face. Call it
-  /// some time after the first, when the face has arrived.
+  /// Prefetches the face beyond an edge. The second function prefetches the position of the apex of this face. Call the
+  /// second function some time after the first, when the face is in the cache.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
   WAYWRIGHT_ALWAYS_INLINE void prefetch_apex_beyond(mesh::HalfEdge h) const {
     if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
@@ -196,8 +196,8 @@ class Triangulation {
   locate::Sectors sectors_;
   mesh::Vertex ghost_{};
   std::array<mesh::Vertex, 4> domain_corners_{};
-  mesh::HalfEdge recent_{};  ///< a half-edge of a face in the domain, near the last change
-  mesh::HalfEdge recent_before_{};
+  mesh::HalfEdge recent_{};         ///< a half-edge of a face in the domain, near the last change
+  mesh::HalfEdge recent_before_{};  ///< the value of `recent_` at the last begin()
 
   // Scratch.
   std::vector<mesh::HalfEdge> in_doubt_;

@@ -81,7 +81,7 @@ template <class Position>
 }
 
 /// The in-circle determinant and its terms: the points relative to the last one, and the squares of their distances
-/// from it. The members are numbers and not points, because compilers would pack points and unpack them again.
+/// from it. The members are numbers and not points, because compilers would move points into vector registers and back.
 struct CircleTerms {
   double adx, ady, bdx, bdy, cdx, cdy;
   double a_lift, b_lift, c_lift;

@@ -94,8 +94,8 @@ class DiscToFoot {
   Product m_, x_;
 };
 
-/// Whether the disc contains a position and this is neither u nor v, if `sign` is the sign of f there. Calls off_ends()
-/// only if f is 0.
+/// Whether the disc contains a position that is neither u nor v. `sign` is the sign of f at this position. Calls
+/// off_ends() only if f is 0.
 template <class OffEnds>
 std::optional<bool> is_touch(const std::optional<Sign>& sign, const OffEnds& off_ends) {
   if (!sign) return std::nullopt;

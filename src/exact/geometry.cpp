@@ -22,15 +22,15 @@ void Geometry::set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t
 
 void Geometry::clear(std::uint32_t vertex) {
   if (is_explicit(vertex)) return;
-  left_crossings_.push_back(crossing_of_[vertex]);
+  dropped_crossings_.push_back(crossing_of_[vertex]);
   log(vertex);
   crossing_of_[vertex] = kExplicit;
 }
 
 void Geometry::begin() {
   journal_.begin();
-  free_crossings_.insert(free_crossings_.end(), left_crossings_.begin(), left_crossings_.end());
-  left_crossings_.clear();
+  free_crossings_.insert(free_crossings_.end(), dropped_crossings_.begin(), dropped_crossings_.end());
+  dropped_crossings_.clear();
 }
 
 void Geometry::roll_back() {
@@ -41,7 +41,7 @@ void Geometry::roll_back() {
     if (crossing != kExplicit) free_crossings_.push_back(crossing);
     crossing = change.crossing;
   });
-  left_crossings_.clear();
+  dropped_crossings_.clear();
 }
 
 ExactPoint Geometry::exact(const View& view) const {

@@ -58,7 +58,7 @@ class Geometry {
         positions_(other.positions_),
         crossing_of_(other.crossing_of_),
         crossings_(other.crossings_),
-        left_crossings_(other.left_crossings_),
+        dropped_crossings_(other.dropped_crossings_),
         journal_(other.journal_) {
     free_crossings_.reserve(crossings_.size());
     free_crossings_.assign(other.free_crossings_.begin(), other.free_crossings_.end());
@@ -137,14 +137,14 @@ class Geometry {
     memory::count(use, &MemoryUse::vertices, positions_);
     memory::count(use, &MemoryUse::crossings, crossing_of_);
     memory::count(use, &MemoryUse::crossings, crossings_);
-    memory::count_spare(use, free_crossings_, left_crossings_);
+    memory::count_spare(use, free_crossings_, dropped_crossings_);
     journal_.count_memory(use);
   }
   /// Frees spare memory, except the memory of `free_crossings_`, which roll_back() needs. Requires: nothing has changed
   /// since begin().
   void shrink_to_fit() {
     memory::shrink(positions_, crossing_of_, crossings_);
-    memory::release(left_crossings_);
+    memory::release(dropped_crossings_);
     journal_.release();
   }
 
@@ -177,8 +177,8 @@ class Geometry {
   std::vector<Point> positions_;
   std::vector<std::uint32_t> crossing_of_;  ///< by vertex, up to the last constructed one
   std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> free_crossings_;  ///< always has capacity for all crossings
-  std::vector<std::uint32_t> left_crossings_;  ///< the next begin() frees them; roll_back() may restore them
+  std::vector<std::uint32_t> free_crossings_;     ///< always has capacity for all crossings
+  std::vector<std::uint32_t> dropped_crossings_;  ///< the next begin() frees them; roll_back() may restore them
   memory::Journal<Undo> journal_;
 };
 

@@ -22,7 +22,7 @@ class NearestOnSegment {
 
   /// The position, each coordinate rounded to the nearest double.
   [[nodiscard]] Point rounded() const;
-  /// Orders by distance; positions at the same distance by (x, y).
+  /// Compares the distances. If these are equal, compares the positions in (x, y) order.
   [[nodiscard]] static std::strong_ordering compare(const NearestOnSegment& p, const NearestOnSegment& q);
   /// Whether the position is at most `distance` away. Requires: `distance` is positive, finite and not subnormal.
   [[nodiscard]] bool is_within(double distance) const;

@@ -27,8 +27,9 @@ namespace {
 // a does not separate the centre from b if
 //   ab . (p(t) - a) > 0. With f = from - a, this is (ab . f) c + (ab . d) (s - r sqrt(M)) > 0. Because of
 //   (ab . f) (d x ab) + (ab . d) (ab x f) = M (d x f), it is sqrt(M) (d x f) - r (ab . d) > 0.
-// If they do not, then the centre can enter the capsule around the wall only through the circle around a: every other
-// point of the capsule lies within the strip, not separated from b by the perpendicular at a, and the diameter of
+// If the perpendicular at a separates the centre from b at this t, the centre can enter the capsule around the wall
+// only through the circle around a: every other point of the capsule lies within the strip, not separated from b by the
+// perpendicular at a, and the diameter of
 // the circle blocks the strip there. The same holds at b. If the centre starts in the strip, it does not lie between
 // the two perpendiculars, and again it can enter the capsule only through the circle around the nearer end.
 //
@@ -252,7 +253,7 @@ TouchAnswer touch_wall(const Numbers& numbers, const Sweep& sweep, const Point& 
   const std::optional<Sign> approaches = sign_if_sure(cross(d, ab));
   const std::optional<Sign> at_end = is_outside_strip(numbers.difference(sweep.to, a));
   if ((approaches && *approaches != Sign::positive) || (at_end && *at_end == Sign::positive)) return kMissed;
-  // The signs of the centre's position relative to the two perpendiculars, when it enters the strip.
+  // The position of the centre relative to the two perpendiculars, at the time when the centre enters the strip.
   const auto beyond_perpendicular = [&](const Vector<typename Numbers::Number>& f) {
     return sign_of_sum(-(r * dot(ab, d)), cross(d, f), squared_length);
   };
@@ -272,7 +273,7 @@ TouchAnswer touch_wall_ahead(const Numbers& numbers, const Sweep& sweep, const P
   return *side == Sign::negative ? touch_wall(numbers, sweep, b, a) : touch_wall(numbers, sweep, a, b);
 }
 
-/// Compares two touches. Requires: none of them is at the start.
+/// Compares two touches. Requires: neither of them is at the start.
 template <class Numbers>
 std::optional<Sign> compare_roots(const Numbers& numbers, const Sweep& sweep, const Touch& p, const Touch& q) {
   const auto first = root_of(numbers, sweep, p);

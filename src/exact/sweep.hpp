@@ -44,8 +44,9 @@ struct Touch {
 /// returned both for this sweep.
 [[nodiscard]] std::strong_ordering compare_touches(const Sweep& sweep, const Touch& p, const Touch& q);
 
-/// The position of the centre at a touch. Each coordinate differs from the exact one by a few units of 2^-53 times the
-/// larger of the coordinates of `from` and `to`. For output and for the order of a search only, never for decisions.
+/// The position of the centre at a touch. Each coordinate differs from the exact one by at most a few times 2^-53 times
+/// the larger magnitude of this coordinate at `from` and `to`. For output and for the order of a search only, never for
+/// decisions.
 [[nodiscard]] Point centre_at(const Sweep& sweep, const Touch& touch);
 
 /// The answers of each stage alone, so that tests can compare them. The doubles may be unable to answer.

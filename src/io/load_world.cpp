@@ -37,7 +37,7 @@ Point point_at(const char* bytes) {
 /// less memory and lets World::insert_points make them.
 struct LoadedItems {
   std::vector<Point> points;
-  ItemId first;  ///< the id of the first one of `points`
+  ItemId first;  ///< the id of the first element of `points`
   std::vector<Item> items;
 
   [[nodiscard]] std::size_t size() const { return points.size() + items.size(); }
@@ -217,18 +217,18 @@ bool WorldReader::read_items() {
 }
 
 bool WorldReader::read_run(std::uint64_t remaining) {
-  std::uint64_t gap = 0;
+  std::uint64_t id_step = 0;
   std::uint64_t run = 0;
-  if (!read_varint(gap) || !read_varint(run)) return false;
+  if (!read_varint(id_step) || !read_varint(run)) return false;
   const std::uint64_t size = run >> io::kKindBits;
   const std::uint64_t kind = run & ((1U << io::kKindBits) - 1);
   if (size < 1 || size > io::kLargestRun) return fail("the number of items of a run is not from 1 to 4096");
   if (size > remaining) return fail("a run has more items than are left");
   if (kind >= io::kSavedKindCount) return fail("an item has an unknown kind");
-  if (gap < 1) return fail("the ids do not ascend");
+  if (id_step < 1) return fail("the ids do not ascend");
   const std::uint64_t ids_left = largest_id_seen_ - last_id_;
-  if (gap > ids_left || size - 1 > ids_left - gap) return fail("an id is above the largest id");
-  const ItemId first{last_id_ + gap};
+  if (id_step > ids_left || size - 1 > ids_left - id_step) return fail("an id is above the largest id");
+  const ItemId first{last_id_ + id_step};
   last_id_ = first.value + (size - 1);
   return read_counts(size, static_cast<SavedKind>(kind)) && read_points_of_run(first, size);
 }

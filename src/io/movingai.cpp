@@ -105,7 +105,7 @@ bool MapReader::read_rows() {
   }
   while (lines_.next(line)) {
     if (!text::WordReader(line).at_end()) {
-      return fail(text::with_number("no more after ", height_, " rows"), text::in_quotes(line));
+      return fail(text::with_number("the end of the text after ", height_, " rows"), text::in_quotes(line));
     }
   }
   return true;

@@ -12,7 +12,7 @@ bool is_change(const ScriptLine& line) {
          line.kind == ScriptLineKind::replace;
 }
 
-/// Whether a line names a state or brings one back.
+/// Returns whether a line is a mark or a rewind.
 bool is_of_history(const ScriptLine& line) {
   return line.kind == ScriptLineKind::mark || line.kind == ScriptLineKind::rewind;
 }
@@ -41,7 +41,7 @@ class Replayer {
       changed_.push_back(line.item.id);
       return true;
     }
-    if (is_of_history(line)) return go(line);
+    if (is_of_history(line)) return mark_or_rewind(line);
     return line.kind != ScriptLineKind::tick || end_tick(line);
   }
   /// Makes the changes after the last tick.
@@ -49,8 +49,8 @@ class Replayer {
   ReplayResult take_result() { return std::move(result_); }
 
  private:
-  /// Marks the present state, or brings back a marked one.
-  bool go(const ScriptLine& line) {
+  /// Marks the present state of the world, or brings back a marked state.
+  bool mark_or_rewind(const ScriptLine& line) {
     if (!apply_changes(result_.tick + 1)) return false;
     if (line.kind == ScriptLineKind::mark) return world_.mark() != 0;
     return world_.rewind(line.tick).ok();
@@ -127,7 +127,7 @@ class Comparison {
   static const ScriptLine* line_at(const Script& log, std::size_t i) {
     return i < log.lines.size() ? &log.lines[i] : nullptr;
   }
-  /// Lines of the history count as changes of no item.
+  /// A mark or a rewind counts as a change that has no item.
   static bool is_a_change(const ScriptLine* line) {
     return line != nullptr && (is_change(*line) || is_of_history(*line));
   }

@@ -88,7 +88,7 @@ class WorldWriter {
     const bool continues = run_size_ > 0 && run_size_ < io::kLargestRun && id.value == last_id_ + 1 && kind == kind_;
     if (!continues) {
       end_run();
-      gap_ = id.value - last_id_;
+      id_step_ = id.value - last_id_;
       kind_ = kind;
     }
     ++run_size_;
@@ -103,7 +103,7 @@ class WorldWriter {
 
   void end_run() {
     if (run_size_ == 0) return;
-    append_varint(bytes_, gap_);
+    append_varint(bytes_, id_step_);
     append_varint(bytes_, run_size_ << io::kKindBits | static_cast<std::uint64_t>(kind_));
     bytes_ += counts_;
     bytes_ += points_;
@@ -127,7 +127,7 @@ class WorldWriter {
 
   // The run under way.
   std::uint64_t run_size_ = 0;
-  std::uint64_t gap_ = 0;  ///< between its first id and the id of the last item before it
+  std::uint64_t id_step_ = 0;  ///< the first id of the run minus the id of the last item before it
   SavedKind kind_ = SavedKind::point;
   std::string counts_;
   std::string points_;

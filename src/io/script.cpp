@@ -153,7 +153,7 @@ bool ScriptParser::id(ItemId& value) {
 
 bool ScriptParser::end_of_line() {
   std::string_view word;
-  return !words_.next(word) || fail("no more", word);
+  return !words_.next(word) || fail("the end of the line", word);
 }
 
 bool ScriptParser::read_header() {
@@ -183,7 +183,7 @@ bool ScriptParser::read_lines() {
 
 bool ScriptParser::read_line(std::string_view word) {
   usage_ = {};
-  if (word == "domain") return script_.domain_line == 0 ? read_domain() : fail("no second domain", word);
+  if (word == "domain") return script_.domain_line == 0 ? read_domain() : fail("only one domain", word);
   const auto grammar =
       std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.word == word; });
   if (grammar == kGrammars.end()) return fail("an operation", word);
@@ -279,7 +279,7 @@ bool ScriptParser::read_rings(Shape& shape) {
   }
   if (!read_ring(word, shape.rings)) return false;
   while (words_.next(word)) {
-    if (word != "/") return fail("'/' or no more", word);
+    if (word != "/") return fail("'/' or the end of the line", word);
     if (!read_ring(shape.rings)) return false;
   }
   return true;
@@ -329,11 +329,11 @@ bool ScriptParser::read_goal(ScriptLine& line) {
   std::string_view word;
   if (!words_.next(word)) return true;
   line.has_goal = true;
-  return word == "goal" ? point(line.to) : fail("'goal' or no more", word);
+  return word == "goal" ? point(line.to) : fail("'goal' or the end of the line", word);
 }
 
-/// Reads 16 hexadecimal digits, as to_string(ItemsHash) writes them.
-std::optional<std::uint64_t> read_lane(std::string_view digits) {
+/// Reads one word of an ItemsHash: 16 hexadecimal digits, as to_string(ItemsHash) writes them.
+std::optional<std::uint64_t> read_hash_word(std::string_view digits) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::uint64_t lane = 0;
   for (const char c : digits) {
@@ -351,17 +351,17 @@ bool ScriptParser::read_tick(ScriptLine& line) {
   if (!number) return fail("the number of a tick", word);
   line.tick = *number;
   if (!words_.next(word)) return true;
-  constexpr std::size_t kDigitsOfLane = 16;
-  if (word.size() != 2 * kDigitsOfLane) return fail("32 hexadecimal digits or no more", word);
-  const std::optional<std::uint64_t> first = read_lane(word.substr(0, kDigitsOfLane));
-  const std::optional<std::uint64_t> second = read_lane(word.substr(kDigitsOfLane));
-  if (!first || !second) return fail("32 hexadecimal digits or no more", word);
+  constexpr std::size_t kDigitsOfWord = 16;
+  if (word.size() != 2 * kDigitsOfWord) return fail("32 hexadecimal digits or the end of the line", word);
+  const std::optional<std::uint64_t> first = read_hash_word(word.substr(0, kDigitsOfWord));
+  const std::optional<std::uint64_t> second = read_hash_word(word.substr(kDigitsOfWord));
+  if (!first || !second) return fail("32 hexadecimal digits or the end of the line", word);
   line.items_hash = ItemsHash{{*first, *second}};
   return true;
 }
 
-/// Reads the tick that World::mark() returns here. The script contains it so that the reader of a script need not
-/// count.
+/// Reads the tick that World::mark() returns here. The script contains this number so that a person who reads the
+/// script need not count marks.
 bool ScriptParser::read_mark(ScriptLine& line) {
   line.tick = ++last_mark_;
   const std::string expected = "tick " + std::to_string(line.tick) + ", the one after the last mark,";
@@ -428,10 +428,10 @@ class LiveLines {
  private:
   struct Live {
     const ScriptLine* inserted = nullptr;
-    const ScriptLine* shaped = nullptr;  ///< the insertion, or the last replacement since
+    const ScriptLine* shaped = nullptr;  ///< the line of the insertion, or of the last replacement after it
   };
 
-  /// Changes an item and records how to take this back. Without `inserted`, there is no such item.
+  /// Changes an item and records how to take this back. If `now.inserted` is null, the item does not exist afterwards.
   void set(ItemId id, const Live& now) {
     const auto found = live_.find(id);
     if (!marks_.empty()) undo_.emplace_back(id, found == live_.end() ? Live{} : found->second);

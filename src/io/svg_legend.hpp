@@ -15,7 +15,7 @@ struct LegendEntry {
 };
 
 /// Returns the legend as one SVG group, in rows that fit the picture's width. Its upper left corner is (`left`, `top`).
-/// Writes its height, including the lower margin, to `height`.
+/// Writes the height of the legend, including the lower margin, to `height`.
 [[nodiscard]] std::string legend(const std::vector<LegendEntry>& entries, const Palette& palette, double width,
                                  double left, double top, double& height);
 

@@ -31,7 +31,7 @@ namespace waywright::io {
 [[nodiscard]] std::string goal_mark(const Palette& palette, const Point& at, double radius, const Paint& colour,
                                     std::string_view hint = {});
 
-/// A text with a rim in the page's colour, which makes it readable on any ground.
+/// A text with a rim in the colour of the page. The rim makes the text readable on any background.
 struct TextMark {
   Point at;
   std::string_view anchor = "start";

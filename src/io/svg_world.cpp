@@ -15,7 +15,8 @@ namespace waywright::io {
 
 namespace {
 
-// A picture with more than this is too large for viewers, and too dense for the eye.
+// The largest numbers of items with hints, and of free edges. A picture with more would be too large for viewers, and
+// too dense to read.
 constexpr std::size_t kMostHints = 50000;
 constexpr std::size_t kMostEdges = 300000;
 
@@ -148,8 +149,8 @@ class WorldDrawer {
     for (const auto& triangle : mesh.triangles) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::array<std::uint32_t, 2> edge{triangle[corner], triangle[(corner + 1) % 3]};
-        // Each of the two triangles at an unconstrained edge lists it, in opposite directions. Draws it for the
-        // ascending one.
+        // Both triangles at a free edge list the edge, in opposite directions. The loop draws the edge only for the
+        // ascending direction.
         if (edge[0] > edge[1] || is_constrained(mesh, edge)) continue;
         const std::size_t length_before = data.text().size();
         data.add_segment(mesh.vertices[edge[0]], mesh.vertices[edge[1]]);

@@ -133,7 +133,7 @@ bool SectionReader::numbers(std::string_view expected, std::uint64_t count) {
 
 bool SectionReader::end_of_line() {
   std::string_view text;
-  return !words_.next(text) || fail("no more on the line", text::in_quotes(text));
+  return !words_.next(text) || fail("the end of the line", text::in_quotes(text));
 }
 
 bool SectionReader::section(std::string_view counted, std::uint64_t& count) {

@@ -35,8 +35,8 @@ class Sectors {
 
   struct Sector {
     std::size_t index;
-    int shift;           ///< keys that agree in all bits from this one on are in the same sector
-    std::uint32_t zoom;  ///< the zoom whose curve has this key, or kNoZoom
+    int shift;           ///< if the bits from this number upwards of two keys agree, both keys are in one sector
+    std::uint32_t zoom;  ///< the zoom to whose curve these keys belong, or kNoZoom
   };
   [[nodiscard]] Sector at(const Point& point) const {
     const Sector sector = find(curve_.key(point));
@@ -75,7 +75,8 @@ class Sectors {
   WAYWRIGHT_ALWAYS_INLINE void prefetch(const Point& point) const {
     base::prefetch(&sectors_[static_cast<std::size_t>(curve_.key(point) >> whole_shift_)]);
   }
-  /// `v`, at `point`, is being removed: if its sector remembers `v`, the sector now remembers `other`.
+  /// Call it when an operation removes the vertex `v` at `point`. If the sector of `point` remembers `v`, it then
+  /// remembers `other`.
   void replace(const Point& point, mesh::Vertex v, mesh::Vertex other);
   /// Divides the sector of `point` into four quarters. `vertex_count` is the number of vertices in the world. Cost:
   /// O(1), amortised.
@@ -95,7 +96,7 @@ class Sectors {
   static constexpr Cell kZoomed = 0x40000000;
   static constexpr Cell kNone = 0x7fffffff;
   static constexpr std::size_t kVerticesPerSector = 3;
-  static constexpr std::size_t kCrowd = 8;
+  static constexpr std::size_t kCrowd = 8;  ///< fill() divides a sector with more vertices than this
   static constexpr std::size_t kBlock = 16;
   static constexpr double kFar = 9.0;  ///< squared: three times the width of the sector
   static constexpr int kKeyBits = 64;

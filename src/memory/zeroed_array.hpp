@@ -58,8 +58,8 @@ class ZeroedArray {
     values_ = std::move(values);
     size_ = size;
   }
-  /// Throws std::bad_alloc by asking for more memory than there is. This also works in code that is compiled without
-  /// exceptions.
+  /// Throws std::bad_alloc: asks `operator new` for more memory than any machine has. This also works in code that is
+  /// compiled without exceptions.
   [[noreturn]] static void fail() {
     volatile std::size_t too_much = std::numeric_limits<std::size_t>::max() / 2;
     for (;;) ::operator delete(::operator new(too_much));

@@ -9,7 +9,7 @@ namespace waywright::mesh {
 namespace {
 
 /// Returns the new capacity of a vector: the old one if it suffices, otherwise at least `needed` and at least 1.5 times
-/// the old one. So one of many insertions costs O(1), amortised.
+/// the old one. So each insertion takes amortised O(1) time.
 std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
   return needed <= capacity ? capacity : std::max(needed, capacity + capacity / 2);
 }
@@ -48,13 +48,19 @@ HalfEdge TriangleMesh::find_in_turn(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
-bool TriangleMesh::has_more_edges(Vertex u, Vertex v) const {
-  HalfEdge g = outgoing(u);
+bool TriangleMesh::has_many_edges(Vertex v) const {
+  const HalfEdge start = outgoing(v);
+  HalfEdge h = start;
   for (std::size_t steps = 0; steps < kFewEdges; ++steps) {
-    g = next_around(g);
-    if (g == outgoing(u)) return false;
+    h = next_around(h);
+    if (h == start) return false;
   }
-  g = outgoing(u);
+  return true;
+}
+
+bool TriangleMesh::has_more_edges(Vertex u, Vertex v) const {
+  if (!has_many_edges(u)) return false;
+  HalfEdge g = outgoing(u);
   HalfEdge h = outgoing(v);
   do {
     g = next_around(g);
@@ -273,7 +279,7 @@ TriangleMesh::Flipped TriangleMesh::flip_unlogged(HalfEdge h) {
 //           /    \           lies on the border, the new triangle uses its face, which nothing else needs. Then this
 //      one /      \ other    half-edge and its twin do not change. If both lie on the border, `other` moves to the face
 //         /        \         of `one`, and its old face is freed. If both are bases, the new triangle takes a freed
-//    from -------- to        face. A new base has no twin yet: it is open. It replaces `one` in `border`.
+//    from -------- to        face. A new base has no twin yet. It replaces `one` in `border`.
 //           base
 HalfEdge TriangleMesh::refill(std::span<HalfEdge> border, std::span<const Triangle> triangles) {
   for (const HalfEdge h : border) save(face(h));
@@ -281,10 +287,10 @@ HalfEdge TriangleMesh::refill(std::span<HalfEdge> border, std::span<const Triang
   for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle) {
     const HalfEdge one = border[triangle->from];
     const HalfEdge other = border[triangle->apex];
-    const Vertex from = is_open(one) ? target(one) : origin(one);
-    const Vertex apex = is_open(one) ? origin(one) : target(one);
-    const Vertex to = is_open(other) ? origin(other) : target(other);
-    const HalfEdge h = !is_open(one) ? one : !is_open(other) ? previous(other) : first(add_face());
+    const Vertex from = lacks_twin(one) ? target(one) : origin(one);
+    const Vertex apex = lacks_twin(one) ? origin(one) : target(one);
+    const Vertex to = lacks_twin(other) ? origin(other) : target(other);
+    const HalfEdge h = !lacks_twin(one) ? one : !lacks_twin(other) ? previous(other) : first(add_face());
     set_origin(h, from);
     set_origin(next(h), apex);
     set_origin(previous(h), to);
@@ -302,10 +308,10 @@ void TriangleMesh::close(HalfEdge base, HalfEdge old) {
   join(base, old);
 }
 
-/// If `old` is open, makes `h` its twin. Otherwise `h` replaces `old`, and the face of `old` is freed, unless they are
-/// the same half-edge.
+/// If `old` has no twin, makes `h` its twin. Otherwise `h` replaces `old`. If the two are different half-edges, the
+/// function then frees the face of `old`.
 void TriangleMesh::join(HalfEdge h, HalfEdge old) {
-  if (is_open(old)) {
+  if (lacks_twin(old)) {
     link(h, old, 0);
     return;
   }

@@ -46,8 +46,8 @@ class TriangleMesh {
 
   /// The record of a half-edge.
   struct HalfEdgeRecord {
-    /// The twin. The highest bit says whether the edge is fixed. In the first half-edge of a free face: the next free
-    /// face.
+    /// The twin. The highest bit says whether the edge is fixed. In the first half-edge of a free face, the member is
+    /// the number of the next free face.
     std::uint32_t twin;
     Vertex origin;  ///< kNoVertex in a free face
   };
@@ -75,8 +75,13 @@ class TriangleMesh {
   [[nodiscard]] HalfEdge previous_around(HalfEdge h) const { return next(twin(h)); }
   [[nodiscard]] bool is_fixed(HalfEdge h) const { return (half_edges_[number(h)].twin & kFixed) != 0; }
   [[nodiscard]] Label label(HalfEdge h) const { return is_fixed(h) ? labels_[number(h)] : 0; }
-  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: O(1) plus the smaller degree of the two.
+  /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: proportional to the number of edges of the vertex with
+  /// fewer edges.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
+  /// More edges than this are many.
+  static constexpr std::size_t kFewEdges = 16;
+  /// Whether `v` has many edges. Cost: O(1).
+  [[nodiscard]] bool has_many_edges(Vertex v) const;
   /// Whether `u` has many edges, and more than `v`. Cost: O(1), or proportional to the number of edges of the vertex
   /// with fewer edges.
   [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const;
@@ -221,8 +226,6 @@ class TriangleMesh {
  private:
   friend class UnloggedMesh;
 
-  static constexpr std::size_t kFewEdges = 16;
-
   [[nodiscard]] HalfEdge find_in_turn(Vertex from, Vertex to) const;
 
   static constexpr std::uint32_t kFixed = 0x80000000;
@@ -262,7 +265,7 @@ class TriangleMesh {
   void restore(Face f, const SavedFace& saved);
   void drop(Face f);
   void join(HalfEdge h, HalfEdge old);
-  [[nodiscard]] bool is_open(HalfEdge h) const { return half_edges_[number(h)].twin == number(kNoHalfEdge); }
+  [[nodiscard]] bool lacks_twin(HalfEdge h) const { return half_edges_[number(h)].twin == number(kNoHalfEdge); }
   void push_free_face(Face f);
   [[nodiscard]] Face pop_free_face();
   void push_free_vertex(Vertex v);

@@ -45,7 +45,6 @@ Abstraction::Abstraction(const Triangulation& triangulation) : components_(trian
 
 void Abstraction::begin() {
   is_updated_ = false;
-  has_new_walls_ = false;
   inserted_.clear();
   removed_.clear();
 }
@@ -66,7 +65,7 @@ void Abstraction::update(const Triangulation& triangulation) {
     components_.update_in_open_space(mesh, changed_, made_);
     core_.update_in_open_space(mesh, changed_, made_);
   } else {
-    components_.update(triangulation, {changed_, made_, removed_, inserted_, has_new_walls_});
+    components_.update(triangulation, {changed_, made_, removed_, inserted_, triangulation.may_have_divided()});
     core_.update(mesh, changed_, made_);
   }
   is_updated_ = true;

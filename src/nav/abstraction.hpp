@@ -38,10 +38,9 @@ class Abstraction {
   [[nodiscard]] const Components& components() const { return components_; }
   [[nodiscard]] const TwoCore& core() const { return core_; }
 
-  /// Starts an operation. Call note_walls() if the operation inserts an item with sides. Call note_inserted() and
-  /// note_removed() for every polygon that the operation inserts or removes. Polygons are named by their slot.
+  /// Starts an operation. Call note_inserted() and note_removed() for every polygon that the operation inserts or
+  /// removes. The argument of both functions is the slot of the polygon.
   void begin();
-  void note_walls() { has_new_walls_ = true; }
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
   void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }
   /// Updates the abstraction to the triangulation. The undo log of the mesh says which faces have changed. Requires:
@@ -93,7 +92,6 @@ class Abstraction {
   bool was_rebuilt_ = false;          ///< whether the last update was a rebuild
   std::unique_ptr<Replaced> before_;  ///< set if the operation under way has rebuilt the abstraction
 
-  bool has_new_walls_ = false;           ///< whether the operation inserts items with sides
   std::vector<std::uint32_t> inserted_;  ///< polygons, by slot
   std::vector<std::uint32_t> removed_;
 

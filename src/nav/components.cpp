@@ -27,7 +27,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   remove_changed_faces(changes.changed);
   find_groups(mesh, changes.made);
   remove_from_covers(changes);
-  find_remainders(mesh, changes.has_new_walls);
+  find_remainders(mesh, changes.may_divide);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon, changes.inserted);
@@ -78,13 +78,13 @@ void Components::remove_changed_faces(std::span<const Face> changed) {
   write();
 }
 
-/// Finds the groups of new faces, and the old faces at their borders (the contacts). The edges of an old face have not
-/// changed. So if an old component lost a face, each of its pieces has a contact.
+/// Finds the groups of new faces and their old neighbours. The edges of an old face have not changed. So if an old
+/// component lost a face, each of its pieces contains an old neighbour of a group.
 void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   groups_.clear();
   group_sets_.clear();
   faces_.clear();
-  contacts_.clear();
+  old_neighbours_.clear();
   const std::uint32_t no_group = next_mark_++;
   group_mark_ = next_mark_;
   for (const Face f : made) set_mark(f, no_group);
@@ -101,7 +101,7 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
         if (!PointAgent::can_cross(mesh, h)) continue;
         const Face other = mesh::face(mesh.twin(h));
         if (ids_[number(other)] != kNone) {
-          contacts_.push_back({ids_[number(other)], group, other});
+          old_neighbours_.push_back({ids_[number(other)], group, other});
         } else if (mark(other) == no_group) {
           set_mark(other, group_mark);
           faces_.push_back(other);
@@ -111,23 +111,23 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     group_sets_.push_back(group);
     groups_.push_back({begin, static_cast<std::uint32_t>(faces_.size())});
   }
-  std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
+  std::sort(old_neighbours_.begin(), old_neighbours_.end(), [](const OldNeighbour& a, const OldNeighbour& b) {
     return a.component != b.component ? a.component < b.component : a.group < b.group;
   });
 }
 
-/// Finds the remaining faces of the old components. If none of them can be divided, all groups with a contact to one
-/// component are connected, and no search is necessary.
+/// Finds the remaining faces of the old components. If none of them can be divided, all groups with an old neighbour in
+/// one component are connected, and no search is necessary.
 void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided) {
   remainders_.clear();
   piece_faces_.clear();
-  const auto count = static_cast<std::uint32_t>(contacts_.size());
+  const auto count = static_cast<std::uint32_t>(old_neighbours_.size());
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
-    const Contact& first = contacts_[begin];
+    const OldNeighbour& first = old_neighbours_[begin];
     bool is_in_one = true;
-    for (; end < count && contacts_[end].component == first.component; ++end) {
-      if (!may_be_divided) unite(group_sets_, contacts_[end].group, first.group);
-      is_in_one = is_in_one && root_of(group_sets_, contacts_[end].group) == root_of(group_sets_, first.group);
+    for (; end < count && old_neighbours_[end].component == first.component; ++end) {
+      if (!may_be_divided) unite(group_sets_, old_neighbours_[end].group, first.group);
+      is_in_one = is_in_one && root_of(group_sets_, old_neighbours_[end].group) == root_of(group_sets_, first.group);
     }
     if (is_in_one) {
       remainders_.push_back({first.component, first.group, records_[first.component].size, false, begin, end});
@@ -137,12 +137,12 @@ void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_div
   }
 }
 
-/// Finds the pieces of one old component by searches from its contacts. Source: Even and Shiloach, *An on-line
-/// edge-deletion problem*, JACM 1981 (searches that run in turn).
+/// Finds the pieces of one old component by searches from its faces in `old_neighbours_`. Source: Even and Shiloach,
+/// *An on-line edge-deletion problem*, JACM 1981 (searches that run in turn).
 void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
-  start_searches({contacts_.data() + begin, end - begin});
+  start_searches({old_neighbours_.data() + begin, end - begin});
   const std::uint32_t rest = search_until_one_is_left(mesh);
-  const Id component = contacts_[begin].component;
+  const Id component = old_neighbours_[begin].component;
   std::uint32_t size = records_[component].size;
   for (std::uint32_t i = 0; i < search_sets_.size(); ++i) {
     const std::uint32_t set = root_of(search_sets_, i);
@@ -154,12 +154,12 @@ void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin
   remainders_.push_back({component, searches_[rest].group, size, false, begin, end});
 }
 
-/// Starts one search for all contacts in groups that are already known to be connected.
-void Components::start_searches(std::span<const Contact> contacts) {
+/// Starts one search for each set of groups that are already known to be connected, from all their old neighbours.
+void Components::start_searches(std::span<const OldNeighbour> old_neighbours) {
   search_mark_ = next_mark_;
   search_sets_.clear();
-  for (const Contact& contact : contacts) {
-    const std::uint32_t group = root_of(group_sets_, contact.group);
+  for (const OldNeighbour& neighbour : old_neighbours) {
+    const std::uint32_t group = root_of(group_sets_, neighbour.group);
     std::uint32_t i = 0;
     while (i < search_sets_.size() && searches_[i].group != group) ++i;
     if (i == search_sets_.size()) {
@@ -170,7 +170,7 @@ void Components::start_searches(std::span<const Contact> contacts) {
       searches_[i].found.clear();
       searches_[i].next = 0;
     }
-    find(searches_[i], contact.face);
+    note_found(searches_[i], neighbour.face);
   }
 }
 
@@ -178,35 +178,35 @@ void Components::start_searches(std::span<const Contact> contacts) {
 /// an arbitrary set if all are finished.
 std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mesh) {
   const std::span searches(searches_.data(), search_sets_.size());
-  const auto is_open = [](const Search& search) { return search.next < search.found.size(); };
+  const auto is_unfinished = [](const Search& search) { return search.next < search.found.size(); };
   for (;;) {
     for (Search& search : searches) {
-      if (is_open(search)) step(mesh, search);
+      if (is_unfinished(search)) step(mesh, search);
     }
     std::uint32_t rest = 0;
-    std::size_t open_sets = 0;
+    std::size_t unfinished_sets = 0;
     for (std::uint32_t i = 0; i < searches.size(); ++i) {
-      if (!is_open(searches[i]) || (open_sets > 0 && root_of(search_sets_, i) == rest)) continue;
+      if (!is_unfinished(searches[i]) || (unfinished_sets > 0 && root_of(search_sets_, i) == rest)) continue;
       rest = root_of(search_sets_, i);
-      if (++open_sets > 1) break;
+      if (++unfinished_sets > 1) break;
     }
-    if (open_sets <= 1) return rest;
+    if (unfinished_sets <= 1) return rest;
   }
 }
 
-/// Looks at the old neighbours of one face. It skips new neighbours, because all contacts of one group belong to one
+/// Looks at the old faces adjacent to a face. Skips new faces, because all old neighbours of one group belong to one
 /// search already.
 void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   const Face f = search.found[search.next++];
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge h{3 * number(f) + i};
     const Face other = mesh::face(mesh.twin(h));
-    if (PointAgent::can_cross(mesh, h) && ids_[number(other)] != kNone) find(search, other);
+    if (PointAgent::can_cross(mesh, h) && ids_[number(other)] != kNone) note_found(search, other);
   }
 }
 
 /// Records that `search` has found the face. If another search has found it before, unites the two searches.
-void Components::find(Search& search, Face f) {
+void Components::note_found(Search& search, Face f) {
   const auto own = static_cast<std::uint32_t>(&search - searches_.data());
   const std::uint32_t found_by = mark(f);
   if (found_by < search_mark_) {
@@ -273,7 +273,8 @@ void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remain
     stack_.push_back(f);
   };
   for (std::uint32_t i = remainder.begin; i < remainder.end; ++i) {
-    if (root_of(group_sets_, contacts_[i].group) == root_of(group_sets_, remainder.group)) visit(contacts_[i].face);
+    if (root_of(group_sets_, old_neighbours_[i].group) == root_of(group_sets_, remainder.group))
+      visit(old_neighbours_[i].face);
   }
   while (!stack_.empty()) {
     const Face f = stack_.back();
@@ -348,9 +349,9 @@ void Components::count_memory(MemoryUse& use) const {
   marks_.count_memory(use, &MemoryUse::abstraction);
   records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
-  memory::count_spare(use, faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_,
-                      stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_,
-                      edges_);
+  memory::count_spare(use, faces_, groups_, group_sets_, old_neighbours_, searches_, search_sets_, remainders_,
+                      piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_,
+                      covered_, edges_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
@@ -359,8 +360,9 @@ void Components::shrink_to_fit() {
   records_.shrink_to_fit();
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
-  memory::release(faces_, groups_, group_sets_, contacts_, searches_, search_sets_, remainders_, piece_faces_, stack_,
-                  flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_, edges_);
+  memory::release(faces_, groups_, group_sets_, old_neighbours_, searches_, search_sets_, remainders_, piece_faces_,
+                  stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_, enclosed_, covered_,
+                  edges_);
 }
 
 }  // namespace waywright::nav

@@ -25,7 +25,7 @@ namespace waywright::nav {
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
 /// one search starts from each piece. The searches take turns until at most one of them is unfinished. If a change
-/// connects components, the smaller ones take the id of the largest. Compare ids only for equality: the id of a
+/// connects components, the smaller ones take the id of the largest. Compare ids only for equality, because the id of a
 /// component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
@@ -57,10 +57,11 @@ class Components {
     std::span<const mesh::Face> made;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
-    /// Whether the operation inserted items with sides. If not, no component is divided.
-    bool has_new_walls;
+    /// If false, the walls that the operation made divide no component.
+    bool may_divide;
   };
-  /// Updates the components to the triangulation. Logs every old value before it changes it.
+  /// Updates the components to the triangulation. Records each old value in the undo log before it overwrites the
+  /// value.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
   /// Does the same as update(), for a change with three properties: the faces in `made` fill the area of the faces in
@@ -95,7 +96,7 @@ class Components {
   struct Record {
     std::uint32_t size = 0;  ///< of a free record: the next free one
     Set cover = CoverTree::kEmpty;
-    Id next = kNone;  ///< the next component with the same `cover`; nothing links those that no polygon covers
+    Id next = kNone;  ///< the next component with the same `cover`; unused if the cover is empty
     Id previous = kNone;
   };
   /// A new face, and all new faces that passages connect with it through new faces alone.
@@ -104,14 +105,14 @@ class Components {
     Id id = kNone;
     std::uint32_t size = 0;  ///< size of the component to which the group will belong
   };
-  /// An old face with a passage to a face of a group.
-  struct Contact {
+  /// An old face that has a passage to a face of a group.
+  struct OldNeighbour {
     Id component;  ///< of the old face
     std::uint32_t group;
     mesh::Face face;
   };
-  /// A search through the old faces of a component. It starts at the contacts of one group, or of several connected
-  /// groups.
+  /// A search through the old faces of a component. It starts at the old neighbours of one group, or of several
+  /// connected groups.
   struct Search {
     std::uint32_t group;
     std::vector<mesh::Face> found;
@@ -124,7 +125,9 @@ class Components {
     std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
     bool is_piece;
-    std::uint32_t begin, end;  ///< for a piece: its faces in `piece_faces_`; for the rest: the contacts in `contacts_`
+    /// For a piece: the range of its faces in `piece_faces_`. For the rest: the range of its faces in
+    /// `old_neighbours_`.
+    std::uint32_t begin, end;
   };
 
   // Finding the components of a whole triangulation.
@@ -144,10 +147,10 @@ class Components {
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
   void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
-  void start_searches(std::span<const Contact> contacts);
+  void start_searches(std::span<const OldNeighbour> old_neighbours);
   [[nodiscard]] std::uint32_t search_until_one_is_left(const mesh::TriangleMesh& mesh);
   void step(const mesh::TriangleMesh& mesh, Search& search);
-  void find(Search& search, mesh::Face f);
+  void note_found(Search& search, mesh::Face f);
   void add_piece(std::uint32_t search, Id component);
   void assign_components(const mesh::TriangleMesh& mesh);
   void move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id);
@@ -205,12 +208,12 @@ class Components {
   // Scratch.
   memory::Pages<std::uint32_t> marks_;  ///< by face: the mark of the last flood or search there; no mark is used twice
   std::uint32_t next_mark_ = 1;
-  std::uint32_t group_mark_ = 0;   ///< mark of the first group; the mark before it: new faces that have no group yet
+  std::uint32_t group_mark_ = 0;   ///< mark of the first group; `group_mark_` - 1 marks new faces without a group
   std::uint32_t search_mark_ = 0;  ///< mark of the first search
   std::vector<mesh::Face> faces_;  ///< new faces, group by group
   std::vector<Group> groups_;
   std::vector<std::uint32_t> group_sets_;
-  std::vector<Contact> contacts_;
+  std::vector<OldNeighbour> old_neighbours_;
   std::vector<Search> searches_;
   std::vector<std::uint32_t> search_sets_;
   std::vector<Remainder> remainders_;

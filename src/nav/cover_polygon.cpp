@@ -7,8 +7,8 @@
 
 // Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
 // of the polygon and floods the faces inside. It does not flood polygons that are enclosed: it adds the inserted
-// polygon to the nodes of the tree of covers that stand for them. So a contour around other contours costs no more than
-// its own faces, however many contours lie inside.
+// polygon to the nodes of the tree of covers that stand for them. So the cost of a polygon around other polygons
+// depends only on the faces that no enclosed polygon covers, however many polygons are enclosed.
 
 namespace waywright::nav {
 
@@ -126,7 +126,7 @@ class WindingOfSides {
 }  // namespace
 
 /// Adds the polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
-/// polygons. Those before this one are in the covers already.
+/// polygons. The covers already contain the polygons that come before `polygon` in this list.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon,
                             std::span<const std::uint32_t> inserted) {
   covering_ = polygon;
@@ -181,8 +181,9 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
     last_ring = ring;
     const std::size_t first = first_corner(triangulation, ring);
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
-    // To the right of `h` there is no face between sides of this ring: its first corner is the origin of `h`. So with a
-    // single ring the winding number there is 0. With several rings, this ring may lie inside another one.
+    // The origin of `h` is the ring's first corner in (x, y) order, so the face on the right of `h` lies outside this
+    // ring. If the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring
+    // may lie inside another one.
     std::int32_t turns = may_enclose_ ? winding.across(h) : turns_around(triangulation, h, covering_);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
       visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, turns,
@@ -233,8 +234,8 @@ bool Components::is_enclosed(const Triangulation& triangulation, std::uint32_t p
   return true;
 }
 
-/// Collects the polygons with a side or corner on the boundary of the polygon. If many sides lie there, it is not worth
-/// the time to look for enclosed polygons.
+/// Collects the polygons with a side or corner on the boundary of the polygon. If very many sides lie there, the search
+/// for enclosed polygons would cost more than it saves. Then the function gives up this search.
 void Components::collect_touching(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   knows_touching_ = true;
@@ -256,11 +257,11 @@ void Components::collect_touching(const Triangulation& triangulation) {
   if (budget == 0) may_enclose_ = false;
 }
 
-/// Visits the faces along the sides of an enclosed polygon that no enclosed polygon covers: some of them may lie in
-/// gaps that the flood does not reach.
+/// Visits the faces along the sides of an enclosed polygon, if no enclosed polygon covers them. The flood does not
+/// reach a face that enclosed polygons separate from the other faces.
 void Components::visit_around(const Triangulation& triangulation, std::uint32_t enclosed) {
   Id last = kNone;
-  const auto visit_if_open = [&](Face f) {
+  const auto visit_if_not_enclosed = [&](Face f) {
     if (ids_[number(f)] == kNone || ids_[number(f)] == last) return;
     if (is_covered_by_enclosed(records_[ids_[number(f)]].cover)) {
       last = ids_[number(f)];
@@ -270,8 +271,8 @@ void Components::visit_around(const Triangulation& triangulation, std::uint32_t 
   };
   triangulation.items().for_each_side(enclosed, [&](std::uint32_t slot) {
     follow_side(triangulation, slot, [&](HalfEdge h) {
-      visit_if_open(mesh::face(h));
-      visit_if_open(mesh::face(triangulation.topology().twin(h)));
+      visit_if_not_enclosed(mesh::face(h));
+      visit_if_not_enclosed(mesh::face(triangulation.topology().twin(h)));
     });
   });
 }

@@ -81,7 +81,7 @@ class CoverTree {
     std::uint32_t polygon;
     Set parent;  ///< of a free node: the next free node
     Set first_child = kEmpty;
-    Set next = kEmpty;  ///< the next child of the parent; nothing links the children of the empty set
+    Set next = kEmpty;  ///< the next child of the parent; unused if the parent is the empty set
     Set previous = kEmpty;
     Set next_of_polygon = kEmpty;
     Set previous_of_polygon = kEmpty;

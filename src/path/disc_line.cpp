@@ -100,8 +100,8 @@ void DiscLine::walk(HalfEdge face) {
   }
 }
 
-/// Looks at a wall, or a gap that is too narrow, which the line crosses. If an end of this wall or gap is nearer to the
-/// line than the radius, the path has to turn around this end.
+/// The line crosses a wall or a gap that is too narrow. Looks at the two ends of this wall or gap. If an end is nearer
+/// to the line than the radius, the path has to turn around this end.
 void DiscLine::look_at_closed(HalfEdge exit) {
   is_blocked_ = true;
   for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {

@@ -32,9 +32,9 @@ class DiscLine {
 
   /// Tests the line from `from` to `to` in a direction. `face` is a half-edge of the face that contains the position at
   /// which the line ends. Returns whether no wall is nearer to the line than the radius and the line crosses only gaps
-  /// that are wide enough. If the result is false, left() and right() are obstacles, if the test has found any. Of the
-  /// obstacles left of the line, left() is the one whose tangent from `from` points farthest to the right. Of the
-  /// obstacles right of the line, right() is the one whose tangent from `from` points farthest to the left.
+  /// that are wide enough. If the result is false, left() and right() are obstacles, if the test has found any. left()
+  /// is an obstacle left of the line: the obstacle whose tangent from `from` points farthest to the right. right() is
+  /// an obstacle right of the line: the obstacle whose tangent from `from` points farthest to the left.
   [[nodiscard]] bool is_clear(const DiscMap& map, const End& from, const End& to, const Tangent& line,
                               mesh::HalfEdge face);
   [[nodiscard]] const Obstacle& left() const { return obstacles_[1]; }

@@ -38,8 +38,8 @@ class DiscMap {
   const clearance::Bridges& bridges;
   const nav::TwoCore* core;
   double exact_radius;
-  /// The radius for computations in doubles. It is larger than the exact radius if that one is so small that doubles
-  /// cannot tell a position at this distance from a vertex from the vertex itself.
+  /// The radius for computations in doubles. It is the exact radius, unless this radius is so small that in doubles a
+  /// position at this distance from a vertex equals the vertex. Then the member is a larger radius.
   double radius;
   /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
   /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.

@@ -16,8 +16,9 @@ namespace {
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenLooks = 8;
 
-/// A vertex that is farther than this many radii from the line on which the path arrives, on the other side than the
-/// circle, is not in a later line of the path. The exact factor is 2; the rest allows for rounding.
+/// If a vertex is farther than this many radii from the line on which the path arrives, and the circle lies on the
+/// other side of this line, the next line of the path does not lead to the vertex. The exact factor is 2; the rest
+/// allows for rounding.
 constexpr double kOutside = 2.125;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
@@ -189,10 +190,10 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
 
 /// Adds the turn around an end of the window's edge: around the left end if `turn` is kTurnLeft, around the right end
 /// if it is kTurnRight. Requires: the window's bound passes through this end. Does nothing if no path can continue
-/// after the turn: neither through the two other edges of the face, nor to a goal in one of the two
-/// faces at the window's edge. (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the
-/// apex lies on the bound. Then a path that turns at the root in the same direction does not cross the far edge: it
-/// continues along the bound to the apex.
+/// after the turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the
+/// window's edge. (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on
+/// the bound. Then a path that turns at the root in the same direction does not cross the far edge: it continues along
+/// the bound to the apex.
 void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
@@ -229,7 +230,7 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   open_.push(least, static_cast<std::uint32_t>(2 * turns_.size() - 1));
 }
 
-/// Returns whether the path attempts the same contacts after two turns, in the same order.
+/// Returns whether the search tries the same contacts after two turns, in the same order.
 bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
   while (a != b) {
     if (a == kNone || b == kNone || turns_[a].vertex != turns_[b].vertex || turns_[a].turn != turns_[b].turn) {
@@ -274,7 +275,7 @@ void DiscOptimal::offer(const Window& window) {
 }
 
 /// A lower bound of the length of the paths through the window. If the disc is beyond the edge when it reaches the
-/// root, the edge says nothing about the length.
+/// root, the bound does not depend on the edge.
 ///
 /// A path that turns around an end of the edge, or around a vertex close behind the edge, need not cross the edge: it
 /// comes within the radius of the edge. To go to the edge and back adds at most the diameter to its length.
@@ -394,8 +395,8 @@ std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, st
 }
 
 /// Returns whether a path that turns around the same vertex in the other direction reaches the end of the line and is
-/// not longer there, if it continues along the circle. Then the turn is not on a shortest path: the two paths meet at a
-/// kink.
+/// not longer there, if it continues along the circle. Then the turn is not on a shortest path: the other path and the
+/// rest of this path form an angle at the point where they meet, so a shorter path exists.
 bool DiscOptimal::is_reached_sooner(const Turn& turn, HalfEdge corner) {
   for (std::uint32_t i = reached_at(turn.vertex, -turn.turn).root; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];

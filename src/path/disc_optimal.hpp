@@ -78,10 +78,10 @@ class DiscOptimal {
     int turn;             ///< around the vertex; kNoTurn at the goal
     Tangent line;
     double length;       ///< of the path to the end of the line
-    std::uint32_t then;  ///< the turn, in `turns_`, that the path attempts next, or kNone
+    std::uint32_t then;  ///< the turn, in `turns_`, that the search tries after this one, or kNone
   };
 
-  /// A turn that the search has added, and the turn that the path attempts next.
+  /// A turn that the search has added, and the turn that the search tries after it.
   struct Noted {
     std::uint32_t root;
     std::uint32_t then;  ///< in `turns_`, or kNone

@@ -107,7 +107,7 @@ void DiscString::end_at_goal() {
   stops_.push_back(row_[apex_]);
 }
 
-/// Makes the string pass all walls. Returns false if it does not succeed.
+/// Changes the string until the disc can move along it. Returns false if this does not succeed.
 bool DiscString::straighten() {
   std::size_t steps = 8 * stops_.size() + 32;
   for (std::size_t i = 0; i + 1 < stops_.size(); --steps) {
@@ -170,8 +170,8 @@ DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   return Step::again;
 }
 
-/// Inserts the obstacle of a line. If there is one on the left and one on the right, inserts the one to which the line
-/// is shorter.
+/// Inserts the obstacle of a line. If there are obstacles on the left and on the right, inserts the obstacle to which
+/// the line is shorter.
 DiscString::Step DiscString::insert_obstacle(std::size_t i) {
   const DiscLine::Obstacle* obstacle = nullptr;
   int turn = kNoTurn;

@@ -63,7 +63,7 @@ class DiscString {
   // Both strings of the funnel: first the left one from its end to the apex, then the right one from the apex to its
   // end. The left string turns left around each of its vertices, the right one turns right.
   std::vector<Stop> row_;
-  std::size_t left_ = 0;  ///< index in `row_` of the left end; `apex_` and `right_` likewise
+  std::size_t left_ = 0;  ///< indices in `row_`: of the left end, of the apex, of the right end
   std::size_t apex_ = 0;
   std::size_t right_ = 0;
   std::vector<Stop> stops_;

@@ -131,7 +131,7 @@ void Ends::find_start_faces() {
 
 void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, goal_location_); }
 
-/// Moves the ends that have no open face around them. Returns whether both ends now have one.
+/// Moves the ends that have no open face around them. Returns whether both ends now have an open face around them.
 bool Ends::move_blocked_ends() {
   if (start_faces_.empty() && may_start_move_) move_start(goal_faces_);
   if (goal_faces_.empty() && !start_faces_.empty()) {

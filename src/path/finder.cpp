@@ -48,9 +48,9 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   }
 }
 
-/// Records that the search has looked at the faces that were read to find the ends. In three cases the function does
-/// not know each of these faces. It then records that the search has looked at every face: the search is already done;
-/// an end was moved; the algorithm is `tra`, which records no faces.
+/// Records that the search has looked at the faces that the location of the ends has read. In three cases the function
+/// does not know each of these faces. It then records that the search has looked at every face: the search is already
+/// done; an end was moved; the algorithm is `tra`, which records no faces.
 void Finder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();
@@ -144,7 +144,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
   paths.resize(query.goals.size());
-  searched_.clear();
+  pending_goals_.clear();
   std::size_t expansions = 0;
   ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
   ends_.free_start();
@@ -158,9 +158,9 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
       if (!query.wants_points) paths[i].points.clear();
       continue;
     }
-    if (searched_.empty()) optimal_.begin(triangulation, abstraction_, ends_, false);
+    if (pending_goals_.empty()) optimal_.begin(triangulation, abstraction_, ends_, false);
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
-    searched_.push_back(i);
+    pending_goals_.push_back(i);
     if (paths.size() < kManyGoals) find_pending_paths(query.wants_points, expansions, paths);
   }
   find_pending_paths(query.wants_points, expansions, paths);
@@ -169,14 +169,14 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
 
 /// Finds the paths to all goals that were added since the last call.
 void Finder::find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
-  if (searched_.empty()) return;
+  if (pending_goals_.empty()) return;
   optimal_.start();
   while (!optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
   }
-  for (std::size_t goal = 0; goal < searched_.size(); ++goal) {
-    if (optimal_.is_found(goal)) optimal_.write_path(goal, wants_points, paths[searched_[goal]]);
+  for (std::size_t goal = 0; goal < pending_goals_.size(); ++goal) {
+    if (optimal_.is_found(goal)) optimal_.write_path(goal, wants_points, paths[pending_goals_[goal]]);
   }
-  searched_.clear();
+  pending_goals_.clear();
 }
 
 bool Finder::is_over_budget(const Path& path) const {

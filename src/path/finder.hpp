@@ -68,7 +68,8 @@ class Finder {
   TaStar ta_;
   TraStar tra_;
   Optimal optimal_;
-  std::vector<std::size_t> searched_;  ///< in a query of many goals: the goals that wait for find_pending_paths()
+  std::vector<std::size_t>
+      pending_goals_;  ///< in a query of many goals: the goals for which find_pending_paths() will search
 };
 
 }  // namespace waywright::path

@@ -433,11 +433,11 @@ void Optimal::push(const Node& window, const Point& left, const Point& right) {
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
-/// Let E be the origin of `from_end`, a half-edge of the window's edge. Returns whether the known path to E, continued
-/// along the edge, reaches the other end of the edge sooner than the straight line from the root. By the triangle
-/// inequality it then also reaches every position of the edge sooner, so no shortest path comes through the window.
-/// "Sooner" means that the difference is larger than the rounding error of a sum of lengths. So of two equally long
-/// paths, neither excludes the other.
+/// Let E be the origin of `from_end`, which is one of the two half-edges of the window's edge. Returns whether the
+/// known path to E, continued along the edge, reaches the other end of the edge sooner than the straight line from the
+/// root. By the triangle inequality it then also reaches every position of the edge sooner, so no shortest path comes
+/// through the window. "Sooner" means that the difference is larger than the rounding error of a sum of lengths. So of
+/// two equally long paths, neither excludes the other.
 bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
   constexpr double kRoundingMargin = 1.0 + 0x1p-40;
   const mesh::Vertex end = mesh_->origin(from_end);

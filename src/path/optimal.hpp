@@ -31,7 +31,7 @@ namespace waywright::path {
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and the rule that drops a root if a shorter path to its vertex is known. Differences:
 /// - To decide where a window continues, the search never computes the positions of the window's ends.
-/// - It makes the windows beyond a turn only when no other node has a smaller bound.
+/// - It makes the windows beyond a turn only when no other node in the open list has a smaller bound.
 /// - If the bound of a new window is not above the least bound of the open list, the search follows this window at
 ///   once, without the open list.
 /// - It drops a window if a known path through an end of its edge reaches all positions of the window sooner (Xin and
@@ -64,7 +64,8 @@ class Optimal {
   [[nodiscard]] bool is_found(std::size_t goal) const { return goals_[goal].root != kNone; }
   /// Writes the status, the length and, if `wants_points` is true, the points. Requires: is_found(goal).
   void write_path(std::size_t goal, bool wants_points, Path& path) const;
-  /// Writes to `path` the edges that it crosses. Requires: begin() was called with `wants_channel`, and is_found(goal).
+  /// Writes to Path::channel the edges that the path to the goal crosses. Requires: begin() was called with
+  /// `wants_channel`, and is_found(goal).
   void write_channel(std::size_t goal, Path& path) const;
 
  private:

@@ -84,6 +84,8 @@ bool is_near_arc(const PathPiece& arc, const Box& box, double reach) {
   return false;
 }
 
+double largest_coordinate(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+
 double largest_coordinate(const PathPiece& piece) {
   double largest = 0.0;
   for (const Point& p : {piece.from, piece.to, piece.centre}) {
@@ -165,6 +167,18 @@ bool may_touch(std::span<const PathPiece> pieces, double radius, const Box& box)
     const double reach = radius + 0x1p-45 * (largest_coordinate(piece) + radius);
     return is_arc(piece) ? is_near_arc(piece, box, reach) : is_near_line(piece.from, piece.to, box, reach);
   });
+}
+
+bool may_touch(std::span<const Point> polyline, const Box& box) {
+  if (polyline.empty()) return false;
+  const auto is_near = [&](const Point& a, const Point& b) {
+    return is_near_line(a, b, box, 0x1p-45 * std::max(largest_coordinate(a), largest_coordinate(b)));
+  };
+  if (is_near(polyline.front(), polyline.front())) return true;
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    if (is_near(polyline[i - 1], polyline[i])) return true;
+  }
+  return false;
 }
 
 }  // namespace waywright::path

@@ -41,12 +41,15 @@ inline constexpr double kSmallestTolerance = 0x1p-20;
 /// kSmallestTolerance times the radius.
 [[nodiscard]] std::size_t chord_count(const PathPiece& arc, double tolerance);
 /// Appends the vertices of a polyline: the ends of all pieces and, of each arc, the ends of its chords. Leaves out a
-/// vertex that equals the one before it. The tolerance is as for chord_count().
+/// vertex that equals the vertex before it. The tolerance is as for chord_count().
 void append_polyline(std::span<const PathPiece> pieces, double tolerance, std::vector<Point>& points);
 
 /// Returns whether a closed box comes so near to the path of a disc that the disc may touch it. The result can also be
 /// true if the distance is larger than the radius: by a 32nd of the radius at arcs, and by rounding errors. It is never
 /// false if the disc touches the box.
 [[nodiscard]] bool may_touch(std::span<const PathPiece> pieces, double radius, const Box& box);
+/// Returns whether a polyline, the path of a point agent, meets a closed box. The result can also be true if the
+/// polyline is less than rounding errors away from the box. It is never false if the path meets the box.
+[[nodiscard]] bool may_touch(std::span<const Point> polyline, const Box& box);
 
 }  // namespace waywright::path

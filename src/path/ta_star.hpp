@@ -35,11 +35,11 @@ class TaStar {
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
   void grow_to_mesh() { entered_.grow_to(std::size_t{3} * mesh_->face_slots()); }
-  /// Continues the search until one of three things happens: `path.expansions` reaches `limit`; the search finds a
-  /// better path than the one in `path`; no channel is left that could contain a better path. Returns whether no
-  /// channel is left.
+  /// Continues the search until one of three things happens: `path.expansions` reaches `limit`; the search finds a path
+  /// that is better than `path`; no channel is left that could contain a better path. Returns whether no channel is
+  /// left.
   bool step(std::size_t limit, Path& path);
-  /// Writes to `path` the edges that the best path crosses.
+  /// Writes to Path::channel the edges that the best path crosses.
   void write_channel(Path& path) const;
 
  private:

@@ -30,7 +30,7 @@ struct Contact {
 /// A straight line in a direction (a vector of length 1) that touches two contacts.
 struct Tangent {
   Point direction;
-  double length = 0.0;  ///< from the touching point on the first contact to the one on the second
+  double length = 0.0;  ///< between the touching points on the two contacts
 };
 
 [[nodiscard]] inline Point left_of(const Point& direction) { return {-direction.y, direction.x}; }

@@ -50,7 +50,7 @@ class TautString {
 
   const Geometry* geometry_ = nullptr;
   std::vector<View> row_;
-  std::size_t left_ = 0;  ///< index in `row_` of the left end; `apex_` and `right_` likewise
+  std::size_t left_ = 0;  ///< indices in `row_`: of the left end, of the apex, of the right end
   std::size_t apex_ = 0;
   std::size_t right_ = 0;
   std::vector<Point> corners_;  ///< the corners before the apex; after end_at(), all corners

@@ -105,8 +105,8 @@ void TraStar::mark_passages_between_goals() {
   }
 }
 
-/// Returns the passages down towards the goal and, if the face has the mark kGoalOutside, also those up. In a tree
-/// without a core, the result of passages_on() does not depend on which face is the root.
+/// Returns the passages that lead down towards the goal and, if the face has the mark kGoalOutside, also those that
+/// lead up. In a tree without a core, the result of passages_on() does not depend on which face is the root.
 unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
   return (marks & kGoalOutside) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
 }

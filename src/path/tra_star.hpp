@@ -37,14 +37,14 @@ class TraStar {
   void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
   /// Finds the path.
   void find(Path& path);
-  /// Writes to `path` the edges that it crosses. Requires: find() has found it.
+  /// Writes to Path::channel the edges that the path crosses. Requires: find() has found the path.
   void write_channel(Path& path) const;
 
  private:
   // Marks of a face in this query.
   static constexpr std::uint32_t kGoal = 1;
   static constexpr std::uint32_t kAboveGoal = 2;    ///< a goal face, or a face between a goal face and the core
-  static constexpr std::uint32_t kGoalOutside = 4;  ///< kAboveGoal, and its component has goal faces not below it
+  static constexpr std::uint32_t kGoalOutside = 4;  ///< kAboveGoal, and some goal faces of its component lie elsewhere
   static constexpr std::uint32_t kChosen = 8;       ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 

@@ -64,8 +64,7 @@ class WordReader {
 
 /// Returns the double nearest to a decimal number, or null if the word is no number. A leading `+` is allowed. For a
 /// number that is too large, the result is infinity. For a number that is too small, it is zero or the nearest
-/// subnormal double. The words for infinity and NaN give these values: they are well formed, although the result is not
-/// finite.
+/// subnormal double. The words for infinity and NaN are well formed: the result is infinity or NaN.
 [[nodiscard]] std::optional<double> read_number(std::string_view word);
 
 /// Reads an unsigned integer. Returns null if the word contains anything but digits, or if the number is above 2^64 -

@@ -67,7 +67,7 @@ class ThreadTeam {
     });
   }
 
-  /// Calls the report of the constructor. Does nothing on any thread other than the one that made this object.
+  /// Calls the report of the constructor. Does nothing on a thread that has not made this object.
   void report(std::size_t done) const {
     if (report_ && std::this_thread::get_id() == owner_) report_(done);
   }

@@ -37,7 +37,7 @@ Areas common_areas(const Areas& a, const Areas& b) {
   return common;
 }
 
-/// Returns whether two of the points have no area in common, or one of them has none.
+/// Returns whether two of the points have no area in common, or one of the points belongs to no area.
 bool is_any_pair_disconnected(const std::vector<std::size_t>& points, const std::vector<Areas>& areas) {
   Areas common = areas[points.front()];
   for (const std::size_t i : points) common = common_areas(common, areas[i]);
@@ -50,7 +50,8 @@ bool is_any_pair_disconnected(const std::vector<std::size_t>& points, const std:
   return false;
 }
 
-/// Returns whether two points that had an area in common before have none after, or a point that had one has none.
+/// Returns whether a change disconnects the points: two points had an area in common before the change and have none
+/// after it, or a point belonged to an area before and belongs to none after.
 bool is_disconnected(const std::vector<Areas>& before, const std::vector<Areas>& after) {
   std::vector<std::pair<std::uint32_t, std::size_t>> in_area;
   for (std::size_t i = 0; i < before.size(); ++i) {

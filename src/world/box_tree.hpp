@@ -11,7 +11,7 @@
 
 namespace waywright {
 
-/// A set of boxes, each with a number, that finds the boxes which overlap another box.
+/// A set of boxes, each with a number. The set finds its boxes that overlap a given box.
 ///
 /// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
 /// cell. A box belongs to the deepest possible node whose cell is at least as wide and as high as the box. A node knows

@@ -15,8 +15,9 @@ namespace waywright {
 
 [[nodiscard]] Error unknown_id_error(ItemId id);
 
-/// Checks changes before any of them is made. It checks each change against the ids and the number of vertices that the
-/// world will have after the changes before it. Every function that changes a world uses this class and no other check.
+/// Checks changes before an operation makes the first of them. It checks each change against the ids and the number of
+/// vertices that the world will have after the changes before it. Every function that changes a world uses this class
+/// and no other check.
 class ChangeCheck {
  public:
   /// Whether the check remembers the changes that it has accepted. This is not necessary for a single change, or for

@@ -16,7 +16,8 @@ namespace waywright {
 
 namespace {
 
-constexpr char kNoThread[] = "BulkOptions: `threads` is 0; the calling thread is one";
+constexpr char kNoThread[] =
+    "BulkOptions: `threads` is 0, but it must be 1 or more, because it includes the calling thread";
 
 /// Returns a team that calls `progress` only while less than `total` is done. The caller itself reports `total` at the
 /// end.
@@ -64,7 +65,7 @@ Error in_list(const char* element, std::uint64_t i, Error error) {
   return error;
 }
 
-/// Returns the id of the item of each change, or the error of the first change that cannot be made.
+/// Returns the id of the item of each change, or the error of the first change that the world refuses.
 Result<std::vector<ItemId>> check_all(const constraint::ExactTriangulation& triangulation,
                                       std::span<const Change> changes) {
   ChangeCheck check(triangulation, ChangeCheck::Record::yes);

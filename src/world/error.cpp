@@ -148,7 +148,7 @@ void raise(const Error& error) {
 }
 
 void fail_value_of(const Error& error) {
-  const std::string message = "the value of a refused call was taken: " + error.message();
+  const std::string message = "the program took the value of a Result that has an error: " + error.message();
   fail_assertion({message.c_str(), "Result::ok()", __FILE__, __LINE__});
 }
 

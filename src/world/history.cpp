@@ -84,18 +84,19 @@ std::optional<Error> History::find_error(Tick tick) const {
 
 ItemId History::largest_id(Tick tick) const { return marks_[tick - 1].largest_id; }
 
-std::vector<History::Old> History::changed_since(Tick tick) {
+std::vector<History::ChangedItem> History::changed_since(Tick tick) {
   drop_uncommitted();
-  std::vector<Old> olds;
+  std::vector<ChangedItem> found;
   for (std::uint64_t i = marks_[tick - 1].first_entry; i != entries_.end(); ++i) {
-    for (std::uint32_t k = 0; k < entries_[i].count; ++k) olds.push_back({{entries_[i].id.value + k}, i});
+    for (std::uint32_t k = 0; k < entries_[i].count; ++k) found.push_back({{entries_[i].id.value + k}, i});
   }
-  std::sort(olds.begin(), olds.end(),
-            [](const Old& a, const Old& b) { return a.id != b.id ? a.id < b.id : a.entry < b.entry; });
-  // The first entry of an item says what it was at the tick.
-  olds.erase(std::unique(olds.begin(), olds.end(), [](const Old& a, const Old& b) { return a.id == b.id; }),
-             olds.end());
-  return olds;
+  std::sort(found.begin(), found.end(),
+            [](const ChangedItem& a, const ChangedItem& b) { return a.id != b.id ? a.id < b.id : a.entry < b.entry; });
+  // The first entry of an item contains its state at the tick.
+  found.erase(
+      std::unique(found.begin(), found.end(), [](const ChangedItem& a, const ChangedItem& b) { return a.id == b.id; }),
+      found.end());
+  return found;
 }
 
 void History::return_to(Tick tick) {
@@ -106,10 +107,10 @@ void History::return_to(Tick tick) {
 }
 
 // A world keeps a segment of length zero as one corner.
-Shape History::shape(const Old& old) const {
-  const Entry& entry = entries_[old.entry];
-  const bool is_last = old.entry + 1 == entries_.end();
-  const std::uint64_t ring_end = is_last ? ring_sizes_.end() : entries_[old.entry + 1].first_ring;
+Shape History::shape(const ChangedItem& item) const {
+  const Entry& entry = entries_[item.entry];
+  const bool is_last = item.entry + 1 == entries_.end();
+  const std::uint64_t ring_end = is_last ? ring_sizes_.end() : entries_[item.entry + 1].first_ring;
   Shape shape{entry.kind, {}, entry.fill};
   std::uint64_t point = entry.first_point;
   for (std::uint64_t ring = entry.first_ring; ring != ring_end; ++ring) {

@@ -18,8 +18,8 @@ namespace waywright {
 /// The history of a world: for each of its last ticks, the items that changed after it, and their shapes before. The
 /// mesh depends only on the live items, so the history records nothing about the mesh.
 ///
-/// An operation calls begin(), records each change before it makes it, and calls commit(). If it fails, it does not
-/// call commit(), and the next call of another function drops what it has recorded.
+/// An operation calls begin(), records each change before it makes it, and calls commit(). If the operation fails, it
+/// does not call commit(), and the next call of another function drops the changes that the operation has recorded.
 class History {
  public:
   using Tick = std::uint64_t;
@@ -37,7 +37,7 @@ class History {
   /// Records that the operation inserts an item.
   void add_insertion(ItemId id);
   /// Records that the operation removes an item. Call add_ring() for each of its rings afterwards, and add_point() for
-  /// each corner of the ring. Requires: is_recording(). The same holds for the next two functions.
+  /// each corner of the ring. Requires: is_recording(). The next two functions require this, too.
   void add_removal(ItemId id, ItemKind kind, FillRule fill);
   void add_ring();
   void add_point(const Point& point);
@@ -46,25 +46,25 @@ class History {
   [[nodiscard]] bool is_recording() const { return marks_.begin() != marks_.end(); }
 
   /// An item that has changed since a tick.
-  struct Old {
+  struct ChangedItem {
     ItemId id;
-    std::uint64_t entry;
+    std::uint64_t entry;  ///< the index of the change, in `entries_`
   };
 
   /// Returns the error of a rewind to this tick, or nothing.
   [[nodiscard]] std::optional<Error> find_error(Tick tick) const;
-  /// Returns the largest id that the world had seen at a tick. Requires: find_error(tick) is nothing. The same holds
-  /// for the next two functions.
+  /// Returns the largest id that the world had seen at a tick. Requires: find_error(tick) is nothing. The next two
+  /// functions require this, too.
   [[nodiscard]] ItemId largest_id(Tick tick) const;
   /// Returns each item that has changed since the tick, once, ascending by id. Cost: n log n in the changes.
-  [[nodiscard]] std::vector<Old> changed_since(Tick tick);
+  [[nodiscard]] std::vector<ChangedItem> changed_since(Tick tick);
   /// Makes `tick` the last tick: drops all later ticks and all changes since this tick. Allocates nothing.
   void return_to(Tick tick);
 
   /// Whether the item was live at the tick that was passed to changed_since().
-  [[nodiscard]] bool was_live(const Old& old) const { return entries_[old.entry].was_live; }
-  /// Returns the shape that the item had at that tick. Requires: was_live(old).
-  [[nodiscard]] Shape shape(const Old& old) const;
+  [[nodiscard]] bool was_live(const ChangedItem& item) const { return entries_[item.entry].was_live; }
+  /// Returns the shape that the item had at that tick. Requires: was_live(item).
+  [[nodiscard]] Shape shape(const ChangedItem& item) const;
 
   void count_memory(MemoryUse& use) const;
   /// Frees spare memory.

@@ -21,7 +21,7 @@ namespace {
 
 /// A long straight piece of a path has several boxes. In x or in y, the extent of each is at most this share of the
 /// domain, so that the boxes contain few positions that are far from the path.
-constexpr double kLargestShare = 0x1p-5;
+constexpr double kLargestShare = 0x1p-6;
 
 double largest_coordinate(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
@@ -79,10 +79,10 @@ struct Ellipse {
   }
 };
 
-/// Returns the ellipse that contains each shorter path, and each position that is nearer to an end in the query than
-/// the moved end is. If the search has moved the start from `s` to `t` at the distance d, and p is nearer to `s` than
-/// `t` is, then p is at most d from `s`, and at most d + d + length from the goal. So the length of the ellipse is the
-/// length of the path plus 3 d.
+/// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
+/// position that is nearer to the end in the query than the moved end is. Let the search have moved the start from `s`
+/// to `t` by the distance d. If p is nearer to `s` than `t` is, then p is at most d away from `s`, and at most d + d +
+/// length away from the goal. So the length of the ellipse is the length of the path plus 3 d.
 Ellipse ellipse_of(const Path& path) {
   const bool has_points = !path.points.empty();
   if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
@@ -112,17 +112,20 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
     Ellipse ellipse;
-    std::vector<BoxTree::Handle> boxes;  ///< in `paths`
-    BoxTree::Handle ellipse_box = 0;     ///< in `ellipses`
+    std::vector<BoxTree::Handle> boxes;  ///< handles in `paths`
+    BoxTree::Handle ellipse_box = 0;     ///< a handle in `ellipses`
     bool has_ellipse_box = false;
-    std::uint64_t seen_by = 0;      ///< the last update that has looked at the path
+    bool is_blocked = false;        ///< whether the last check found it blocked; only for a point agent
+    std::uint64_t seen_by = 0;      ///< the last update that has found a change on the path
+    std::uint64_t tested_for = 0;   ///< the last changed box that was compared with the path
     std::uint64_t too_long_by = 0;  ///< the last update that has found that the path may be too long
   };
 
   explicit Impl(const World& world)
       : domain(world.domain()), version(world.version()), paths(domain), ellipses(domain) {}
 
-  /// The slot of a new path. If memory runs out while the path is added, the destructor removes it again.
+  /// The slot of a new path. If memory runs out while PathWatch::add() adds the path, the destructor removes the path
+  /// again.
   class Addition {
    public:
     explicit Addition(Impl& impl) : impl_(impl) {
@@ -155,14 +158,16 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   void add_box(std::uint32_t slot, const Box& box);
   void drop(std::uint32_t slot) noexcept;
   void check(std::uint32_t slot, const World& world, PathChanges& changes);
+  [[nodiscard]] static bool may_change(const Watched& path, const ChangedBox& changed);
   void check_box(const ChangedBox& changed, const World& world, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
 
   Box domain;
   std::uint64_t version;  ///< of the world at the last update
   std::uint64_t updates = 0;
-  BoxTree paths;     ///< boxes of the pieces of paths, with the slot of the path
-  BoxTree ellipses;  ///< bounding boxes of ellipses, with the slot of the path
+  std::uint64_t box_count = 0;  ///< of changed boxes so far
+  BoxTree paths;                ///< boxes of the pieces of paths, with the slot of the path
+  BoxTree ellipses;             ///< bounding boxes of ellipses, with the slot of the path
   std::vector<Watched> watched;
   std::vector<std::uint32_t> free_slots;
   std::unordered_map<std::uint64_t, std::uint32_t> slots;  ///< by key
@@ -211,17 +216,30 @@ void PathWatch::Impl::check(std::uint32_t slot, const World& world, PathChanges&
   Watched& path = watched[slot];
   if (std::exchange(path.seen_by, updates) == updates) return;
   const Result<bool> is_clear = world.is_clear(path.points, context);
-  if (!is_clear || !*is_clear) changes.blocked.push_back(path.key);
+  path.is_blocked = !is_clear || !*is_clear;
+  if (path.is_blocked) changes.blocked.push_back(path.key);
 }
 
-// The removal of an item never blocks a disc. It can block a point agent that turns at the rounded coordinates of a
-// crossing, because the crossing no longer exists.
+/// Returns whether an operation that has changed this box may block or clear the path of a point agent. A removal
+/// blocks a path only if the path turns at the rounded coordinates of a crossing that no longer exists.
+bool PathWatch::Impl::may_change(const Watched& path, const ChangedBox& changed) {
+  if (!path::may_touch(path.points, changed.box)) return false;
+  return changed.is_insertion || path.is_blocked ||
+         std::any_of(path.points.begin(), path.points.end(),
+                     [&](const Point& p) { return changed.box.expanded(slack_of(p, p)).contains(p); });
+}
+
+// The removal of an item never blocks a disc.
 void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, PathChanges& changes) {
+  ++box_count;
   paths.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
     Watched& path = watched[slot];
-    if (path.pieces.empty()) return check(slot, world, changes);
-    if (!changed.is_insertion || path.seen_by == updates) return;
-    if (!path::may_touch(path.pieces, path.radius, changed.box)) return;
+    if (path.seen_by == updates || std::exchange(path.tested_for, box_count) == box_count) return;
+    if (path.pieces.empty()) {
+      if (may_change(path, changed)) check(slot, world, changes);
+      return;
+    }
+    if (!changed.is_insertion || !path::may_touch(path.pieces, path.radius, changed.box)) return;
     path.seen_by = updates;
     changes.may_be_blocked.push_back(path.key);
   });
@@ -260,6 +278,7 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   added.radius = path.radius;
   added.ellipse = ellipse_of(path);
   added.seen_by = added.too_long_by = 0;
+  added.is_blocked = false;
   impl_->add_boxes(addition.slot());
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.

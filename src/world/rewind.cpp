@@ -35,20 +35,20 @@ struct Return {
 Return changes_back_to(History& history, History::Tick tick, const Triangulation& triangulation) {
   Return changes;
   Shape now;
-  for (const History::Old& old : history.changed_since(tick)) {
-    const bool is_live = triangulation.items().contains(old.id);
-    if (!history.was_live(old)) {
-      if (is_live) changes.removed.push_back(old.id);
+  for (const History::ChangedItem& item : history.changed_since(tick)) {
+    const bool is_live = triangulation.items().contains(item.id);
+    if (!history.was_live(item)) {
+      if (is_live) changes.removed.push_back(item.id);
       continue;
     }
-    Shape before = history.shape(old);
+    Shape before = history.shape(item);
     if (is_live) {
-      fill_shape(triangulation, old.id, now);
+      fill_shape(triangulation, item.id, now);
       if (now == before) continue;
-      changes.removed.push_back(old.id);
+      changes.removed.push_back(item.id);
     }
-    changes.inserted_ids.push_back(old.id);
-    changes.inserted.push_back({old.id, std::move(before)});
+    changes.inserted_ids.push_back(item.id);
+    changes.inserted.push_back({item.id, std::move(before)});
   }
   return changes;
 }

@@ -16,7 +16,8 @@ bool Replica::add_reader_to_others() {
   return false;
 }
 
-// The release of each reader and the acquire of the last one order all queries before the changes of the next snapshot.
+// Each reader subtracts with release order, and the last reader with acquire order. So all queries of the readers
+// happen before the changes for the next snapshot.
 void Replica::remove_reader() noexcept {
   if (readers_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   if (Replica* const other = std::exchange(disowned_later_, nullptr)) other->disown();

@@ -79,8 +79,8 @@ class SnapshotPool {
 
   /// Returns the newest replica, or null.
   [[nodiscard]] detail::Replica* newest() const { return replicas_.empty() ? nullptr : replicas_.back(); }
-  /// Returns the newest free replica that can follow the world, or null if there is none, or if it would take longer
-  /// than to copy the world.
+  /// Returns the newest free replica that can follow the world. Returns null if there is none, or if a copy of the
+  /// world would cost less.
   [[nodiscard]] detail::Replica* find_free();
   /// Returns the items that may have changed since the version of the replica that find_free() has returned.
   [[nodiscard]] const std::vector<ItemId>& changed() const { return ids_; }

@@ -24,7 +24,7 @@
 namespace waywright {
 
 inline constexpr char kInAttempt[] =
-    "World: the question of World::attempt() must not change the world, nor continue a PathSearch";
+    "World: the question of World::attempt() must not change the world and must not continue a PathSearch";
 
 /// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
 /// destructor takes all changes back.
@@ -72,7 +72,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
     if (options.keep_abstraction) abstraction.emplace(triangulation);
     if (options.keep_bridges) clearance = std::make_unique<clearance::Clearance>(triangulation);
   }
-  /// Makes a copy with a log and with contexts of its own. Requires: no operation is under way.
+  /// Makes a copy. The copy has its own TouchLog, its own context for queries and no snapshots. Requires: no operation
+  /// is under way.
   Impl(const Impl& other)
       : triangulation(other.triangulation),
         limits(other.limits),
@@ -127,8 +128,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   // The queries behind the functions of World with these names. Requires: the query has no error.
   void find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
   void find_disc_paths_from(const ManyGoalsQuery& query, detail::QueryScratch& scratch, std::vector<Path>& paths) const;
-  // The path of a disc, in slices. Requires: the world does not change until the search is done. Both functions return
-  // whether the search is done.
+  // The search for the path of a disc, in slices. Requires: the world does not change until the search is done. The
+  // next two functions return whether the search is done.
   bool begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
   /// Continues until `path.expansions` reaches `limit`.
   bool step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const;
@@ -244,9 +245,9 @@ inline void World::Operation::commit() {
 }
 
 inline void World::Operation::note_inserted(ItemKind kind, ItemId id) {
-  if (!impl_.abstraction || kind == ItemKind::point) return;
-  impl_.abstraction->note_walls();
-  if (kind == ItemKind::polygon) impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  if (impl_.abstraction && kind == ItemKind::polygon) {
+    impl_.abstraction->note_inserted(impl_.triangulation.items().slot(id));
+  }
 }
 
 inline void World::Operation::note_changed(ItemId id) {

@@ -391,5 +391,6 @@ int main(void) {
   test_mesh();
   test_scenes();
   test_pictures();
+  test_callbacks();
   return result_of_checks();
 }

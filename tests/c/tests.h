@@ -21,5 +21,6 @@ void test_snippets(void);
 void test_mesh(void);
 void test_scenes(void);
 void test_pictures(void);
+void test_callbacks(void);
 
 #endif

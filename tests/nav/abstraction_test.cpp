@@ -40,7 +40,6 @@ class Reduced {
       if (changes[i].kind != Change::Kind::remove) {
         mesh_.insert(changes[i].shape, ids[i]);
         const std::uint32_t slot = mesh_.items().slot(ids[i]);
-        abstraction_.note_walls();
         if (mesh_.items().is_polygon(slot)) abstraction_.note_inserted(slot);
       }
     }

@@ -1,5 +1,6 @@
 """Tests scripts/check_layers.py with small source trees, valid and invalid."""
 
+import re
 import subprocess
 import sys
 import tempfile
@@ -9,7 +10,7 @@ from pathlib import Path
 SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "check_layers.py"
 sys.path.insert(0, str(SCRIPT.parent))
 sys.dont_write_bytecode = True
-from check_layers import Checker  # noqa: E402 (found by the line above)
+from check_layers import ALL, ROOMS, VALUES, Checker  # noqa: E402 (found by the line above)
 
 GOOD = {
     "include/waywright/point.hpp": "#pragma once\n",
@@ -141,6 +142,32 @@ class CheckLayers(unittest.TestCase):
     def test_a_wrong_root_is_an_error(self):
         self.root = self.root / "absent"
         self.assertEqual(self.run_check().returncode, 2)
+
+
+class ArchitectureTest(unittest.TestCase):
+    """ARCHITECTURE.md describes the rooms as ROOMS defines them."""
+
+    page = (SCRIPT.parents[1] / "ARCHITECTURE.md").read_text(encoding="utf-8")
+
+    def test_the_table_of_rooms_equals_the_definition(self):
+        table = self.page[self.page.index("| room | subject |") :].split("\n\n")[0]
+        rows = [re.findall(r"[^|]+", line) for line in table.splitlines()[2:]]
+        described = {}
+        for name, _, rooms, public in rows:
+            headers = frozenset(f"{header}.hpp" for header in re.findall("`([^`]+)`", public))
+            described[name.strip(" `")] = (
+                frozenset(re.findall("`([^`]+)`", rooms)),
+                ALL if public.strip() == "all" else headers | (VALUES if "values" in public else frozenset()),
+            )
+        self.assertEqual(described, {name: (room.rooms, room.public) for name, room in ROOMS.items()})
+
+    def test_the_sketch_shows_each_room_of_the_library(self):
+        sketch = self.page[self.page.index("## Rooms") :].split("```")[1]
+        shown = set(re.findall(r"(src/\w+|include/waywright)/", sketch))
+        rooms = {name for name in ROOMS if name.startswith(("src/", "include/"))}
+        folders = {f"src/{folder.name}" for folder in (SCRIPT.parents[1] / "src").iterdir() if folder.is_dir()}
+        self.assertEqual(shown, rooms)
+        self.assertEqual(folders, {name for name in rooms if name.startswith("src/")})
 
 
 if __name__ == "__main__":

@@ -57,7 +57,8 @@ TEST(Assertion, HandlerIsHandedBack) {
 TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
   const Result<Location> refused = world_of_ten().locate({3, 17});
   const char* const why =
-      "the value of a refused call was taken: the point, \\(3, 17\\), lies outside the domain, \\(0, 0\\) to \\(10, "
+      "the program took the value of a Result that has an error: the point, \\(3, 17\\), lies outside the domain, "
+      "\\(0, 0\\) to \\(10, "
       "10\\)";
   EXPECT_DEATH(static_cast<void>(*refused), why);
   EXPECT_DEATH(static_cast<void>(refused->kind), why);
@@ -70,7 +71,7 @@ TEST(AssertionOf, AResultIsBrokenByTheWrongAccess) {
 TEST(AssertionOf, AnObjectThatHasBeenMovedFrom) {
   World world = world_of_ten();
   const World other = std::move(world);
-  const char* const moved_world = "World: this one has been moved from";
+  const char* const moved_world = "World: this object has been moved from";
   EXPECT_DEATH(static_cast<void>(world.contains(1)), moved_world);
   EXPECT_DEATH(static_cast<void>(world.insert_point({1, 1})), moved_world);
   EXPECT_DEATH(static_cast<void>(world.find_path({.start = {1, 1}, .goal = {2, 2}})), moved_world);
@@ -78,7 +79,7 @@ TEST(AssertionOf, AnObjectThatHasBeenMovedFrom) {
 
   QueryContext context;
   const QueryContext other_context = std::move(context);
-  const char* const moved_context = "QueryContext: this one has been moved from";
+  const char* const moved_context = "QueryContext: this object has been moved from";
   Location location;
   std::vector<ItemId> items;
   Path path;
@@ -89,8 +90,8 @@ TEST(AssertionOf, AnObjectThatHasBeenMovedFrom) {
   PathSearch search;
   const PathSearch other_search = std::move(search);
   EXPECT_DEATH(static_cast<void>(search.begin(other, {.start = {1, 1}, .goal = {2, 2}})),
-               "PathSearch: this one has been moved from");
-  EXPECT_DEATH(static_cast<void>(search.is_running()), "PathSearch: this one has been moved from");
+               "PathSearch: this object has been moved from");
+  EXPECT_DEATH(static_cast<void>(search.is_running()), "PathSearch: this object has been moved from");
 
   // A program can assign to objects that were moved from.
   world = world_of_ten();
@@ -121,8 +122,8 @@ TEST(AssertionOf, APathWithoutPoints) {
 
 TEST(AssertionOf, ShapesAndBoxes) {
   Rings rings;
-  EXPECT_DEATH(static_cast<void>(rings[0]), "there is no ring of this index");
-  EXPECT_DEATH(static_cast<void>(rings.back()), "there is no ring of this index");
+  EXPECT_DEATH(static_cast<void>(rings[0]), "there is no ring with this index");
+  EXPECT_DEATH(static_cast<void>(rings.back()), "there is no ring with this index");
   EXPECT_DEATH(rings.add_point({1, 1}), "there is no ring yet");
   EXPECT_DEATH(static_cast<void>(centroid({ItemKind::polygon, {{}}})), "the shape has no point");
   EXPECT_DEATH(static_cast<void>(Box::bounding({})), "Box::bounding: there is no point");

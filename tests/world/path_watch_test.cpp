@@ -133,7 +133,7 @@ TEST(PathWatch, KnowsItsKeys) {
   EXPECT_FALSE(watch.contains(4));
   PathWatch moved = std::move(watch);
   EXPECT_EQ(moved.size(), 0U);
-  EXPECT_DEATH(static_cast<void>(watch.size()), "PathWatch: this one has been moved from");  // NOLINT
+  EXPECT_DEATH(static_cast<void>(watch.size()), "PathWatch: this object has been moved from");  // NOLINT
 }
 
 TEST(PathWatch, ChecksAllPathsIfTheWorldHasForgottenTheBoxes) {

@@ -1,6 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "waywright/path_search.hpp"
 #include "waywright/path_watch.hpp"
+#include "waywright/save.hpp"
 #include "waywright/world.hpp"
 
 #include "support/case_count.hpp"
@@ -96,8 +98,8 @@ void expect_equal(const World& world, const State& state, Flavour flavour, std::
   EXPECT_EQ(world.validate().fault, "");
 }
 
-/// Runs random operations, marks, rewinds, attempts and snapshots on a world, holds the snapshots for long, releases
-/// them in random order, and compares each with what the model says of its moment.
+/// Runs random operations, marks, rewinds, attempts, snapshots, clones and saves on a world, holds the snapshots for
+/// long, releases them in random order, and compares each with what the model says of its moment.
 class RandomSnapshots {
  public:
   RandomSnapshots(Flavour flavour, std::uint64_t seed)
@@ -140,6 +142,7 @@ class RandomSnapshots {
     if (dice == 6) world_.shrink_to_fit();
     if (dice == 7) refuse();
     if (dice == 8) world_ = world_.clone();
+    if (dice == 9) save_and_load();
   }
 
   void publish() {
@@ -168,6 +171,19 @@ class RandomSnapshots {
     const bool is_done = world_.apply(changes).ok();
     world_.set_new_vertex_limit(kNoVertexLimit);
     if (is_done) static_cast<void>(live_.apply({changes, true}));
+  }
+
+  /// Goes on with the world that a saved world gives. Its history is empty.
+  void save_and_load() {
+    std::stringstream file;
+    save_world(world_, file).value();
+    World loaded = load_world(file).value();
+    EXPECT_EQ(loaded.dump(), world_.dump());
+    EXPECT_EQ(loaded.items_hash(), world_.items_hash());
+    EXPECT_EQ(loaded.largest_id_seen(), world_.largest_id_seen());
+    world_ = std::move(loaded);
+    world_.keep_history(6);
+    ticks_.clear();
   }
 
   void rewind() {

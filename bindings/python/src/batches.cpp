@@ -27,7 +27,7 @@ class Radii {
   bool is_one_;
 };
 
-/// The ids of a batch: those of each query follow each other.
+/// The ids of a batch, query after query.
 class IdLists {
  public:
   IdLists(const Batch& batch, std::size_t count) : lists_(batch.chunk_count()), offsets_(count + 1) {}

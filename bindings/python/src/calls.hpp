@@ -43,10 +43,10 @@ class Reporter {
   explicit Reporter(const py::object& progress);
 
   /// Reports progress, at most 20 times in a second, and at the end. The unit has no meaning. At the end the call has
-  /// done its work already: an exception that the function raises then does not reach the caller.
+  /// already done its work. If the function then raises an exception, the exception does not reach the caller.
   /// Exceptions: throws py::error_already_set if a signal handler or the function has raised an exception.
   void operator()(std::size_t done, std::size_t total);
-  /// Returns a function for BulkOptions::progress. The reporter must live as long as it.
+  /// Returns a function for BulkOptions::progress. The reporter must live as long as this function.
   [[nodiscard]] std::function<void(std::size_t, std::size_t)> function() {
     return [this](std::size_t done, std::size_t total) { (*this)(done, total); };
   }

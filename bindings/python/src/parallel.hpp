@@ -27,8 +27,8 @@ class Batch {
   using Answer = std::function<void(QueryContext& context, const Chunk& chunk)>;
   /// Calls `answer` for each chunk, on the calling thread and on others. Reports progress on the calling thread.
   /// Requires: the calling thread does not hold the GIL, and the world does not change.
-  /// Exceptions: BadResult for the refused query with the smallest index. What the reporter throws; then some queries
-  /// have no answer.
+  /// Exceptions: BadResult for the refused query with the smallest index. The exceptions of the reporter. After such an
+  /// exception, some queries have no answer.
   void run(ContextPool& contexts, Reporter& reporter, const Answer& answer) const;
 
  private:

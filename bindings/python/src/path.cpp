@@ -87,7 +87,7 @@ py::tuple state_of(const Path& path) {
                         path.widest ? py::cast(*path.widest) : py::none());
 }
 
-/// Returns whether a piece is so sound that the functions of paths return.
+/// Returns whether the numbers of a piece are plausible, so that each function of a path ends.
 bool is_usable(const PathPiece& piece) {
   constexpr double kLargestAngle = 16.0;  // an arc starts between -pi and pi, and turns by less than a circle
   const bool has_kind = piece.kind == PathPiece::Kind::line || piece.kind == PathPiece::Kind::arc;

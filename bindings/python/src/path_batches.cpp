@@ -34,7 +34,8 @@ class PathAnswers {
   }
 
   /// Returns statuses, lengths, points, their offsets, pieces, their offsets. Requires: all queries have answers. NumPy
-  /// allocates large arrays in huge pages where the system has them, so this copy costs less than one to a std::vector.
+  /// allocates large arrays in huge pages where the system has them, so this copy costs less than a copy to a
+  /// std::vector.
   [[nodiscard]] py::tuple arrays() {
     const std::int64_t point_count = add_up(point_offsets_);
     py::array_t<double> points(std::vector<py::ssize_t>{point_count, 2});

@@ -14,8 +14,8 @@ namespace waywright::python {
 
 namespace {
 
-/// A search, and the world or the snapshot that it searches. The search has its own handle of the snapshot, so that
-/// Snapshot.release() cannot take away what it searches.
+/// A search, and the world or the snapshot that it searches. The search has its own handle of the snapshot. So the
+/// immutable world exists as long as the search, even after Snapshot.release().
 struct SearchHandle {
   WorldOrSnapshot searched;
   PathSearch search;

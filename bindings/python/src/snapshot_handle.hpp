@@ -8,8 +8,8 @@
 
 namespace waywright::python {
 
-/// A snapshot of a world that several threads of Python may use at once. Its members are those of WorldHandle with the
-/// same name, but no query waits for anything. Requires of all members: the thread holds the GIL.
+/// A snapshot of a world that several threads of Python may use at once. Its members do the same as the members of
+/// WorldHandle with the same names, but no query waits. Requires of all members: the thread holds the GIL.
 class SnapshotHandle {
  public:
   /// `contexts` is the pool of the world.
@@ -22,8 +22,8 @@ class SnapshotHandle {
     const WorldSnapshot snapshot = held();
     return function(*snapshot);
   }
-  /// Exceptions: py::value_error, if the snapshot has been released. If another thread releases it during the call, the
-  /// call continues, and its end is the end of the snapshot.
+  /// Exceptions: py::value_error, if the snapshot has been released. If another thread releases the snapshot during the
+  /// call, the call continues, and the library frees the snapshot after the call.
   template <class Function>
   auto read_long(Function&& function) const {
     WorldSnapshot snapshot = held();
@@ -43,7 +43,7 @@ class SnapshotHandle {
   void release();
 
  private:
-  /// Returns the snapshot. The copy lives on when another thread releases this handle during a query.
+  /// Returns the snapshot. The copy stays valid if another thread releases this handle during a query.
   [[nodiscard]] WorldSnapshot held() const;
 
   WorldSnapshot snapshot_;

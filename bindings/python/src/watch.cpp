@@ -11,7 +11,7 @@ namespace waywright::python {
 
 namespace {
 
-/// A watch, and its world. A watch that was made for a snapshot has no world: it reads snapshots only.
+/// A watch, and its world. A watch for a snapshot has no world: it reads only snapshots.
 struct WatchHandle {
   template <class Handle>
   WatchHandle(WorldPointer own, const Handle& handle)

@@ -49,9 +49,10 @@ class ContextPool {
   std::vector<std::unique_ptr<QueryContext>> others_;
 };
 
-/// A world that several threads of Python may use at once. Queries read it together, a change waits until it is alone.
-/// No thread waits for the world while it holds the GIL, so the two locks cannot block each other. No thread waits for
-/// itself: a progress function may query the world that its call reads, and a change throws a RuntimeError.
+/// A world that several threads of Python may use at once. Several queries may read it at once. A change waits until no
+/// other thread uses the world. No thread waits for the world while it holds the GIL, so the two locks cannot block
+/// each other. No thread waits for itself. If a progress function queries the world that its call reads, the query
+/// works. If it changes this world, it gets a RuntimeError.
 class WorldHandle {
  public:
   explicit WorldHandle(World world) : world_(std::move(world)) {}

@@ -1,10 +1,10 @@
 import { refuse, shown, toNumber, WaywrightError } from './errors.js';
 import { allocate, f64, fits, onUnload, release, requireIdle, slots, u32, u8 } from './runtime.js';
 
-/** A larger buffer is freed when its call has ended. */
+/** The largest buffer, in bytes, that the wrapper keeps after a call. It frees a larger one. */
 const KEPT_BYTES = 1 << 20;
 
-/** A buffer of the module for lists in answers. It grows as lists need it. */
+/** A buffer in the memory of the module, for lists in answers. It grows if a list does not fit. */
 class ListBuffer {
   address = 0;
   bytes = 0;
@@ -36,7 +36,7 @@ class ListBuffer {
 const first = new ListBuffer();
 const second = new ListBuffer();
 
-/** The elements of a list, at an address of the module. They stay there until the next call. */
+/** The elements of a list, at an address in the memory of the module. They are valid until the next call. */
 export interface List {
   readonly address: number;
   readonly count: number;
@@ -81,7 +81,7 @@ class Arena {
   private used = 0;
   private readonly full: number[] = [];
 
-  /** Starts a new call: what the last call has taken is free. Read all objects of the caller before: they may call us. */
+  /** Starts a new call: the memory of the last call is free again. Read the caller's objects before: see flatten(). */
   reset(): void {
     requireIdle();
     this.used = 0;
@@ -138,8 +138,8 @@ export interface Point {
 }
 
 /**
- * A list of points: an array of points, or an array of numbers `x0, y0, x1, y1, ...` of any type. A Float64Array costs
- * least.
+ * A list of points: an array of points, or an array of numbers `x0, y0, x1, y1, ...` of any type. A Float64Array needs
+ * the fewest conversions.
  */
 export type Points = Float64Array | ArrayLike<number> | readonly Point[];
 
@@ -242,8 +242,8 @@ function roomIn<T extends Float64Array | Uint32Array>(into: T | undefined, lengt
 }
 
 /**
- * Copies numbers of the module to JavaScript: into `into` if they fit there, otherwise into a new array. Returns the part
- * of the array that has the numbers.
+ * Copies numbers from the memory of the module to an array of JavaScript: to `into` if they fit there, otherwise to a new
+ * array. Returns the part of the array that contains the numbers.
  */
 export function copyNumbers(address: number, length: number, into?: Float64Array): Float64Array {
   const source = f64.subarray(address >>> 3, (address >>> 3) + length);
@@ -253,7 +253,7 @@ export function copyNumbers(address: number, length: number, into?: Float64Array
   return room.length === length ? room : room.subarray(0, length);
 }
 
-/** Like {@link copyNumbers}, for 32-bit unsigned integers. */
+/** Does the same as {@link copyNumbers} for 32-bit unsigned integers. */
 export function copyIntegers(address: number, length: number, into?: Uint32Array): Uint32Array {
   const source = u32.subarray(address >>> 2, (address >>> 2) + length);
   const room = roomIn(into, length, 'Uint32Array');

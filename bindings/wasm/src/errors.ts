@@ -1,4 +1,4 @@
-/** The code of a {@link WaywrightError}. The codes before `out-of-memory` are those of `waywright::ErrorCode` in C++. */
+/** The code of a {@link WaywrightError}. The codes before `out-of-memory` are values of `waywright::ErrorCode` in C++. */
 export type ErrorCode =
   | 'coordinate-range'
   | 'out-of-domain'
@@ -26,9 +26,9 @@ export type ErrorCode =
   | 'disposed'
   | 'not-initialised';
 
-/** What every function of the package throws if it refuses a call. A refused call has changed no world. */
+/** The error that each function of the package throws if it refuses a call. A refused call has changed no world. */
 export class WaywrightError extends Error {
-  /** What is wrong. */
+  /** The kind of the error. */
   readonly code: ErrorCode;
   /** The id of the item that caused the error, or null. */
   readonly item: number | bigint | null;

@@ -40,8 +40,9 @@ export class Address {
 }
 
 /**
- * An object of the module. `dispose()` frees its memory at once; if you do not call it, the garbage collector does so some
- * time. With TypeScript 5.2 or a later version you can also write `using world = new World(...)`.
+ * An object in the memory of the module. `dispose()` frees this memory at once. If you do not call `dispose()`, the garbage
+ * collector frees the memory at some later time. With TypeScript 5.2 or a later version you can also write
+ * `using world = new World(...)`.
  */
 export abstract class Handle {
   private readonly held_: Held;
@@ -51,8 +52,8 @@ export abstract class Handle {
   private users_ = 0;
 
   /**
-   * @internal Takes over the object at an address. With an owner, the object belongs to the owner, and the wrapper is valid
-   * until the owner changes.
+   * @internal Takes over the object at an address. If `destroy` is another handle, the object belongs to this owner, and the
+   * wrapper is valid until the owner changes.
    */
   protected constructor(address: number, destroy: Destroy | Handle) {
     const isOwned = destroy instanceof Handle;
@@ -139,8 +140,8 @@ export function make(create: (address: number) => number): number {
 }
 
 /**
- * The memory that queries keep between calls. Each query uses a common context if you give none. An own context is useful
- * only to free this memory.
+ * The memory that queries keep between calls. A query without a context uses a context that all these queries share. Make a
+ * context of your own only if you want to free its memory yourself.
  */
 export class QueryContext extends Handle {
   constructor() {
@@ -153,7 +154,7 @@ const forgetCommon = (): void => void (common = null);
 onUnload(forgetCommon);
 onTrap(forgetCommon);
 
-/** @internal Returns the address of a context, or of the common one. */
+/** @internal Returns the address of a context, or of the shared context if `context` is undefined. */
 export function contextAddress(context: QueryContext | undefined): number {
   return addressOf(QueryContext, context ?? (common ??= new QueryContext()));
 }

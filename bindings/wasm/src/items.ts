@@ -6,7 +6,7 @@ import { check, idAt, lib } from './runtime.js';
 import { FILL_RULES, type FillRule, forEachShape, ITEM_KINDS, type ItemKind, packShape, type RaggedPoints, type Shape } from './shape.js';
 import { answer, askSize, fromEnum, get, type ItemId, toId } from './values.js';
 
-/** An item: its id, 0 if a world is to choose it, and its shape. */
+/** An item: its id and its shape. If the id is 0, a world that inserts the item chooses the id. */
 export interface Item {
   readonly id?: ItemId;
   readonly shape: Shape;

@@ -4,16 +4,16 @@ import { lib } from './runtime.js';
 import { type ItemId, readIds } from './values.js';
 
 /**
- * A copy of the mesh of a world, in canonical order: `World.snapshot` fills it. Use one object again and again: it keeps its
- * memory. A function with a parameter `into` writes to this array if the answer fits there, and returns the part with the
- * answer; otherwise it returns a new array.
+ * A copy of the mesh of a world, in canonical order: `World.snapshot` fills it. Use one object for many snapshots, because
+ * it keeps its memory. A function with a parameter `into` writes to this array if the answer fits there, and returns the
+ * part with the answer; otherwise it returns a new array.
  */
 export class Mesh extends Handle {
   constructor() {
     super(make((address) => lib.ww_mesh_create(address)), (address) => lib.ww_mesh_destroy(address));
   }
 
-  /** The vertices: x, y of each. */
+  /** The vertices: x and y of each, rounded to the nearest doubles. */
   vertices(into?: Float64Array): Float64Array {
     const { address } = this;
     const list = readList(16, (buffer, capacity, count) => lib.ww_mesh_vertices(address, buffer, capacity, count));

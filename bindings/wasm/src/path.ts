@@ -5,7 +5,7 @@ import { Address, addressOf, contextAddress, Handle, make, ownAddressOf, type Qu
 import { allocate, check, f64, lib, release, slots, u32, u8 } from './runtime.js';
 import { answer, askSize, fromEnum, get, isInRange, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
 
-/** `optimal` finds the shortest path. `ta` and `tra` are searches over triangles that may find longer paths, sooner. */
+/** `optimal` finds the shortest path. `ta` and `tra` take less time and may find longer paths. */
 export type PathAlgorithm = 'ta' | 'tra' | 'optimal';
 export type PathStatus = 'found' | 'start-blocked' | 'goal-blocked' | 'no-path';
 export type Precision = 'float64' | 'float32';
@@ -14,11 +14,11 @@ export const PATH_ALGORITHMS = ['ta', 'tra', 'optimal'] as const;
 export const PATH_STATUSES = ['found', 'start-blocked', 'goal-blocked', 'no-path'] as const;
 const PRECISIONS = ['float64', 'float32'] as const;
 
-/** What a path query asks besides its ends. */
+/** The options of a path query: everything except its start and goal. */
 export interface PathOptions {
   /** The default is `optimal`. */
   readonly algorithm?: PathAlgorithm;
-  /** The radius of the disc. The default, 0, is a point agent. Above 0, the world must keep its bridges. */
+  /** The radius of the agent. The default, 0, stands for a point agent. Above 0, the world must keep its bridges. */
   readonly radius?: number;
   /** How far the search may move an end that is blocked. The default is `World.defaultEndTolerance`. */
   readonly endTolerance?: number;
@@ -26,9 +26,9 @@ export interface PathOptions {
   readonly wantsChannel?: boolean;
   /** Whether the answer contains the time that the search has taken. */
   readonly wantsTime?: boolean;
-  /** For `ta`: how many further triangles the search enters to find a shorter path. The default is 0. */
+  /** For `ta`: the number of triangles that the search may enter. With 0, the default, the first path is the answer. */
   readonly budgetExpansions?: number;
-  /** For `ta`: the time limit of this search for shorter paths, in nanoseconds. */
+  /** For `ta`: the largest time since the start of the search, in nanoseconds. The default is no limit. */
   readonly budgetNanoseconds?: number;
 }
 
@@ -121,16 +121,16 @@ export interface PathPiece {
   readonly endAngle: number;
 }
 
-/** The largest disc that gets through, and the gap that limits it. */
+/** The radius of the largest disc that gets from start to goal, and the gap that limits it. */
 export interface WidestPath {
   readonly isConnected: boolean;
   /** Whether a gap limits the disc. */
   readonly isLimited: boolean;
-  /** The largest radius. Infinity if no gap limits it. */
+  /** The largest radius of a disc that passes all gaps. Infinity if no gap limits the disc. */
   readonly radius: number;
   readonly from: Point;
   readonly to: Point;
-  /** The items at the two ends of the gap. 0 is the border. */
+  /** The items at the two ends of the gap. 0 is the border of the domain. */
   readonly fromItems: readonly ItemId[];
   readonly toItems: readonly ItemId[];
 }
@@ -340,7 +340,7 @@ export class Path extends Handle {
     return readIds(readList(8, (buffer, capacity, count) => lib.ww_path_blockers(address, buffer, capacity, count)));
   }
 
-  /** The largest disc that gets through, if there is no path for the disc of the query; otherwise null. */
+  /** The largest disc that gets from start to goal, if there is no path for the disc of the query; otherwise null. */
   widest(): WidestPath | null {
     const { address } = this;
     if (!this.info.hasWidest) return null;
@@ -384,7 +384,7 @@ export class Path extends Handle {
   }
 }
 
-/** The points of many paths: those of path i are the points `offsets[i]` to `offsets[i + 1] - 1`. */
+/** The points of many paths: the points `offsets[i]` to `offsets[i + 1] - 1` belong to path i. */
 export interface PathsPoints {
   readonly points: Float64Array;
   readonly offsets: Uint32Array;

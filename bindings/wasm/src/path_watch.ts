@@ -5,7 +5,7 @@ import { check, lib } from './runtime.js';
 import { askFlag, askSize, type ItemId, readIds, toLong } from './values.js';
 import { World } from './world.js';
 
-/** The keys of the paths that the operations since the last update concern. Each list ascends; a path can be in two. */
+/** The answer of `PathWatch.update`: three lists of keys. The keys of each list ascend. A path can be in two lists. */
 export interface PathChanges {
   /** The paths of point agents that are no longer clear. This list is exact. */
   readonly blocked: ItemId[];

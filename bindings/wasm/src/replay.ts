@@ -48,7 +48,7 @@ export class ReplayWriter extends Handle {
     return askLong((tick) => lib.ww_replay_writer_last_tick(this.address, tick));
   }
 
-  /** Returns what the writer has written since the last call of this function, and forgets it. */
+  /** Returns the text that the writer has written since the last call of this function, and drops it. */
   take(): string {
     void this.address; // throws if the writer was disposed
     const text = readBytes(this.log_, textAt);
@@ -65,11 +65,11 @@ export interface ReplayResult {
   readonly ticks: number;
   /** The first tick whose hash differs, or during which a change was refused. */
   readonly tick: number;
-  /** The last tick before it whose hash is equal, or 0. */
+  /** The last tick before `tick` whose hash is equal, or 0. */
   readonly lastSame: number;
   /** The line of the hash or of the refused change in the script. */
   readonly line: number;
-  /** The hash in the log, and that of the replayed world. */
+  /** The hash in the log, and the hash of the replayed world. */
   readonly expected: string;
   readonly computed: string;
   /** The items that were changed after tick `lastSame`, or the refused item. */
@@ -126,12 +126,12 @@ const DIFFERENCE_KINDS = ['domain', 'change', 'hash', 'length'] as const;
 export interface ReplayDifference {
   /** What differs: the domain, a change, only a hash, or the number of ticks. */
   readonly kind: DifferenceKind;
-  /** The lines in the two logs, or 0 if a log ends before. */
+  /** The lines in the two logs, or 0 if a log ends before the difference. */
   readonly line: number;
   readonly otherLine: number;
   /** The tick during which the logs begin to differ. */
   readonly tick: number;
-  /** Of the kind `change`: the items of the changes, or 0. */
+  /** For the kind `change`: the items that the two logs change there, or 0. */
   readonly item: ItemId;
   readonly otherItem: ItemId;
   /** The items that were changed since the last equal hash, if a hash differs. */

@@ -1,7 +1,7 @@
 import { type Functions, guarded, ww_error, WW_BUFFER_TOO_SMALL, WW_INVALID_ARGUMENT, WW_OK } from './generated/abi.js';
 import { type ErrorCode, refuse, shown, WaywrightError } from './errors.js';
 
-/** What the module exports besides its functions. */
+/** The exports of the module: the functions of the C interface, and the functions and memory that the wrapper needs. */
 interface Exports extends Functions {
   readonly memory: WebAssembly.Memory;
   readonly _initialize: () => void;
@@ -11,7 +11,7 @@ interface Exports extends Functions {
   readonly stackRestore: (stack: number) => void;
 }
 
-/** Stands for the functions while no call is possible. */
+/** Returns an object in place of the functions of the module, for the time when no call is possible. Each call throws. */
 function unavailable(code: ErrorCode, message: string): Functions {
   const refuseCall = (): never => {
     throw new WaywrightError(code, message);
@@ -68,7 +68,7 @@ function refreshViews(): void {
 export const slots = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0 };
 const SLOT_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40 };
 
-/** What the progress function of the running call does, and what it has thrown. */
+/** The progress function of the running call, and the error that it has thrown. */
 let progress: ((done: number, total: number) => void) | null = null;
 let progressError: { readonly reason: unknown } | null = null;
 
@@ -84,7 +84,7 @@ function reportProgress(done: number, total: number): void {
   }
 }
 
-/** What the question of the running call does, and what it has thrown. */
+/** The question of the running call, and the error that it has thrown. */
 let question: (() => void) | null = null;
 let questionError: { readonly reason: unknown } | null = null;
 let questionsRunning = 0;
@@ -106,7 +106,7 @@ function askQuestion(): number {
   }
 }
 
-/** Makes a call that asks a question. An error of the question is thrown after the call. */
+/** Makes a call that asks a question. If the question throws an error, throws this error after the call. */
 export function withQuestion(ask: () => void, call: () => number): void {
   question = ask;
   questionError = null;
@@ -122,7 +122,7 @@ export function withQuestion(ask: () => void, call: () => number): void {
   check(status);
 }
 
-/** Makes a call that may report its progress. An error of the progress function is thrown after the call. */
+/** Makes a call that may report its progress. If the progress function throws an error, throws it after the call. */
 export function withProgress<T>(report: ((done: number, total: number) => void) | undefined, call: () => T): T {
   if (report !== undefined && typeof report !== 'function') refuse(`progress is ${shown(report)}, not a function`);
   progress = report ?? null;
@@ -137,7 +137,7 @@ export function withProgress<T>(report: ((done: number, total: number) => void) 
   }
 }
 
-/** A trap: a bug in the library, or too little stack. The stack of the module starts anew, so later calls work. */
+/** Handles a trap, which means a bug in the library, or too little stack. Resets the stack, so that later calls work. */
 function trapped(reason: unknown): never {
   exports!.stackRestore(initialStack);
   forgetUnfinished();
@@ -152,7 +152,7 @@ function trapped(reason: unknown): never {
 
 const ENOSYS = 52;
 
-/** The imports of the module. It needs a clock; the rest of WASI only refuses. */
+/** Returns the imports of the module: a clock and four functions of the wrapper. All other functions of WASI return an error. */
 function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   const imports: Record<string, Record<string, unknown>> = {};
   for (const { module: space, name } of WebAssembly.Module.imports(module)) {
@@ -186,7 +186,7 @@ function toMemoryLimit(bytes: number): number {
   return refuse(`maximumMemory is ${shown(bytes)}, not a number of bytes`);
 }
 
-/** Takes an instance of the module into use, unless there is one. */
+/** Lets all functions of the package use an instance of the module, unless they use one. */
 function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
   if (exports !== null) return;
   const given = instance.exports as unknown as Exports;
@@ -212,7 +212,7 @@ export type CompiledModule = typeof globalThis extends { WebAssembly: { Module: 
 /** The bytes of a module. */
 export type ModuleBytes = ArrayBuffer | ArrayBufferView;
 
-/** Where {@link init} takes the module from. */
+/** The options of {@link init}. */
 export interface InitOptions {
   /**
    * The module: its address, its bytes, or the compiled module. The default is the file waywright.wasm of the package. A
@@ -270,7 +270,7 @@ export function init(options: InitOptions = {}): Promise<void> {
   return loading;
 }
 
-/** Like {@link init}, but at once, from a compiled module or from bytes. Browsers refuse this in the main thread. */
+/** Does the same as {@link init} at once, without a promise. Browsers refuse this in the main thread. */
 export function initSync(module: CompiledModule | ModuleBytes, maximumMemory = 2 ** 32): void {
   if (exports !== null) return;
   const limit = toMemoryLimit(maximumMemory);

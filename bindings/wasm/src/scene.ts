@@ -34,14 +34,14 @@ export class Scene extends Handle {
     super(make((address) => lib.ww_scene_create(address)), (address) => lib.ww_scene_destroy(address));
   }
 
-  /** Reads a map of Moving AI. `name` is the name of the text in error messages, here and below. */
+  /** Reads a map of Moving AI. Here and in the next functions, `name` is the name of the text in error messages. */
   parseMovingaiMap(text: string, name = 'map'): this {
     const scene = this.change();
     parse(text, name, (at, length, called) => lib.ww_scene_parse_movingai_map(at, length, called, scene));
     return this;
   }
 
-  /** Reads a file .poly of Triangle. If it has no vertices, the text of the file .node of the same name has them. */
+  /** Reads a file .poly of Triangle. If it has no vertices, `nodeText` is the text of the .node file of the same name. */
   parseTrianglePoly(text: string, name = 'poly', nodeText: string | null = null, nodeName = 'node'): this {
     const scene = this.change();
     arena.reset();

@@ -15,7 +15,7 @@ export const FILL_RULES = ['even-odd', 'nonzero'] as const;
 /** The geometry of an item. */
 export interface Shape {
   readonly kind: ItemKind;
-  /** All points, those of the rings of a polygon one after the other. */
+  /** All points. The rings of a polygon follow one after the other. */
   readonly points: Points;
   /** The number of points of each ring. The default is one ring. */
   readonly ringSizes?: ArrayLike<number>;

@@ -21,7 +21,7 @@ export interface SvgOptions {
   readonly axes?: boolean;
   readonly ids?: boolean;
   readonly yDown?: boolean;
-  /** What the picture shows. The default is the domain. */
+  /** The box that the picture shows. The default is the domain. */
   readonly crop?: Box;
   readonly title?: string;
 }
@@ -109,13 +109,13 @@ export function svgToWorld(frame: SvgFrame, pixels: Point): Point {
   return readPoint(slots.b);
 }
 
-/** How a mark looks. A colour is any CSS colour; the default is that of the theme. A hint is the text on hover. */
+/** The style of a mark. A colour is any CSS colour; the default is the colour of the theme. A hint is the text on hover. */
 export interface MarkStyle {
   readonly colour?: string;
   readonly hint?: string;
 }
 
-/** What a picture shows besides the world. It copies what you add. */
+/** The content of a picture on top of the world. The overlay copies everything that you add. */
 export class SvgOverlay extends Handle {
   constructor() {
     super(make((address) => lib.ww_svg_overlay_create(address)), (address) => lib.ww_svg_overlay_destroy(address));

@@ -19,7 +19,7 @@ function isUnsigned(value: unknown): value is number | bigint {
   return typeof value === 'bigint' ? value >= 0n && value < 2n ** 64n : Number.isSafeInteger(value) && (value as number) >= 0;
 }
 
-/** Returns an id as the module takes it. */
+/** Converts an id to the type that the functions of the module take. */
 export function toId(id: ItemId): bigint {
   if (isUnsigned(id)) return BigInt(id);
   throw new WaywrightError('bad-id', `${shown(id)} is not an id: ids are whole numbers from 1 to 2^63 - 1`);
@@ -144,7 +144,7 @@ export function askId(call: (address: number) => number): ItemId {
   return idAt(slots.id);
 }
 
-/** Makes a call that writes to a text object, and returns what `read` makes of the bytes. */
+/** Makes a call that writes to a text object, calls `read` with the bytes, and returns its result. */
 function askBytes<T>(call: (text: number) => number, read: (address: number, size: number) => T): T {
   check(lib.ww_text_create(slots.pointer));
   const text = u32[slots.pointer >>> 2]!;
@@ -156,7 +156,7 @@ function askBytes<T>(call: (text: number) => number, read: (address: number, siz
   }
 }
 
-/** Returns what `read` makes of the bytes of a text object. */
+/** Calls `read` with the bytes of a text object, and returns its result. */
 export function readBytes<T>(text: number, read: (address: number, size: number) => T): T {
   check(lib.ww_text_bytes(text, slots.pointer, slots.count));
   return read(u32[slots.pointer >>> 2]!, u32[slots.count >>> 2]!);

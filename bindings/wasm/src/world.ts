@@ -18,10 +18,10 @@ import { type BulkOptions, packBulk, progressOf } from './world_items.js';
 export type LocationKind = 'vertex' | 'edge' | 'face';
 export const LOCATION_KINDS = ['vertex', 'edge', 'face'] as const;
 
-/** What the mesh has at a point. */
+/** The vertex, edge or face of the mesh at a point, and the polygons there. */
 export interface Location {
   readonly kind: LocationKind;
-  /** Its 1, 2 or 3 vertices, rounded. Those of a face are counter-clockwise. */
+  /** The 1, 2 or 3 vertices of the location, rounded. The vertices of a face are counter-clockwise. */
   readonly vertices: readonly Point[];
   /** The polygons there, ascending. */
   readonly polygons: readonly ItemId[];
@@ -36,19 +36,19 @@ export interface CrossedItem {
 
 /** The first wall that a segment or a moving disc touches. */
 export interface RayHit {
-  /** Whether it touches a wall. */
+  /** Whether the segment or the disc touches a wall. */
   readonly hit: boolean;
-  /** The first position where it does; for a disc, the position of its centre. */
+  /** The first position of the segment, or of the disc's centre, at a touch. */
   readonly at: Point;
-  /** The position on these walls that is nearest to `at`. */
+  /** The position on the touched walls that is nearest to `at`. */
   readonly contact: Point;
-  /** The items with a side there. 0 is the border. */
+  /** The items that the segment or the disc touches there. 0 is the border of the domain. */
   readonly items: readonly ItemId[];
 }
 
 export interface DiscFit {
   readonly fits: boolean;
-  /** The items that stop the disc. 0 is the border. */
+  /** The items that stop the disc. 0 is the border of the domain. */
   readonly items: readonly ItemId[];
 }
 
@@ -56,7 +56,7 @@ export interface NearestFitQuery {
   readonly point: Point;
   /** The default is 0. */
   readonly radius?: number;
-  /** If given, only positions count from which the disc gets to this point. */
+  /** If you set it, the answer is the nearest of the points from which the disc gets to this point. */
   readonly goal?: Point;
   /** The largest distance of the answer from `point`. The default is infinity. */
   readonly limit?: number;
@@ -96,7 +96,7 @@ export interface MemoryUse {
 export interface ChangedBox {
   /** The version of the world after the operation. */
   readonly version: number;
-  /** The bounding box of an item, or the last box of an operation: of several items. */
+  /** The bounding box of an item. The last box of an operation can be the bounding box of several items. */
   readonly box: Box;
   /** Whether the operation inserted or removed an item in the box. A replacement is both. */
   readonly isInsertion: boolean;
@@ -137,7 +137,7 @@ export class World extends WorldHistory {
     super(address, (world) => lib.ww_world_destroy(world));
   }
 
-  /** Makes a world from the bytes that `save` has returned. The progress is that of the construction of the mesh. */
+  /** Makes a world from the bytes that `save` has returned. `progress` reports the construction of the mesh. */
   static load(bytes: Uint8Array, options: BulkOptions = {}): World {
     const [given, progress] = [toBytes(bytes), progressOf(options)];
     arena.reset();
@@ -154,7 +154,7 @@ export class World extends WorldHistory {
     return new World(new Address(make((world) => lib.ww_world_clone(this.address, world))));
   }
 
-  /** The options with which the world was made, and its present limit of new vertices. */
+  /** The options with which you made the world, and its present limit of new vertices. */
   get options(): Required<WorldOptions> {
     const { ww_world_options: layout } = abi;
     const struct = answer(layout);
@@ -312,7 +312,7 @@ export class World extends WorldHistory {
     return paths;
   }
 
-  /** How far a search may move a blocked end, unless the query says so. */
+  /** The largest distance by which a search may move a blocked end, if the query has no `endTolerance`. */
   get defaultEndTolerance(): number {
     return askFloat((address) => lib.ww_world_default_end_tolerance(this.address, address));
   }
@@ -332,7 +332,7 @@ export class World extends WorldHistory {
     return askFlag((flag) => lib.ww_world_is_clear_between(world, a, b, asked, flag));
   }
 
-  /** Whether an operation after version `since` has changed something near a polyline, or near a path. */
+  /** Whether an operation after version `since` has inserted or removed an item near a polyline, or near a path. */
   isAffected(line: Points | Path, since: number): boolean {
     const version = toLong(since, 'version');
     if (line instanceof Path) {
@@ -356,7 +356,7 @@ export class World extends WorldHistory {
     return Array.from({ length: count }, (_, i) => get.size(address + 4 * i));
   }
 
-  /** The regions that the operations after version `since` have changed, the oldest first; null if it no longer knows. */
+  /** The regions that operations after version `since` have changed, the oldest first; null if some are unknown. */
   changesSince(since: number): ChangedBox[] | null {
     const { ww_changed_box: layout } = abi;
     const [world, version] = [this.address, toLong(since, 'version')];

@@ -36,9 +36,9 @@ export function packWorldOptions(options: WorldOptions): number {
   return struct;
 }
 
-/** The part of World that goes back, tries out, limits and saves. */
+/** The part of World that goes back to earlier states, tries changes out, limits operations and saves the world. */
 export abstract class WorldHistory extends WorldItems {
-  /** Makes the world remember its last `ticks` ticks from now on. With 0, it drops its history. */
+  /** Makes the world remember its last `ticks` ticks from now on. With 0, the world drops its history. */
   keepHistory(ticks: number): void {
     check(lib.ww_world_keep_history(this.address, toLimit(ticks, 'ticks')));
   }
@@ -78,8 +78,8 @@ export abstract class WorldHistory extends WorldItems {
   }
 
   /**
-   * Whether changes would wall an agent in: whether an agent that now gets from one of the points to another could not do so
-   * after the changes, or whether a point at which it can stand now would be blocked. Makes no change.
+   * Whether changes would enclose an agent: an agent gets from one of the points to another now but not after the changes,
+   * or it can stand at one of the points now but not after the changes. The function makes no change.
    */
   wouldDisconnect(changes: readonly Change[], points: Points, radius = 0): boolean {
     const [copies, coordinates, size] = [copyChanges(changes), flatten(points), toNumber(radius, 'the radius')];

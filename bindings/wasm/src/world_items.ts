@@ -17,8 +17,8 @@ const CHANGE_KINDS = { insert: abi.WW_CHANGE_INSERT, remove: abi.WW_CHANGE_REMOV
 
 export interface BulkOptions {
   /**
-   * Called now and then, at the end with `done === total`. It must not call functions of the package. It cannot stop the
-   * call: if it throws, the call does its work, and throws this error afterwards.
+   * The library calls it from time to time, at the end with `done === total`. It must not call functions of the package. It
+   * cannot stop the call: if it throws, the call does its work, and throws this error afterwards.
    */
   readonly progress?: (done: number, total: number) => void;
 }
@@ -127,7 +127,7 @@ export abstract class WorldItems extends Handle {
     }
   }
 
-  /** Inserts many points as one operation. The first has the id `first`, and each further one the next id. Returns `first`. */
+  /** Inserts many points as one operation. Their ids count up from `first`. Returns the first id. */
   insertPoints(points: Points, first: ItemId = 0, options: BulkOptions = {}): ItemId {
     const [wanted, coordinates, progress] = [toId(first), flatten(points), progressOf(options)];
     arena.reset();

@@ -1,4 +1,4 @@
-// The page's end of the worker. If the module crashes, the client starts another worker and says so.
+// Sends the questions of the page to the worker. If the module crashes, the client starts another worker and tells the page.
 import type { EngineApi, EngineEvent, Failure, Response } from './protocol';
 
 export class EngineError extends Error {
@@ -29,9 +29,9 @@ export class EngineClient {
   private worker: Worker | null = null;
   private waiting = new Map<number, Waiting>();
   private last = 0;
-  /** Called for each message of the worker that is no answer. */
+  /** The client calls it for each message of the worker that is no answer. */
   onEvent: (event: EngineEvent) => void = () => {};
-  /** Called after a crash. The new worker has no world. */
+  /** The client calls it after a crash. The new worker has no world. */
   onCrash: (message: string) => void = () => {};
 
   constructor(makeWorker: WorkerFactory, module: () => Promise<ArrayBuffer | string>) {

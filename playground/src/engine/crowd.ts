@@ -153,7 +153,7 @@ export class Crowd {
     this.retries.push({ unit, tick: this.ticks + 30 + (unit % 30) });
   }
 
-  /** Finds the units that the changes of the world concern. */
+  /** Finds the units whose paths the changes of the world may have blocked or made too long. */
   private noteChanges(): void {
     const { blocked, mayBeBlocked, mayBeTooLong } = this.watch.update();
     for (const key of blocked) this.urgent.add(Number(key) - 1);

@@ -11,7 +11,7 @@ import type {
 } from './protocol';
 import { drawTolerance, filmFrame, Router } from './routes';
 
-/** One operation of the page must not fill the memory of the machine. */
+/** The largest number of new vertices of one operation, so that no operation fills the memory of the machine. */
 const NEW_VERTEX_LIMIT = 4_000_000;
 
 export function toWorldShape({ kind, points, rings, fill }: Shape): WorldShape {

@@ -98,7 +98,7 @@ function leaveOutCovered(
   return free;
 }
 
-/** Removes dead ends again and again; of the rest, a triangle with two passages is in a corridor, one with three a junction. */
+/** Removes dead ends again and again. A triangle that is left is in a corridor (two passages) or at a junction (three). */
 function findLevels(neighbours: Int32Array, components: Int32Array): Uint8Array {
   const count = components.length;
   const levels = new Uint8Array(count);

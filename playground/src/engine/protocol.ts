@@ -1,4 +1,4 @@
-// What the page and the worker with the engine say to each other.
+// The messages between the page and the worker with the engine.
 import type { PathAlgorithm, PathStatus } from 'waywright';
 import type { Bounds, Shape } from '../model/shape';
 
@@ -56,7 +56,7 @@ export interface Route {
   readonly channel: Float64Array | null;
 }
 
-/** The largest disc that gets through, and the gap that limits it. */
+/** The largest disc that gets from start to goal, and the gap that limits it. */
 export interface Gap {
   readonly isConnected: boolean;
   readonly isLimited: boolean;
@@ -103,7 +103,7 @@ export interface MeshAnswer {
   readonly levels: Uint8Array;
 }
 
-/** What a triangle is in the abstraction, as in `MeshAnswer.levels`. */
+/** The kind of a triangle in the abstraction: an element of `MeshAnswer.levels`. */
 export const LEVEL = { covered: 0, deadEnd: 1, corridor: 2, junction: 3 } as const;
 
 export interface FilmFrame {
@@ -137,7 +137,7 @@ export interface CrowdStats {
   readonly milliseconds95: number;
 }
 
-/** What the worker says without a question. */
+/** The messages of the worker that answer no question. */
 export type EngineEvent =
   | { readonly event: 'progress'; readonly done: number; readonly total: number }
   | { readonly event: 'crowd'; readonly states: Float32Array; readonly stats: CrowdStats };

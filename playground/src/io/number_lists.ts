@@ -20,7 +20,7 @@ function divisorFor(values: readonly number[]): number | null {
     while (tried < DIVISORS.length && !isMultiple(value, DIVISORS[tried]!)) ++tried;
     if (tried === DIVISORS.length) return null;
   }
-  // A later value may have advanced to a divisor that does not fit an earlier one.
+  // The loop may have increased the divisor for a later value, and this divisor may not fit an earlier value.
   return values.every((value) => isMultiple(value, DIVISORS[tried]!)) ? DIVISORS[tried]! : divisorForAll(values, tried);
 }
 

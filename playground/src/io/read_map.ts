@@ -50,7 +50,7 @@ export function readMap(text: string): ParsedWorld {
     rows.push(readRow(reader, width));
   }
   while (reader.next()) {
-    if (!reader.atEnd) fail(`no more after ${height} rows`, quoted(reader.line), { line: reader.lineNumber });
+    if (!reader.atEnd) fail(`the end of the text after ${height} rows`, quoted(reader.line), { line: reader.lineNumber });
   }
   const items = traceCells(rows, new CornerCount());
   return { items, domain: [0, 0, width, height], yDown: true };

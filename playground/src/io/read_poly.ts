@@ -62,7 +62,7 @@ class SectionReader {
   }
 
   private endOfLine(): void {
-    if (!this.reader.atEnd) this.fail('no more on the line', quoted(this.reader.word()));
+    if (!this.reader.atEnd) this.fail('the end of the line', quoted(this.reader.word()));
   }
 
   /** Moves to the first line of a section, and reads the number of its entries. */

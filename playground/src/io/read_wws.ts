@@ -100,7 +100,7 @@ class ScriptReader {
   private line(): void {
     this.usage = '';
     const word = this.reader.word();
-    if (word === 'domain') this.failAt('no second domain', word);
+    if (word === 'domain') this.failAt('only one domain', word);
     if (!Object.hasOwn(USAGES, word)) this.failAt(`an operation (${Object.keys(USAGES).slice(1).join(', ')})`, word);
     this.usage = USAGES[word]!;
     const operation = this.operation(word);
@@ -163,7 +163,7 @@ class ScriptReader {
     const rings = [this.ring(word)];
     while (!this.reader.atEnd) {
       word = this.reader.word();
-      if (word !== '/') this.failAt("'/' or no more", word);
+      if (word !== '/') this.failAt("'/' or the end of the line", word);
       rings.push(this.ring(this.reader.word()));
     }
     return { kind, id, item: makeItem(shape, rings, fill) };
@@ -213,14 +213,14 @@ class ScriptReader {
   }
 
   private endOfLine(): void {
-    if (!this.reader.atEnd) this.failAt('no more', this.reader.word());
+    if (!this.reader.atEnd) this.failAt('the end of the line', this.reader.word());
   }
 
   private nearest(): Operation {
     const query = { kind: 'nearest', at: this.point(), radius: this.number() } as const;
     if (this.reader.atEnd) return query;
     const word = this.reader.word();
-    return word === 'goal' ? { ...query, goal: this.point() } : this.failAt("'goal' or no more", word);
+    return word === 'goal' ? { ...query, goal: this.point() } : this.failAt("'goal' or the end of the line", word);
   }
 
   private path(): Operation {
@@ -244,7 +244,7 @@ class ScriptReader {
     const hash = this.reader.word();
     return /^[0-9a-f]{32}$/.test(hash)
       ? { kind: 'tick', tick, hash }
-      : this.failAt('32 hexadecimal digits or no more', hash);
+      : this.failAt('32 hexadecimal digits or the end of the line', hash);
   }
 
   private markTick(): number {

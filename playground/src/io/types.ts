@@ -37,7 +37,7 @@ export interface PathQuery {
   readonly to: XY;
   readonly radius: number;
   readonly algorithm?: Algorithm;
-  /** The largest distance by which a blocked end may be moved. Infinity is no limit. */
+  /** The largest distance by which the search may move a blocked end. Infinity is no limit. */
   readonly tolerance?: number;
 }
 

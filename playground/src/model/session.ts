@@ -31,7 +31,10 @@ interface Task {
 export type Topic = 'document' | 'items' | 'log' | 'routes' | 'ends' | 'summary' | 'hashes' | 'busy' | 'touched';
 
 const IDLE_MILLISECONDS = 140;
-/** The hash of the mesh of a large world takes long, and people wait for it if they go on. The pause before it grows. */
+/**
+ * The hash of the mesh of a large world takes long, and the next change waits for it. So the session waits longer after a
+ * change of a larger world before it asks for the hash.
+ */
 const VERTICES_PER_IDLE_MILLISECOND = 80;
 const LONGEST_IDLE_MILLISECONDS = 1500;
 
@@ -293,7 +296,7 @@ export class Session {
     }
   }
 
-  /** Computes what takes longer once people pause. */
+  /** Asks for the answers that take longer, when people have made no change for some time. */
   private async whenIdle(): Promise<void> {
     if (this.isPumping || this.summary === null) return;
     if (this.hashes?.version !== this.summary.version) {

@@ -125,7 +125,7 @@ export class Keyboard {
     return true;
   }
 
-  /** The space bar presses, and releases when it is hit again. */
+  /** The first hit of the space bar presses, and the second hit releases. */
   private press(): boolean {
     const { view } = this.bench;
     view.cursor ??= this.position();

@@ -32,7 +32,7 @@ export class Pointers {
     canvas.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerleave', () => this.leave());
-    // The frame around the canvas tells people who got there with the Tab key. Others see their pointer.
+    // The frame around the canvas is for people who have moved there with the Tab key. Other people see their pointer.
     canvas.addEventListener('keyup', ({ key }) => canvas.classList.toggle('tabbed', key === 'Tab' || canvas.classList.contains('tabbed')));
     for (const name of ['blur', 'pointerdown']) canvas.addEventListener(name, () => canvas.classList.remove('tabbed'));
   }

@@ -28,13 +28,13 @@ export interface Tool {
   finish?(): void;
   /** Removes the last corner. Returns whether there was one. */
   stepBack?(): boolean;
-  /** A second finger has come: the press counts no longer. Without this function, `cancel` is called. */
+  /** A second finger has touched the screen: the press must have no effect. Without this function, the page calls `cancel`. */
   abandon?(): void;
-  /** Gives up what has begun. Returns whether there was something. */
+  /** Cancels the shape or change that the tool has begun. Returns whether there was one. */
   cancel(): boolean;
 }
 
-/** What tools work with. */
+/** The objects and functions that tools use. */
 export interface Bench {
   readonly session: Session;
   readonly view: View;
@@ -44,7 +44,7 @@ export interface Bench {
   say(text: string): void;
 }
 
-/** How near the pointer must come to something, in units of length. */
+/** The largest distance, in units of length, at which the pointer hits an item. */
 export function reach({ view }: Bench, pixels = 8): number {
   return pixels / view.camera.scale;
 }

@@ -23,7 +23,7 @@ import { Toolbar } from './toolbar';
 import { WorldPanel } from './world_panel';
 
 const PHONE = window.matchMedia('(max-width: 760px)');
-/** More changed items than these cost more than a new picture of everything. */
+/** If more items than this have changed, it is faster to draw everything again. */
 const MOST_REPAINTS = 200;
 
 function insets(): Insets {

@@ -9,7 +9,7 @@ import type { View } from '../view/view';
 import { h, icon } from './dom';
 import type { Messages } from './messages';
 
-/** Longer links do not survive all mail programs and chats. */
+/** Some mail programs and chats cut links that are longer. */
 const LONG_LINK = 30_000;
 const LARGEST_LINK = 1_500_000;
 

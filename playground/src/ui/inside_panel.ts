@@ -6,7 +6,7 @@ import { check, count, h, milliseconds, short } from './dom';
 
 const LARGEST_LIVE_MESH = 30_000;
 const FILM_STEP_MILLISECONDS = 60;
-/** About how many steps a whole film has. */
+/** The approximate number of steps in which the page shows a whole search. */
 const FILM_STEPS = 120;
 
 export class InsidePanel {

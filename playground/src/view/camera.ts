@@ -17,7 +17,7 @@ export class Camera {
   scale = 1;
   width = 1;
   height = 1;
-  /** 1 if the y axis of the screen is that of the world, otherwise -1. */
+  /** 1 if the y axes of the screen and of the world have the same direction, otherwise -1. */
   yStep: 1 | -1 = -1;
 
   toScreen({ x, y }: XY): XY {

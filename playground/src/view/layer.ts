@@ -8,7 +8,7 @@ type Context = OffscreenCanvasRenderingContext2D;
 /** Draws what overlaps a box. Each `yield` is a position at which the layer may interrupt it. */
 export type Painter = (context: Context, camera: Camera, box: Bounds) => Generator<void>;
 
-/** How much of the screen a picture has on each side beyond it. */
+/** A picture extends beyond the screen on each side, by this share of the screen. */
 const MARGIN = 0.25;
 
 interface Picture {
@@ -120,7 +120,7 @@ export class Layer {
     this.missed = [];
   }
 
-  /** Draws the picture, moved and scaled as the camera now wants it. */
+  /** Draws the picture, moved and scaled to the present state of the camera. */
   draw(context: CanvasRenderingContext2D, view: Camera): void {
     if (this.isEmpty) return;
     const { canvas, camera } = this.front;

@@ -219,7 +219,7 @@ export interface Units {
 }
 
 const STUCK = 2;
-/** A picture of one unit is copied faster than a circle is drawn. Larger circles are drawn. */
+/** The largest radius for which the page copies a picture of a disc, because this is faster than to draw a circle. */
 const LARGEST_SPRITE = 48;
 
 /** Pictures of discs, by colour and radius in pixels. */

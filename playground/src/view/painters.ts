@@ -130,7 +130,7 @@ export function* paintEdges(
   context.stroke();
 }
 
-/** A hue for a component. The golden angle keeps neighbouring numbers apart. */
+/** Returns the hue of a component. Multiples of the golden angle give consecutive numbers very different hues. */
 function componentColour(number: number): string {
   return `hsl(${Math.round((number * 137.508 + 205) % 360)} 45% 55% / 0.28)`;
 }

@@ -23,7 +23,7 @@ const texts = [
   ['no domain', 'a.wws', 'waywright 1\n', /expected 'domain.*the end of the text/, { line: 1, column: 11 }],
   ['an item before the domain', 'a.wws', 'waywright 1\npoint 1 2 3\n', /'domain.*found 'point'/, { line: 2, column: 1 }],
   ['an empty domain', 'a.wws', 'waywright 1\ndomain 1 0 1 5', /a number above 1/, { line: 2, column: 14 }],
-  ['a second domain', 'a.wws', `${SCRIPT}domain 0 0 1 1`, /no second domain/, { line: 5, column: 1 }],
+  ['a second domain', 'a.wws', `${SCRIPT}domain 0 0 1 1`, /only one domain/, { line: 5, column: 1 }],
   ['a domain at infinity', 'a.wws', 'waywright 1\ndomain 0 0 inf 1', /coordinate 'inf'.*2\^100/, { line: 2, column: 12 }],
   ['an unknown operation', 'a.wws', `${SCRIPT}\n  line 1 2`, /an operation \(point, .*found 'line'/, { line: 6, column: 3 }],
   ['a name of Object', 'a.wws', `${SCRIPT}constructor 1`, /found 'constructor'/, { line: 5, column: 1 }],
@@ -42,13 +42,13 @@ const texts = [
   ['a count without points', 'a.wws', `${SCRIPT}polyline 2 9000000000 1 1`, /a number/, { line: 5, column: 26 }],
   ['an id of 0', 'a.wws', `${SCRIPT}point 0 1 1`, /an id from 1 to 9223372036854775807.*'0'/, { line: 5, column: 7 }],
   ['an id of 2^63', 'a.wws', `${SCRIPT}remove 9223372036854775808`, /an id from 1/, { line: 5, column: 8 }],
-  ['one word too many', 'a.wws', `${SCRIPT}check now`, /expected no more in 'check', found 'now'/, { line: 5, column: 7 }],
+  ['one word too many', 'a.wws', `${SCRIPT}check now`, /expected the end of the line in 'check', found 'now'/, { line: 5, column: 7 }],
   ['an unknown algorithm', 'a.wws', `${SCRIPT}path 1 1 2 2 0 best`, /'optimal', 'ta', 'tra'/, { line: 5, column: 16 }],
   ['a wrong mark', 'a.wws', `${SCRIPT}mark 2`, /tick 1, the one after/, { line: 5, column: 6 }],
   ['a rewind to nothing', 'a.wws', `${SCRIPT}rewind 1`, /a mark before/, { line: 5, column: 8 }],
   ['a cut hash', 'a.wws', `${SCRIPT}tick 1 0123`, /32 hexadecimal digits/, { line: 5, column: 8 }],
   ['replace without a kind', 'a.wws', `${SCRIPT}replace 1 2 3`, /'point', 'segment'/, { line: 5, column: 9 }],
-  ['a wrong separator', 'a.wws', `${SCRIPT}polygon 2 1 0 0 ; 1 1 1`, /expected '\/' or no more/, { line: 5, column: 17 }],
+  ['a wrong separator', 'a.wws', `${SCRIPT}polygon 2 1 0 0 ; 1 1 1`, /expected '\/' or the end of the line/, { line: 5, column: 17 }],
 
   [
     'a map of another type', 'a.map', MAP.replace('octile', 'tile'),
@@ -63,7 +63,7 @@ const texts = [
   ['a cut map', 'a.map', MAP.slice(0, -4), /2 rows, found the end of the text after 1/, { line: 5, column: 1 }],
   ['a cut row', 'a.map', MAP.slice(0, -2), /a row of 3 cells, found 2/, { line: 6 }],
   ['an unknown cell', 'a.map', MAP.replace('@', 'x'), /cells out of '\.GS@OTW', found 'x'/, { line: 5, column: 2 }],
-  ['a map with more', 'a.map', `${MAP}...\n`, /no more after 2 rows/, { line: 7 }],
+  ['a map with more', 'a.map', `${MAP}...\n`, /the end of the text after 2 rows/, { line: 7 }],
   ['a map that is too large', 'a.map', MAP.replace('3', '4000000000'), /a row of 4000000000 cells/, { line: 5 }],
 
   ['a .poly of dimension 3', 'a.poly', POLY.replace('3 2', '3 3'), /expected dimension 2, found 3/, { line: 1, column: 3 }],

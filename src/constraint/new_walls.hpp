@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace waywright::constraint {
+
+/// Says whether the fixed edges that an operation makes may divide a region into two. Such edges divide nothing if each
+/// connected set of them is a tree that shares at most one vertex with older fixed edges: a connected region stays
+/// connected if such a tree is removed from it.
+///
+/// The answer may be true for edges that divide nothing, for example for many edges. It is never false for edges that
+/// divide a region.
+class NewWalls {
+ public:
+  /// Starts an operation.
+  void begin() {
+    forget();
+    may_divide_ = false;
+  }
+  /// Forgets which vertices the edges of the operation have. Call it before the operation removes a vertex. Later edges
+  /// at these vertices then count as edges at older ones.
+  void forget() { count_ = 0; }
+  /// Call it before the operation makes u - w a fixed edge. Requires: u - w is no fixed edge yet. Cost: O(1).
+  void add(const mesh::TriangleMesh& mesh, mesh::Vertex u, mesh::Vertex w) {
+    if (may_divide_) return;
+    const std::size_t i = find_or_add(mesh, u);
+    const std::size_t k = find_or_add(mesh, w);
+    if (i == kMostVertices || k == kMostVertices) {
+      may_divide_ = true;
+    } else {
+      connect(ends_[i].set, ends_[k].set);
+    }
+  }
+  [[nodiscard]] bool may_divide() const { return may_divide_; }
+
+ private:
+  static constexpr std::size_t kMostVertices = 32;
+
+  struct End {
+    mesh::Vertex vertex;
+    std::uint32_t set;  ///< of the edges that are connected: the index of one of its vertices in `ends_`
+    bool is_attached;   ///< whether older fixed edges meet one of the vertices of the set; kept at the index `set`
+  };
+
+  /// The index of `v` in `ends_`, or kMostVertices if there are too many vertices.
+  std::size_t find_or_add(const mesh::TriangleMesh& mesh, mesh::Vertex v) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (ends_[i].vertex == v) return i;
+    }
+    if (count_ == kMostVertices) return kMostVertices;
+    ends_[count_] = {v, static_cast<std::uint32_t>(count_), may_have_fixed_edge(mesh, v)};
+    return count_++;
+  }
+
+  /// Whether a fixed edge starts at `v`, or `v` has many edges.
+  [[nodiscard]] static bool may_have_fixed_edge(const mesh::TriangleMesh& mesh, mesh::Vertex v) {
+    const mesh::HalfEdge start = mesh.outgoing(v);
+    mesh::HalfEdge h = start;
+    for (std::size_t i = 0; i < mesh::TriangleMesh::kFewEdges; ++i) {
+      if (mesh.is_fixed(h)) return true;
+      h = mesh.next_around(h);
+      if (h == start) return false;
+    }
+    return true;
+  }
+
+  void connect(std::uint32_t a, std::uint32_t b) {
+    if (a == b || (ends_[a].is_attached && ends_[b].is_attached)) {
+      may_divide_ = true;
+      return;
+    }
+    ends_[a].is_attached = ends_[a].is_attached || ends_[b].is_attached;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (ends_[i].set == b) ends_[i].set = a;
+    }
+  }
+
+  std::array<End, kMostVertices> ends_{};
+  std::size_t count_ = 0;
+  bool may_divide_ = false;
+};
+
+}  // namespace waywright::constraint
