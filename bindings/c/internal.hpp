@@ -54,7 +54,7 @@ ww_status status_of(const Result<T>& result) {
   return result.ok() ? ww_status{WW_OK} : fail(result.error());
 }
 
-/// What a query keeps between calls: the context of the library, and answers.
+/// The data that a query keeps between calls: the context of the library, and answers.
 struct Context {
   QueryContext query;
   std::vector<QueryContext> more;  ///< for the threads of ww_world_find_paths
@@ -64,6 +64,7 @@ struct Context {
   RayHit hit;
   DiscFit fit;
   WidestPath widest;
+  BridgeList bridges;
 };
 
 /// A search, and the world in which it began. The world may be gone.
@@ -81,7 +82,7 @@ struct Watch {
   PathChanges changes;
 };
 
-/// A replay log: where it writes, and its writer.
+/// A replay log: its stream and its writer.
 struct ReplayLog;
 
 /// The C++ class of an opaque type. A pointer to the opaque type is a pointer to an object of this class.
@@ -308,6 +309,7 @@ inline Point to_cpp(const ww_point& point) { return {point.x, point.y}; }
 inline Box to_cpp(const ww_box& box) { return {to_cpp(box.min), to_cpp(box.max)}; }
 inline ww_point to_c(const Point& point) { return {point.x, point.y}; }
 inline ww_box to_c(const Box& box) { return {to_c(box.min), to_c(box.max)}; }
+inline ww_portal to_c(const Portal& portal) { return {to_c(portal.left), to_c(portal.right)}; }
 inline ww_id to_c(ItemId id) { return id.value; }
 inline ww_bool to_c(bool value) { return value ? 1 : 0; }
 inline ww_items_hash to_c(const ItemsHash& hash) { return {{hash.words[0], hash.words[1]}}; }
@@ -321,7 +323,8 @@ inline ww_status write_ids(std::span<const ItemId> ids, const ListOut<ww_id>& ou
   return out.write(ids, [](ItemId id) { return to_c(id); });
 }
 
-/// Returns an enumerator of the caller. Throws a Refusal if it is none: the enumerators count from 0 to `last`.
+/// Returns an enumerator of the caller. Throws a Refusal if the number is no enumerator: the enumerators count from 0
+/// to `last`.
 template <class Enum>
 Enum to_enum(std::int32_t value, Enum last) {
   require(value >= 0 && value <= static_cast<std::int32_t>(last), "an argument is no enumerator of its type");

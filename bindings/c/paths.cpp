@@ -190,9 +190,7 @@ ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size_t capa
 ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count) {
   return guarded([&] {
     const ListOut<ww_portal> list(portals, capacity, count);
-    return list.write(object(path).channel, [](const Portal& portal) {
-      return ww_portal{c::to_c(portal.left), c::to_c(portal.right)};
-    });
+    return list.write(object(path).channel, [](const Portal& portal) { return c::to_c(portal); });
   });
 }
 
@@ -285,6 +283,23 @@ ww_status ww_search_restarts(const ww_search* search, size_t* restarts) {
   return guarded([&] {
     answer(restarts) = object(search).search.restarts();
     return WW_OK;
+  });
+}
+
+ww_status ww_search_record_windows(ww_search* search, ww_bool wanted) {
+  return guarded([&] {
+    object(search).search.record_windows(is_set(wanted));
+    return WW_OK;
+  });
+}
+
+ww_status ww_search_windows(const ww_search* search, ww_search_window* windows, size_t capacity, size_t* count) {
+  return guarded([&] {
+    const ListOut<ww_search_window> list(windows, capacity, count);
+    return list.write(object(search).search.windows(), [](const SearchWindow& window) {
+      return ww_search_window{c::to_c(window.root), c::to_c(window.edge), c::to_c(window.interval), window.length,
+                              window.bound};
+    });
   });
 }
 

@@ -147,6 +147,23 @@ ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point g
   });
 }
 
+ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context* context, ww_bridge* bridges, size_t capacity,
+                           size_t* count, ww_id* ids, size_t id_capacity, size_t* id_count) {
+  return guarded([&] {
+    const ListOut<ww_bridge> list(bridges, capacity, count);
+    const ListOut<ww_id> id_list(ids, id_capacity, id_count);
+    Context& kept = object(context);
+    const Result<void> done = object(world).bridges(to_cpp(box), kept.query, kept.bridges);
+    if (!done.ok()) return fail(done.error());
+    const ww_status status = list.write(kept.bridges.bridges, [](const Bridge& bridge) {
+      return ww_bridge{c::to_c(bridge.from), c::to_c(bridge.to), bridge.radius,  c::to_c(bridge.has_foot),
+                       bridge.first_id,      bridge.from_count,  bridge.to_count};
+    });
+    const ww_status id_status = write_ids(kept.bridges.ids, id_list);
+    return status != WW_OK ? status : id_status;
+  });
+}
+
 ww_status ww_world_is_clear(const ww_world* world, const ww_point* points, size_t point_count, ww_context* context,
                             ww_bool* is_clear) {
   return guarded([&] {

@@ -2,7 +2,8 @@
 
 #include "internal.hpp"
 
-// Which worlds the calls use that run functions of the caller. Such a function must not use them in another manner.
+// Some calls run functions of the caller. This file records which worlds these calls use, because a function of the
+// caller must not use the same worlds in another manner.
 
 namespace waywright::c {
 

@@ -581,6 +581,24 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
                                       ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
+/* A bridge: the straight connection between two pieces of wall at the gap between them. A disc that passes between the
+   two pieces crosses it. */
+typedef struct ww_bridge {
+  ww_point from;       /* the corner of an item, or of the domain, at which it starts */
+  ww_point to;         /* where it ends: at another corner, or at a foot, rounded */
+  double radius;       /* the largest radius of a disc that passes */
+  ww_bool has_foot;    /* whether it ends at a foot: strictly inside a wall, which it meets at a right angle */
+  uint32_t first_id;   /* the index in `ids` of its first id */
+  uint32_t from_count; /* the number of items with a side at `from`; their ids come first, ascending */
+  uint32_t to_count;   /* the number of items with a side at `to`; their ids come next, ascending */
+} ww_bridge;
+
+/* Lists the bridges that have a position in common with a closed box, sorted by `from`, then by `to`. The box may reach
+   beyond the domain. The list does not contain the bridges in the interior of polygons. In `ids`, 0 is the border of
+   the domain. Errors: WW_COORDINATE_RANGE; WW_BAD_DOMAIN, if min is beyond max; WW_NO_BRIDGES. */
+WW_API ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context* context, ww_bridge* bridges,
+                                  size_t capacity, size_t* count, ww_id* ids, size_t id_capacity, size_t* id_count);
+
 /* ---------------------------------------------------------------------------------------------------------------------
    Paths */
 
@@ -766,11 +784,27 @@ WW_API ww_status ww_search_begin(ww_search* search, const ww_world* world, const
    Errors: WW_WORLD_GONE, if the world was destroyed. This error, and WW_OUT_OF_MEMORY, cancel the search. */
 WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done);
 /* Sets *path to the answer, or to the best path so far. The status of the path is WW_PATH_NO_PATH as long as the search
-   has found none. The path belongs to the search, and is valid until the next call that changes or destroys the search.
- */
+   has found none. The path belongs to the search, and is valid until a call changes or destroys the search. */
 WW_API ww_status ww_search_path(const ww_search* search, const ww_path** path);
 /* Gives the number of times that the search has started again because of changes of the world. */
 WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
+/* Sets whether the searches that begin from now on record their windows. They record none by default. */
+WW_API ww_status ww_search_record_windows(ww_search* search, ww_bool wanted);
+
+/* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded,
+   and serve for pictures. */
+typedef struct ww_search_window {
+  ww_point root;      /* where the path turned last, or its start */
+  ww_portal edge;     /* the whole edge; left and right as seen from the root */
+  ww_portal interval; /* the piece of the edge that is visible from the root */
+  double length;      /* of the path from the start to the root */
+  double bound;       /* up to rounding, no path through the window to the goal is shorter than this */
+} ww_search_window;
+
+/* Lists the windows that the search has followed since its last start, in order: one for each triangle that it has
+   entered. The list is empty if the search does not record them; if the algorithm is not WW_ALGORITHM_OPTIMAL; if the
+   radius is above 0; and if no wall lies between the start and the goal, because then there is no search. */
+WW_API ww_status ww_search_windows(const ww_search* search, ww_search_window* windows, size_t capacity, size_t* count);
 /* Cancels the search, if one is running. */
 WW_API ww_status ww_search_cancel(ww_search* search);
 /* Finds out whether a search has begun and is neither done nor cancelled. */
@@ -938,7 +972,7 @@ WW_API ww_status ww_world_shrink_to_fit(ww_world* world);
 
 /* The number of calls of one predicate, by the stage of the arithmetic that decided the call. */
 typedef struct ww_stage_counts {
-  uint64_t doubles;  /* doubles with a proven error bound; for crossings: doubles, of which one division is rounded */
+  uint64_t doubles;  /* doubles with a proven error bound; for crossings: doubles, if only one division is rounded */
   uint64_t lattice;  /* integers of a fixed width */
   uint64_t integers; /* integers of any size */
 } ww_stage_counts;
@@ -1025,8 +1059,8 @@ typedef struct ww_scene_info {
 /* Gives the format for the ending of a file name. Errors: WW_NOT_SUPPORTED. */
 WW_API ww_status ww_scene_format_of(const char* file_name, ww_scene_format* format);
 /* Sets a scene to the contents of a file. A file that starts like a saved world counts as a saved world. Otherwise the
-   ending of the file name says the format. Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE.
- */
+   ending of the file name says the format.
+   Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
 WW_API ww_status ww_scene_read(const char* file_name, ww_scene* scene);
 /* Sets a scene to a map of Moving AI. Cell (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
 WW_API ww_status ww_scene_parse_movingai_map(const char* text, size_t length, const char* name, ww_scene* scene);

@@ -87,8 +87,7 @@ struct PathQuery {
   /// - Walls separate start and goal, but the start or the goal lies so near to a wall that a rounding error may have
   ///   put it beyond the wall: its distance from the wall is at most World::default_end_tolerance() and at most the
   ///   tolerance. The search then moves this end across the wall, if this connects start and goal. This requires a
-  ///   world that keeps its
-  ///   abstraction.
+  ///   world that keeps its abstraction.
   ///
   /// If the radius is above 0 and the disc does not fit at an end, the search takes the position that
   /// World::nearest_fit() finds within the tolerance. It prefers positions from which the disc gets to the other end.
@@ -200,8 +199,9 @@ enum class Precision : std::uint8_t {
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
   double length = 0.0;  ///< the Euclidean length; 0 unless found
-  double lower_bound =
-      0.0;              ///< no path is shorter than this; equals `length` if the search has proven it; 0 unless found
+  /// No path is shorter than this. Equal to `length` if the search has proven that the path is the shortest; 0 unless
+  /// found.
+  double lower_bound = 0.0;
   double radius = 0.0;  ///< the radius of the agent, as in the query
   /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0. If
   /// the path turns at a crossing of two walls, the point of this turn has the rounded coordinates of the crossing. For

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
 #include "waywright/owned.hpp"
 #include "waywright/path.hpp"
+#include "waywright/search_window.hpp"
 
 namespace waywright {
 
@@ -55,6 +57,7 @@ class WAYWRIGHT_API PathSearch {
   /// last slice also finds Path::widest, at the cost of World::widest_path.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
+  /// Cost: proportional to the number of triangles that the search enters; for a radius above 0, to its steps.
   /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
@@ -67,6 +70,27 @@ class WAYWRIGHT_API PathSearch {
   /// last start.
   /// Cost: O(1).
   [[nodiscard]] std::size_t restarts() const;
+
+  /// Sets whether the searches that begin() starts from now on record their windows. The default is false. A search
+  /// that records its windows takes more time and memory; its answer is the same.
+  void record_windows(bool wanted);
+  /// Returns the windows that the search has followed since its last start, in order: one for each triangle that it has
+  /// entered, so their number is Path::expansions. The list is valid until you call another member of this object that
+  /// is not const.
+  ///
+  /// The list is empty if record_windows() was not called before begin(); if the algorithm is not
+  /// PathAlgorithm::optimal; if PathQuery::radius is above 0; and if no wall lies between the start and the goal,
+  /// because then there is no search.
+  ///
+  /// @code{.cpp}
+  /// PathSearch search;
+  /// search.record_windows(true);
+  /// search.begin(world, {.start = {1, 1}, .goal = {90, 90}}).value();
+  /// while (!search.step(500).value()) continue;
+  /// const bool is_one_each = search.windows().size() == search.path().expansions;  // == true
+  /// for (const SearchWindow& window : search.windows()) draw_line(window.interval.left, window.interval.right);
+  /// @endcode
+  [[nodiscard]] std::span<const SearchWindow> windows() const;
 
   /// Cancels the search, if one is running.
   /// Cost: O(1).

@@ -60,6 +60,7 @@ struct PathChanges {
 class WAYWRIGHT_API PathWatch {
  public:
   /// Makes a watch without paths for a world.
+  /// Cost: O(1).
   explicit PathWatch(const World& world);
   ~PathWatch();
   PathWatch(PathWatch&&) noexcept;

@@ -11,8 +11,8 @@ namespace waywright {
 
 /// The number of calls of one predicate, counted by the stage of the exact arithmetic that decided the call.
 struct StageCounts {
-  std::uint64_t doubles =
-      0;  ///< doubles with a proven error bound; for crossings: doubles, of which one division is rounded
+  /// Doubles with a proven error bound. For crossings: doubles, if only one division is rounded.
+  std::uint64_t doubles = 0;
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size
 

@@ -61,7 +61,9 @@ class WAYWRIGHT_API ReplayWriter {
   /// Cost: O(1).
   Result<void> tick(const World& world);
   /// Ends a tick, too. Use this function in a game with rollback, which knows only later that a tick is final. `hash`
-  /// is the World::items_hash() at the end of this tick. Errors: unwritable. Cost: O(1).
+  /// is the World::items_hash() at the end of this tick.
+  /// Errors: unwritable.
+  /// Cost: O(1).
   Result<void> tick(const ItemsHash& hash);
 
   /// Returns the number of the last tick, or 0 before the first tick.

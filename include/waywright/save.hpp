@@ -56,7 +56,7 @@ namespace waywright {
 /// the new one. On an error, the function removes the temporary file, and the old file stays as it is. The new file has
 /// the permissions of the old one. If `file_name` is a symbolic link, the function replaces the file to which it leads.
 /// Error messages start with the file name.
-/// Errors: unwritable.
+/// Errors: unwritable, for example if there is a folder, a device or a pipe with this name.
 /// Cost: the cost of save_world().
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world_file(const World& world, const std::string& file_name);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "waywright/assert.hpp"
+#include "waywright/bridges.hpp"
 #include "waywright/bulk_options.hpp"
 #include "waywright/change.hpp"
 #include "waywright/changed_box.hpp"
@@ -27,6 +28,7 @@
 #include "waywright/scenario.hpp"
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
+#include "waywright/search_window.hpp"
 #include "waywright/svg.hpp"
 #include "waywright/validation.hpp"
 #include "waywright/version.hpp"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "waywright/attempt.hpp"
+#include "waywright/bridges.hpp"
 #include "waywright/bulk_options.hpp"
 #include "waywright/change.hpp"
 #include "waywright/changed_box.hpp"
@@ -108,17 +109,15 @@ class WAYWRIGHT_API World {
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
-  /// Inserts a point: a vertex that stays as long as the item is live. It is not a wall. Returns the id. Errors and
-  /// cost are as for insert().
+  /// As insert(), for a point: a vertex that stays as long as the item is live. It is not a wall.
   Result<ItemId> insert_point(Point point, ItemId id = {});
-  /// Inserts a wall from `a` to `b`. A wall of length zero acts as a point. Returns the id. Errors and cost are as for
-  /// insert().
+  /// As insert(), for a wall from `a` to `b`. A wall of length zero acts as a point.
   Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
-  /// Inserts an open chain of walls through one or more points. Returns the id. Errors and cost are as for insert().
+  /// As insert(), for an open chain of walls through one or more points.
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
-  /// Inserts a solid obstacle of one or more closed rings: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side
-  /// from the last point of a ring to its first is implied. The fill rule is FillRule::even_odd: a ring in a ring is a
-  /// hole. Returns the id. Errors and cost are as for insert().
+  /// As insert(), for a solid obstacle of one or more closed rings: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`.
+  /// The side from the last point of a ring to its first is implied. The fill rule is FillRule::even_odd: a ring in a
+  /// ring is a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
@@ -196,8 +195,7 @@ class WAYWRIGHT_API World {
   /// id, the same mesh and hashes. So every query gives the same answer, and every later operation has the same result.
   /// Afterwards, `tick` is the last tick of the history: the later ticks no longer exist.
   ///
-  /// Only two things differ from the state at the tick. version() grows by one, because paths and searches must take
-  /// the change into account. And the world may have more spare memory.
+  /// Only version(), which grows by one, and the spare memory differ from the state at the tick.
   /// Errors: no_history; old_tick, if the history no longer has the tick; unknown_tick, if no mark has this tick.
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
@@ -212,9 +210,8 @@ class WAYWRIGHT_API World {
   /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
   /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
   /// exception, the world takes the changes back, too. The world asks no question if it refuses a change.
-  ///
-  /// version(), changes_since(), is_affected() and mark() do not take the changes into account. A PathSearch of this
-  /// world may exist, and continues afterwards as if there had been no attempt.
+  /// version(), changes_since(), is_affected() and mark() ignore the changes. A PathSearch of this world continues
+  /// afterwards as if there had been no attempt.
   /// Requires: the question calls no member of this world that is not const, no attempt() and no would_disconnect(),
   /// and neither begins nor continues a PathSearch of this world.
   /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
@@ -242,7 +239,6 @@ class WAYWRIGHT_API World {
   /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
   /// disc does not fit there (fit_disc()), and the disc must get through all gaps. Points that are blocked or not
   /// connected now do not matter. Change has an example.
-  ///
   /// Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
@@ -276,8 +272,7 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Sets the largest number of vertices that one operation may make, as WorldOptions::new_vertex_limit describes it.
-  /// Each later call of a function that changes items is one operation. To limit a single operation, set the limit
-  /// before it, and kNoVertexLimit after it.
+  /// To limit a single operation, set the limit before it, and kNoVertexLimit after it.
   /// Cost: O(1).
   void set_new_vertex_limit(std::size_t limit);
   /// Returns the largest number of vertices that one operation may make.
@@ -321,8 +316,7 @@ class WAYWRIGHT_API World {
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
   /// into a new world over the same domain, the two worlds have the same mesh and give the same answers. Only the ids
-  /// that they choose for later items can differ, because each world adds 1 to the largest id that it has seen: see
-  /// reserve_ids().
+  /// that they choose for later items can differ: see reserve_ids().
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const
@@ -379,8 +373,8 @@ class WAYWRIGHT_API World {
 
   /// @name Discs
   /// You need this group to find out where a round agent fits, which position is the nearest where it fits, and which
-  /// agents fit through the gaps between two positions. A disc may touch walls. Like paths, discs ignore items of the
-  /// kind point. DiscFit, NearestFit, WidestPath and RayHit have examples.
+  /// agents fit through the gaps between walls. A disc may touch walls. Like paths, discs ignore items of the kind
+  /// point. DiscFit, NearestFit, WidestPath, BridgeList and RayHit have examples.
   /// @{
 
   /// Finds out whether a disc fits at a position: the centre does not lie strictly inside a polygon, and no constrained
@@ -406,18 +400,16 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
   /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. With a goal, the
-  /// function finds the nearest point from which the disc gets to the goal. The decisions whether a disc fits and
-  /// whether it gets to the goal are exact. NearestFit says how precise the distance is.
-  ///
-  /// Error::index is 0 for the point and 1 for the goal.
+  /// function finds the nearest point from which the disc gets to the goal. Both decisions are exact. NearestFit says
+  /// how precise the distance is. Error::index is 0 for the point and 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
   /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
   /// its abstraction.
   /// Cost: n log n in the walls that are not farther away than the answer's distance plus the radius, and for each of
-  /// them the triangles near the positions where the disc touches it. With a goal, also two searches through
-  /// the gaps that the disc can pass, which end when they meet. Allocates nothing if `context` has been used for a
-  /// query of the same size before; if the radius is 0 and the point is blocked, exact arithmetic may allocate.
+  /// them the triangles near the positions where the disc touches it. With a goal, also the gaps that two searches pass
+  /// until they meet. Allocates nothing if `context` has been used for a query of the same size before; if the radius
+  /// is 0 and the point is blocked, exact arithmetic may allocate.
   [[nodiscard]] Result<void> nearest_fit(const NearestFitQuery& query, QueryContext& context, NearestFit& fit) const;
   /// @copydoc nearest_fit(const NearestFitQuery&, QueryContext&, NearestFit&) const
   [[nodiscard]] Result<NearestFit> nearest_fit(const NearestFitQuery& query) const;
@@ -430,6 +422,15 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
   /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const
   [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal) const;
+
+  /// Lists the bridges, so that a program can draw or inspect them. The list contains a bridge if the straight line
+  /// from Bridge::from to Bridge::to has a position in common with the closed box. The box may reach beyond the domain.
+  /// Errors: coordinate_range; bad_domain, if min is beyond max; no_bridges, if the world does not keep its bridges.
+  /// Cost: linear in the mesh, and n log n in the listed bridges. Allocates nothing if `context` and `list` have been
+  /// used for a query of the same size before.
+  [[nodiscard]] Result<void> bridges(const Box& box, QueryContext& context, BridgeList& list) const;
+  /// @copydoc bridges(const Box&, QueryContext&, BridgeList&) const
+  [[nodiscard]] Result<BridgeList> bridges(const Box& box) const;
 
   /// @}
 
@@ -453,16 +454,15 @@ class WAYWRIGHT_API World {
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
-  /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives. The
-  /// function uses as many threads as there are contexts: threads of the job system or, if `jobs` is null, threads that
-  /// the library starts. Error::index is the index of the refused query in `queries`.
+  /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives, at the
+  /// same cost. The function uses as many threads as there are contexts: threads of the job system or, if `jobs` is
+  /// null, threads that the library starts. Error::index is the index of the refused query in `queries`.
   /// Requires: at least one context.
   /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                         std::vector<Path>& paths, JobSystem* jobs = nullptr) const;
-  /// Finds a path for each query on `threads` threads, with new contexts.
+  /// Finds a path for each query on `threads` threads, with new contexts, at the cost of find_path() for each.
   /// Requires: `threads` is 1 or more.
-  /// Errors: the errors of find_path(). Error::index is the index of the refused query in `queries`.
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                                      JobSystem* jobs = nullptr) const;
 
@@ -492,9 +492,8 @@ class WAYWRIGHT_API World {
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
   /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
   ///
-  /// Path::points says how the function treats a path that turns at a crossing of two walls.
-  ///
-  /// Error::index is the index of the refused point in `points`.
+  /// Path::points says how the function treats a path that turns at a crossing of two walls. Error::index is the index
+  /// of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the location of the first point, and the triangles that the polyline crosses. Allocates nothing if `context`
   /// has been used for a polyline of the same length before.
@@ -517,11 +516,11 @@ class WAYWRIGHT_API World {
   /// near to Path::pieces that the disc may touch it: see ChangedBox. If the result is false and the path was valid for
   /// its radius at that version, it is still valid.
   ///
-  /// In both cases, a path that is not affected need not be the shortest one any more, if an operation has removed
-  /// items. A path that was not found is never affected: search again for it.
+  /// A path that is not affected need not be the shortest one any more, if an operation has removed items. A path that
+  /// was not found is never affected: search again for it.
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
   [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
-  /// Finds the paths for which is_affected() is true. Writes their indices in `paths` to `affected`, ascending.
+  /// Finds the paths for which is_affected() is true. Writes their indices to `affected`, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the regions that the operations after version `since` have changed, the oldest first: see ChangedBox.
@@ -553,9 +552,9 @@ class WAYWRIGHT_API World {
   /// @copydoc snapshot() const
   void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
   /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
-  /// have equal dumps.
+  /// have equal dumps. The cost is O(n log n), with exact arithmetic.
   [[nodiscard]] std::string dump() const;
-  /// Returns the hash of the domain and the live items. Every operation updates the hash. This function reads it.
+  /// Returns the hash of the domain and the live items. Every operation updates the hash.
   /// Cost: O(1).
   [[nodiscard]] ItemsHash items_hash() const;
   /// Returns the SHA-256 of the bytes of dump().
@@ -590,11 +589,8 @@ class WAYWRIGHT_API World {
   class Operation;
 
   explicit World(std::unique_ptr<Impl> impl);
-  /// Makes changes that end_attempt() takes back.
-  /// Requires: no question of attempt() is running.
-  [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);
-  /// Takes the changes of begin_attempt() back. Allocates nothing.
-  void end_attempt() noexcept;
+  [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);  // leaves the operation open
+  void end_attempt() noexcept;                                                // takes the changes back
 
   detail::Owned<Impl, detail::kMovedWorld> impl_;
 };

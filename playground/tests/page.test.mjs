@@ -155,6 +155,85 @@ test('a path that does not fit is explained by its gap, and the widest path fits
   noErrors();
 });
 
+/** Puts a wall with a gap of 4 from (50, 30) to (50, 34) into an empty world. */
+async function wallWithGap() {
+  await empty();
+  await page.evaluate(async () => {
+    const { session } = window.waywright;
+    const wall = (id, points) => ({ id, before: null, after: { kind: 'segment', points: Float64Array.from(points) } });
+    await session.commit('walls', [wall(1, [50, 0, 50, 30]), wall(2, [50, 34, 50, 75])]);
+  });
+  await settle(page);
+}
+
+const colourAt = (at) => page.evaluate(async ({ x, y }) => {
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const { canvas } = window.waywright.view;
+  const ratio = canvas.width / canvas.clientWidth;
+  return [...canvas.getContext('2d').getImageData(Math.round(x * ratio), Math.round(y * ratio), 1, 1).data];
+}, at);
+
+test('the bridges are drawn, and say which gaps are too narrow for the agent', async () => {
+  await wallWithGap();
+  await page.getByRole('tab', { name: 'Inside' }).click();
+  const gap = await pixel(page, 50, 32);
+  const ground = await colourAt(gap);
+  await page.getByLabel('Bridges').check();
+  await page.waitForFunction(() => window.waywright.view.bridges !== null);
+  // The gap, and the lines from both ends of the walls to the borders on the left and on the right.
+  assert.deepEqual(await page.evaluate(() => [...window.waywright.view.bridges.bridges]), [
+    ...[50, 30, 0, 30, 25], ...[50, 30, 50, 34, 2], ...[50, 30, 100, 30, 25], ...[50, 34, 0, 34, 25], ...[50, 34, 100, 34, 25],
+  ]);
+  const legend = page.locator('.legend', { hasText: 'too narrow' });
+  assert.equal(await legend.textContent(), '5 that the agent passes0 that are too narrow');
+  await page.getByRole('tab', { name: 'Path' }).click();
+  await setRadius('3');
+  await page.getByRole('tab', { name: 'Inside' }).click();
+  assert.equal(await legend.textContent(), '4 that the agent passes1 that are too narrow');
+  assert.notDeepEqual(await colourAt(gap), ground);
+  await page.keyboard.press('Control+z'); // without the walls, there is no gap
+  await page.waitForFunction(() => window.waywright.view.bridges?.bridges.length === 0);
+  await page.getByLabel('Bridges').uncheck();
+  assert.equal(await legend.count(), 0);
+  noErrors();
+});
+
+test('a search plays as a film of its windows: by steps, by the slider, and by itself', async () => {
+  await wallWithGap();
+  const around = await route();
+  await page.getByRole('tab', { name: 'Inside' }).click();
+  const shown = () => page.evaluate(() => {
+    const { film } = window.waywright.view;
+    return film && { count: film.count, total: film.windows.length / 12, isDone: film.frame.isDone, line: [...film.frame.line],
+      window: [...film.windows.subarray(12 * (film.count - 1), 12 * film.count)] };
+  });
+  assert.equal(await shown(), null);
+  const step = page.getByRole('button', { name: 'One step', exact: true });
+  await step.click();
+  await page.waitForFunction(() => window.waywright.view.film?.count === 1);
+  const first = await shown();
+  assert.deepEqual(first.window.slice(0, 2), [8, 8]); // the start is the root of the first window
+  assert.equal(first.isDone, false);
+  await step.click();
+  assert.equal((await shown()).count, 2);
+  await page.getByRole('button', { name: 'One step back' }).click();
+  assert.deepEqual(await shown(), first);
+  const slider = page.getByLabel('Step of the search');
+  assert.equal(await slider.getAttribute('max'), String(first.total));
+  await slider.fill(String(first.total));
+  const last = await shown();
+  assert.ok(last.isDone && last.count === first.total);
+  assert.deepEqual(last.line, around.line);
+  await page.getByRole('button', { name: 'Play the search' }).click(); // from the beginning
+  await page.waitForFunction(() => window.waywright.view.film.count < 3);
+  await page.waitForFunction((total) => window.waywright.view.film.count === total, first.total);
+  await page.getByRole('button', { name: 'Play the search' }).waitFor(); // it has ended
+  await page.keyboard.press('Control+z'); // another world: the film is over
+  await settle(page);
+  assert.equal(await shown(), null);
+  noErrors();
+});
+
 test('the slider of time goes to each step and back', async () => {
   await empty();
   const seen = [await hashes(page)];
@@ -334,6 +413,69 @@ test('files of each format open', async () => {
     await settle(page);
     assert.ok((await itemCount()) >= least, name);
   }
+  noErrors();
+});
+
+test('each example first shows its ends and its items, and the key 0 also shows its whole domain', async () => {
+  await fresh();
+  const seen = () => page.evaluate(() => {
+    const { session, view } = window.waywright;
+    const [low, high] = [{ x: 60, y: 60 }, { x: 940, y: 720 }];
+    const screen = (x, y) => view.camera.toScreen({ x, y });
+    const onScreen = (x, y) => {
+      const at = screen(x, y);
+      return at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y ? 1 : 0;
+    };
+    /** The corners of the box of each item, or of the part of it that is on the screen. */
+    const clamp = (at) => ({ x: Math.min(high.x, Math.max(low.x, at.x)), y: Math.min(high.y, Math.max(low.y, at.y)) });
+    const shown = [...session.document.items.keys()].flatMap((id) => {
+      const [x0, y0, x1, y1] = session.document.boundsOf(id);
+      const [a, b] = [screen(x0, y1), screen(x1, y0)];
+      const isShown = a.x < high.x && b.x > low.x && Math.min(a.y, b.y) < high.y && Math.max(a.y, b.y) > low.y;
+      return isShown ? [clamp(a), clamp(b)] : [];
+    });
+    const all = [...session.document.items.values()].flatMap(({ points }) => [...points]);
+    // The items of one example lie on one line.
+    const isLine = (axis) => all.every((value, i) => i % 2 !== axis || value === all[axis]);
+    const extent = (name, axis) => isLine(axis)
+      ? Infinity
+      : Math.max(...shown.map((at) => at[name])) - Math.min(...shown.map((at) => at[name]));
+    const [x0, y0, x1, y1] = session.document.domain;
+    const { start, goal } = session.ends;
+    return {
+      ends: onScreen(start.x, start.y) + onScreen(goal.x, goal.y),
+      extents: [extent('x', 0), extent('y', 1)],
+      frame: onScreen(x0, y0) + onScreen(x1, y1),
+    };
+  });
+  for (const id of await page.evaluate(() => window.waywright.files.exampleIds)) {
+    await page.evaluate((name) => (location.hash = `#example=${name}`), id);
+    await settle(page);
+    const { ends, extents } = await seen();
+    assert.equal(ends, 2, id);
+    assert.ok(extents.every((extent) => extent > 100), `${id}: the items on the screen extend over ${extents} pixels`);
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('0');
+    const first = (await seen()).frame;
+    await page.keyboard.press('0');
+    assert.ok(first === 2 || (await seen()).frame === 2, id);
+  }
+  noErrors();
+});
+
+test('at the largest zooms, items are drawn where the path and the pointer have them', async () => {
+  await fresh('#example=neighbouring-doubles');
+  const colours = await page.evaluate(() => {
+    const { view } = window.waywright;
+    const context = view.canvas.getContext('2d');
+    const ratio = view.canvas.width / view.camera.width;
+    return [[0, 14], [14, 14], [14, 0]].map(([i, j]) => {
+      const at = view.camera.toScreen({ x: 1 + i * 2 ** -52, y: 1 + j * 2 ** -52 });
+      return [...context.getImageData(at.x * ratio, at.y * ratio, 1, 1).data.slice(0, 3)].join();
+    });
+  });
+  // The colour of points, and of the wall that ends at the first one, in the light theme.
+  assert.deepEqual(colours, ['34,48,60', '86,120,154', '86,120,154']);
   noErrors();
 });
 

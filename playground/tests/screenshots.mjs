@@ -58,10 +58,19 @@ async function compare(page) {
   await page.waitForTimeout(1500);
 }
 
-async function film(page) {
+/** A film of the search, at a part of its length: from 0 to 1. */
+const film = (part) => async (page) => {
   await tab(page, 'Inside');
-  for (let i = 0; i < 60; ++i) await button(page, 'One step');
-  await page.waitForTimeout(500);
+  await button(page, 'One step');
+  const slider = page.getByLabel('Step of the search');
+  await page.waitForFunction(() => window.waywright.view.film !== null);
+  await slider.fill(String(Math.round(part * Number(await slider.getAttribute('max')))));
+};
+
+async function bridges(page) {
+  await tab(page, 'Inside');
+  await page.getByLabel('Bridges').check();
+  await page.waitForFunction(() => window.waywright.view.bridges !== null);
 }
 
 const faces = (name) => async (page) => {
@@ -156,7 +165,13 @@ const SCENES = {
   circles: ['', circles],
   components: ['#example=city', faces('Components')],
   corridors: ['', faces('Corridors')],
-  film: ['', film],
+  film: ['', then((page) => radius(page, '0'), film(0.5))],
+  film_end: ['', then((page) => radius(page, '0'), film(1))],
+  film_disc: ['', film(0.5)],
+  film_dark: ['', then((page) => radius(page, '0'), film(0.7)), { colorScheme: 'dark' }],
+  bridges: ['', bridges],
+  bridges_narrow: ['', then(twoWalls, (page) => radius(page, '4'), bridges)],
+  bridges_city: ['#example=city', bridges],
   touched: ['', touched],
   crowd: ['', crowd],
   crowd_dark: ['', crowd, { colorScheme: 'dark' }],

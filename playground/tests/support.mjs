@@ -5,7 +5,8 @@ import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const ROOT = fileURLToPath(new URL('../dist', import.meta.url));
+/** WAYWRIGHT_PAGE names the folder of another build. */
+const ROOT = process.env.WAYWRIGHT_PAGE ?? fileURLToPath(new URL('../dist', import.meta.url));
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 const CHROMIUM = process.env.WAYWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
 

@@ -19,7 +19,7 @@ constexpr std::size_t kFewFaces = 1000;
 
 }  // namespace
 
-/// Rolls the bridges back when it is destroyed, unless done() was called.
+/// The destructor rolls the bridges back, unless done() was called.
 class Bridges::Guard {
  public:
   explicit Guard(Bridges& bridges) : bridges_(bridges) { bridges_.begin(); }

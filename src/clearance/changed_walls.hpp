@@ -12,7 +12,7 @@ namespace waywright::clearance {
 /// object has no boxes, and then any wall may have changed.
 class ChangedWalls {
  public:
-  /// The largest number of boxes. The bridges near an operation are compared with each box.
+  /// The largest number of boxes. The update of the bridges compares the bridges near an operation with each box.
   static constexpr std::size_t kMost = 8;
 
   /// Removes all boxes: no wall has changed.

@@ -1,27 +1,9 @@
 #include "clearance/widest_gap.hpp"
 
+#include "clearance/bridge_items.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::clearance {
-
-using mesh::HalfEdge;
-using mesh::Vertex;
-
-namespace {
-
-using Slots = std::vector<std::uint32_t>;
-
-void append_items_on(const constraint::ExactTriangulation& triangulation, HalfEdge wall, Slots& slots) {
-  triangulation.for_each_side(wall, [&](const constraint::Side& side) { slots.push_back(side.item); });
-}
-
-void append_items_at(const constraint::ExactTriangulation& triangulation, Vertex v, Slots& slots) {
-  triangulation.topology().for_each_outgoing(v, [&](HalfEdge h) {
-    if (triangulation.topology().is_fixed(h)) append_items_on(triangulation, h, slots);
-  });
-}
-
-}  // namespace
 
 void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, const Bridges& bridges,
                            NearWalls& near_walls, const Point& start, const Point& goal, WidestGap& result) {
@@ -43,11 +25,14 @@ void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, 
   result.to = exact::end_of(gap);
   const bool starts_at_origin =
       gap.from == triangulation.triangulation().geometry().rounded(number(mesh.origin(gate.h)));
-  append_items_at(triangulation, starts_at_origin ? mesh.origin(gate.h) : mesh.target(gate.h), result.from_items);
+  const mesh::Vertex from = starts_at_origin ? mesh.origin(gate.h) : mesh.target(gate.h);
+  const mesh::Vertex to = starts_at_origin ? mesh.target(gate.h) : mesh.origin(gate.h);
+  const auto add_to = [&](std::uint32_t slot) { result.to_items.push_back(slot); };
+  for_each_item_at(triangulation, from, [&](std::uint32_t slot) { result.from_items.push_back(slot); });
   if (gate.kind == CellEdge::Kind::bridge) {
-    append_items_at(triangulation, starts_at_origin ? mesh.target(gate.h) : mesh.origin(gate.h), result.to_items);
+    for_each_item_at(triangulation, to, add_to);
   } else {
-    append_items_on(triangulation, bridges.foot(gate.foot).wall, result.to_items);
+    for_each_item_on(triangulation, bridges.foot(gate.foot).wall, add_to);
   }
 }
 

@@ -11,8 +11,8 @@
 
 // The order in which an operation inserts or removes many vertices. Along a ring, each vertex is near the previous one,
 // which saves time. But if the ring runs beside another wall, half of the edges of each vertex can pass to the next
-// vertex that is inserted, and then the time is quadratic. In random order, the expected number of edges of a vertex
-// that is inserted or removed is bounded by the mean of all vertices.
+// vertex that is inserted, and then the time is quadratic. In random order, the expected number of edges of the next
+// vertex is at most the mean of all vertices.
 
 namespace waywright::constraint {
 

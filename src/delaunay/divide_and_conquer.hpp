@@ -21,8 +21,8 @@
 namespace waywright::delaunay {
 
 /// Computes the Delaunay triangulation of a set of points, with a ghost vertex beyond their convex hull. Axis-parallel
-/// lines divide the points recursively into ranges of at most three points. Each range is triangulated. Then, at each
-/// line, the two pieces to the left and to the right of it (or below and above it) are merged along the line.
+/// lines divide the points recursively into ranges of at most three points. The class triangulates each range. Then, at
+/// each line, it merges the two pieces to the left and to the right of the line (or below and above it).
 ///
 /// The triangulation of any m points and the ghost vertex is a sphere of 2 m - 2 faces. So the points [i, j) use the
 /// faces from 2 i to 2 j - 3, and a merge at k adds the faces 2 k - 2 and 2 k - 1. The algorithm moves no face and

@@ -107,8 +107,8 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
 
 /// Returns a half-edge of a face in the domain, near the point: the half-edge of the last change, or a half-edge at the
 /// vertex that the point's sector remembers, whichever is nearer. If both are far away, the function also considers the
-/// vertices that the sectors around remember. The remembered vertex can be far away, for example because its slot now
-/// belongs to another vertex.
+/// vertices that the surrounding sectors remember. The remembered vertex can be far away, for example because its slot
+/// now belongs to another vertex.
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {

@@ -179,7 +179,7 @@ template <class Position>
 }
 
 /// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. Such points lie on a
-/// circle, so nothing needs to be computed. If walls lie on a grid, this is by far the most common tie.
+/// circle, so the answer is known without arithmetic. If walls lie on a grid, this is by far the most common tie.
 template <class Position>
 [[nodiscard]] bool is_rectangle(const Position& a, const Position& b, const Position& c, const Position& d) {
   const auto is_opposite = [&](const Position& p, const Position& q,

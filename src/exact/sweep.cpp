@@ -29,9 +29,9 @@ namespace {
 //   (ab . f) (d x ab) + (ab . d) (ab x f) = M (d x f), it is sqrt(M) (d x f) - r (ab . d) > 0.
 // If the perpendicular at a separates the centre from b at this t, the centre can enter the capsule around the wall
 // only through the circle around a: every other point of the capsule lies within the strip, not separated from b by the
-// perpendicular at a, and the diameter of
-// the circle blocks the strip there. The same holds at b. If the centre starts in the strip, it does not lie between
-// the two perpendiculars, and again it can enter the capsule only through the circle around the nearer end.
+// perpendicular at a, and the diameter of the circle blocks the strip there. The same is true at b. If the centre
+// starts in the strip, it does not lie between the two perpendiculars, and again it can enter the capsule only through
+// the circle around the nearer end.
 //
 // Vertex v. With q = v - from, D = |d|^2 and e = d . q, the centre enters the circle at the smaller root of
 //   D t^2 - 2 e t + |q|^2 - r^2 = 0, which is t = (e - sqrt(E)) / D with E = D r^2 - (d x q)^2 = e^2 - D (|q|^2 - r^2).

@@ -17,8 +17,13 @@ FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name
     fs::path followed = fs::canonical(target_, ignored);
     if (!ignored) target_ = std::move(followed);
   }
-  if (fs::is_directory(target_, ignored)) {
+  const fs::file_status old = fs::status(target_, ignored);
+  if (fs::is_directory(old)) {
     static_cast<void>(keep(EISDIR));
+    return;
+  }
+  if (fs::exists(old) && !fs::is_regular_file(old)) {
+    is_special_ = true;
     return;
   }
   constexpr std::size_t kLongestStem = 200;  // file systems allow names of 255 bytes
@@ -56,6 +61,7 @@ bool FileReplacement::commit() {
 
 Error FileReplacement::error() const {
   std::string message = name_ + ": cannot be written";
+  if (is_special_) message += ": it is a device or a pipe, and no regular file";
   if (fault_ != 0) message += ": " + std::generic_category().message(fault_);
   return {ErrorCode::unwritable, std::move(message), {}, 0};
 }

@@ -38,6 +38,7 @@ class FileReplacement {
   std::string temporary_;  ///< the name of the temporary file; empty if there is none
   std::FILE* file_ = nullptr;
   int fault_ = 0;
+  bool is_special_ = false;  ///< whether the file exists and is no file that can be replaced, but a device, for example
 };
 
 }  // namespace waywright::io

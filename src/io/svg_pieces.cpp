@@ -10,7 +10,7 @@ namespace waywright::io {
 
 namespace {
 
-// An arc that is flatter than this is drawn as a line: nobody sees the difference.
+// The code draws an arc that is flatter than this as a line, because nobody sees the difference.
 constexpr double kFlatPixels = 0.05;
 constexpr double kFlatAngle = 1e-9;
 // Rounding to hundredths of a pixel moves the middle of a longer arc visibly.

@@ -74,7 +74,7 @@ void Sectors::grow() {
       finer.push_back(is_divided(sectors_[i]) ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
     }
   }
-  // After the new whole sectors come the quarters of those that are divided. The loop also visits the entries that it
+  // After the new whole sectors come the quarters of the divided ones. The loop also visits the entries that it
   // appends.
   for (std::size_t i = 0; i < finer.size(); ++i) {
     if ((finer[i] & kDivided) == 0) continue;

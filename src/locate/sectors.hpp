@@ -17,15 +17,15 @@
 
 namespace waywright::locate {
 
-/// Finds vertices from which a walk can start. The domain is divided into square sectors, and each sector remembers a
+/// Finds vertices from which a walk can start. The domain consists of square sectors, and each sector remembers a
 /// vertex in it or near it. Queries only read the sectors. A remembered vertex is only a hint, because it may have been
 /// removed in the meantime.
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
-/// world of any size. If a sector contains many vertices, it is divided into four quarters, which may be divided again.
-/// So walks are short on unevenly distributed vertices, too. If a sector is as small as a cell of the curve, it gets a
-/// finer curve of its own (a *zoom*). The division depends on the history of the world, but the result of a search does
-/// not.
+/// world of any size. If a sector contains many vertices, an operation divides it into four quarters, and may later
+/// divide these again. So walks are short on unevenly distributed vertices, too. If a sector is as small as a cell of
+/// the curve, it gets a finer curve of its own (a *zoom*). The division depends on the history of the world, but the
+/// result of a search does not.
 ///
 /// Source: Chen 2009, section 3.2.1 (sector-based location). Differences: only operations write to the sectors, queries
 /// do not; and the number of sectors is not constant.

@@ -14,7 +14,8 @@ namespace waywright::memory {
 
 /// A sparse array: values by index, stored in pages. Use it for data that most vertices, edges or items of a large
 /// world do not have: a page is allocated only when its first value needs room. A page is not freed before clear(), so
-/// a value that was written once can be written again without an allocation. The values of a new page are Value{}.
+/// a program can write a value again without an allocation if it has written the value before. The values of a new page
+/// are Value{}.
 template <class Value>
 class Pages {
  public:

@@ -10,7 +10,7 @@
 
 namespace waywright::memory {
 
-/// An array that grows at its end and from whose start elements are dropped. The index of an element never changes: the
+/// An array that adds elements at its end and drops elements at its start. The index of an element never changes: the
 /// first element ever added has the index 0. Each function takes constant time, amortised over the added elements, and
 /// only push_back() allocates.
 template <class Value>

@@ -6,8 +6,8 @@
 namespace waywright::memory {
 
 /// Gives each search a number. A search writes its number into the array entries that it uses. An entry with another
-/// number is from an earlier search and counts as empty. So no array is cleared between searches. Only when the numbers
-/// run out, all arrays are cleared.
+/// number is from an earlier search and counts as empty. So nothing clears the arrays between searches. Only when the
+/// numbers run out, this class clears them.
 class Stamp {
  public:
   [[nodiscard]] std::uint32_t value() const { return value_; }

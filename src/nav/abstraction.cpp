@@ -18,7 +18,7 @@ constexpr std::size_t kFewFaces = 1000;
 
 }  // namespace
 
-/// Rolls the abstraction back when it is destroyed, unless done() was called.
+/// The destructor rolls the abstraction back, unless done() was called.
 class Abstraction::Guard {
  public:
   explicit Guard(Abstraction& abstraction) : abstraction_(abstraction) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/path.hpp"
+#include "waywright/search_window.hpp"
 
 #include "path/ends.hpp"
 #include "path/optimal.hpp"
@@ -27,6 +28,11 @@ class Finder {
   /// frees a face that shares a vertex with f, or if it changes the entry of f in the abstraction.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
              Path& path, LookedAt* looked_at = nullptr);
+  /// Makes the search that has begun append each window that it follows to `windows`, if its algorithm is `optimal`.
+  /// Requires: the search records the faces at which it looks.
+  void record_windows(std::vector<SearchWindow>& windows) {
+    if (!is_done_ && query_.algorithm == PathAlgorithm::optimal) optimal_.record_windows(windows);
+  }
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
   /// search is done. `path` is then the best path so far.
   bool step(std::size_t expansions, Path& path);

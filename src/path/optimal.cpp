@@ -57,6 +57,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
                     bool wants_channel, LookedAt* looked_at) {
   ends_ = &ends;
   looked_at_ = looked_at;
+  windows_ = nullptr;
   core_ = abstraction == nullptr ? nullptr : &abstraction->core();
   components_ = abstraction == nullptr ? nullptr : &abstraction->components();
   mesh_ = &triangulation.topology();
@@ -226,7 +227,7 @@ void Optimal::follow_window(Node window) {
   for (int faces = 1;; ++faces) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
-    look(f);
+    enter(f, window);
     if (may_have_goals(f)) reach_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View position = geometry_->view(number(apex));
@@ -355,17 +356,16 @@ void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;
   ++expansions_;
-  look(mesh::face(turn.entry));
-  Node window{Kind::window, turn.entry, root, mesh_->apex(turn.entry), kContinuation, turn.trace};
+  const mesh::HalfEdge far_edge = mesh::next(turn.entry);
+  Node window{Kind::window, mesh_->twin(far_edge), root, mesh_->apex(turn.entry), kContinuation, turn.trace};
+  enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
   const bool sees_apex = cone.from_right(geometry_->view(number(window.left))) == Sign::positive;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
     const bool is_seen = cone.from_right(Geometry::view(goals_[goal].point)) != Sign::negative;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  const mesh::HalfEdge far_edge = mesh::next(turn.entry);
   if (sees_apex && !is_excluded(far_edge)) {
-    window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     push(window, cone.left_direction(), cone.right_direction());
   }
@@ -374,12 +374,14 @@ void Optimal::make_left_turn(const Node& turn) {
     h = mesh_->next_around(h);
     trace = traced(h, trace);
     ++expansions_;
-    look(mesh::face(h));
-    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::next(h);
-    if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    push({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
+    Node beyond{Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), kNone};
+    enter(mesh::face(h), beyond);
+    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
+    if (is_excluded(exit)) continue;
+    beyond.trace = traced(entry, trace);
+    push(beyond);
   }
 }
 
@@ -388,17 +390,16 @@ void Optimal::make_right_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.right, turn.root);
   if (roots_[root].length > reached(turn.right).length) return;
   ++expansions_;
-  look(mesh::face(turn.entry));
-  Node window{Kind::window, turn.entry, root, kContinuation, mesh_->apex(turn.entry), turn.trace};
+  const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
+  Node window{Kind::window, mesh_->twin(far_edge), root, kContinuation, mesh_->apex(turn.entry), turn.trace};
+  enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
   const bool sees_apex = cone.from_left(geometry_->view(number(window.right))) == Sign::negative;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
     const bool is_seen = cone.from_left(Geometry::view(goals_[goal].point)) != Sign::positive;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
   if (sees_apex && !is_excluded(far_edge)) {
-    window.entry = mesh_->twin(far_edge);
     window.trace = traced(window.entry, turn.trace);
     push(window, cone.left_direction(), cone.right_direction());
   }
@@ -407,12 +408,14 @@ void Optimal::make_right_turn(const Node& turn) {
     h = mesh_->twin(mesh::next(h));
     trace = traced(h, trace);
     ++expansions_;
-    look(mesh::face(h));
-    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     const mesh::HalfEdge exit = mesh::previous(h);
-    if (is_excluded(exit)) continue;
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    push({Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), traced(entry, trace)});
+    Node beyond{Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), kNone};
+    enter(mesh::face(h), beyond);
+    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
+    if (is_excluded(exit)) continue;
+    beyond.trace = traced(entry, trace);
+    push(beyond);
   }
 }
 
@@ -485,6 +488,26 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
   if (has_one_goal) return length + (end ? distance_via_point(p, *end, q) : distance_via_segment(p, a, b, q));
   return end ? length + distance(p, *end) : length;
+}
+
+/// Records that the search has looked at the face and, if the query wants the windows, records the window.
+void Optimal::record(mesh::Face f, const Node& window) {
+  looked_at_->look(f);
+  if (windows_ == nullptr) return;
+  const Cone cone(*this, window);
+  const Root& root = roots_[window.root];
+  const mesh::Vertex left = mesh_->origin(window.entry);
+  const mesh::Vertex right = mesh_->target(window.entry);
+  const Portal edge{position_of(left), position_of(right)};
+  const auto end_of = [&](mesh::Vertex bound, mesh::Vertex end, const Point& direction) {
+    const Point along{edge.right.x - edge.left.x, edge.right.y - edge.left.y};
+    return bound == end ? position_of(end)
+                        : meeting(root.point, direction, edge.left, along).value_or(position_of(end));
+  };
+  const Portal interval{end_of(window.left, left, cone.left_direction()),
+                        end_of(window.right, right, cone.right_direction())};
+  const double least = bound(window, cone.left_direction(), cone.right_direction());
+  windows_->push_back({root.point, edge, interval, root.length, least});
 }
 
 Optimal::Geometry::View Optimal::view(const Root& root) const {

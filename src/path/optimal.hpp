@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "waywright/path.hpp"
+#include "waywright/search_window.hpp"
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -45,6 +46,9 @@ class Optimal {
   /// the start in `ends`, the triangulation and the abstraction (if there is one) do not change during the search.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
              bool wants_channel, LookedAt* looked_at = nullptr);
+  /// Makes the search that has begun append each window that it follows to `windows`: one for each triangle that it
+  /// enters. Requires: the search records the faces at which it looks.
+  void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
   /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: the goal does not lie at
   /// a face of the start.
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
@@ -143,6 +147,11 @@ class Optimal {
   void look(mesh::Face f) {
     if (looked_at_ != nullptr) looked_at_->look(f);
   }
+  /// Records that the search has entered the face, and follows the window.
+  void enter(mesh::Face f, const Node& window) {
+    if (looked_at_ != nullptr) record(f, window);
+  }
+  void record(mesh::Face f, const Node& window);
   void follow(Node node);
   void follow_window(Node window);
   void divide(const Node& window, const Cone& cone, mesh::Vertex apex);
@@ -195,7 +204,8 @@ class Optimal {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
-  LookedAt* looked_at_ = nullptr;  ///< or null
+  LookedAt* looked_at_ = nullptr;                 ///< or null
+  std::vector<SearchWindow>* windows_ = nullptr;  ///< or null; null if `looked_at_` is null
 
   std::vector<Root> roots_;
   std::vector<Node> nodes_;

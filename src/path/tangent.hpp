@@ -35,8 +35,9 @@ struct Tangent {
 
 [[nodiscard]] inline Point left_of(const Point& direction) { return {-direction.y, direction.x}; }
 
-/// Returns the squared distance of two points minus the square of `across`. If the two nearly cancel, the result is
-/// still precise: its square root decides in which direction a disc passes between two vertices where it just fits.
+/// Returns the squared distance of two points minus the square of `across`. The result is precise even if these two
+/// numbers are nearly equal: its square root decides in which direction a disc passes between two vertices where it
+/// just fits.
 [[nodiscard]] inline double squared_distance_minus(const Point& p, const Point& q, double across) {
   const Point between = q - p;
   const double squared = squared_length(between);

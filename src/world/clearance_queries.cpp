@@ -121,4 +121,20 @@ Result<WidestPath> World::widest_path(Point start, Point goal) const {
   return widest;
 }
 
+Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& list) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_box_error(box)) return *std::move(error);
+  if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
+  const clearance::Clearance& clearance = *impl_->clearance;
+  context.scratch_->bridge_lister.list(clearance.walls(impl_->triangulation), clearance.bridges(), box, list);
+  return {};
+}
+
+Result<BridgeList> World::bridges(const Box& box) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  BridgeList list;
+  if (auto done = bridges(box, *context, list); !done) return done.error();
+  return list;
+}
+
 }  // namespace waywright

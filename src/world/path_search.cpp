@@ -1,6 +1,8 @@
 #include "waywright/path_search.hpp"
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "waywright/world.hpp"
 
@@ -29,10 +31,12 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   }
   [[nodiscard]] bool is_for_disc() const { return query.radius > 0.0; }
   void begin() {
+    windows.clear();
     if (is_for_disc()) {
       world->begin_disc_path(query, scratch, path);
     } else {
       scratch.finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at);
+      if (records_windows) scratch.finder.record_windows(windows);
     }
   }
   bool step(std::size_t expansions) {
@@ -78,6 +82,9 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   detail::QueryScratch scratch;
   path::LookedAt looked_at;
   Path path;
+  bool wants_windows = false;
+  bool records_windows = false;  ///< `wants_windows` at the start of the search
+  std::vector<SearchWindow> windows;
   std::size_t restarts = 0;
   bool is_done = false;
 };
@@ -93,6 +100,7 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   cancel();
   if (auto error = find_query_error(world.domain(), world.impl_->kept(), query)) return *std::move(error);
   impl_->query = query;
+  impl_->records_windows = impl_->wants_windows;
   impl_->restarts = 0;
   impl_->world = &*world.impl_;
   impl_->begin();
@@ -118,6 +126,10 @@ Result<bool> PathSearch::step(std::size_t expansions) {
 const Path& PathSearch::path() const { return impl_->path; }
 
 std::size_t PathSearch::restarts() const { return impl_->restarts; }
+
+void PathSearch::record_windows(bool wanted) { impl_->wants_windows = wanted; }
+
+std::span<const SearchWindow> PathSearch::windows() const { return impl_->windows; }
 
 void PathSearch::cancel() { impl_->stop(); }
 

@@ -25,4 +25,11 @@ Error point_error(const Box& domain, const Point& point, std::size_t index, cons
   return error;
 }
 
+std::optional<Error> find_box_error(const Box& box) {
+  if (auto error = find_range_error(box.min, 0, "the box's min")) return error;
+  if (auto error = find_range_error(box.max, 1, "the box's max")) return error;
+  if (box.min.x <= box.max.x && box.min.y <= box.max.y) return std::nullopt;
+  return Error{ErrorCode::bad_domain, "a box needs min.x <= max.x and min.y <= max.y", {}, 0};
+}
+
 }  // namespace waywright

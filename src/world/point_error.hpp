@@ -36,4 +36,7 @@ namespace waywright {
   return find_point_error(domain, point, index, {"point", index});
 }
 
+/// Returns the error in the box of a query, or nothing. The box may reach beyond the domain.
+[[nodiscard]] std::optional<Error> find_box_error(const Box& box);
+
 }  // namespace waywright

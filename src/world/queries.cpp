@@ -104,11 +104,7 @@ Result<RayHit> World::ray(Point from, Point to) const {
 
 Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const {
   const base::FloatEnvironment environment;
-  if (auto error = find_range_error(box.min, 0, "the box's min")) return *std::move(error);
-  if (auto error = find_range_error(box.max, 1, "the box's max")) return *std::move(error);
-  if (box.min.x > box.max.x || box.min.y > box.max.y) {
-    return Error{ErrorCode::bad_domain, "a box needs min.x <= max.x and min.y <= max.y", {}, 0};
-  }
+  if (auto error = find_box_error(box)) return *std::move(error);
   items.clear();
   if (!box.overlaps(domain())) return {};
   detail::QueryScratch& scratch = *context.scratch_;

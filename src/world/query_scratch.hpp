@@ -7,6 +7,7 @@
 #include "waywright/clearance.hpp"
 #include "waywright/query_context.hpp"
 
+#include "clearance/bridge_lister.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/nearest_fit.hpp"
 #include "clearance/widest_gap.hpp"
@@ -61,6 +62,7 @@ struct QueryScratch {
   std::vector<mesh::HalfEdge> goal_faces;
   clearance::WidestGapFinder widest_gap_finder;
   clearance::WidestGap widest_gap;
+  clearance::BridgeLister bridge_lister;
   path::Finder finder;
   DiscSearch disc_search;
   DiscFit fit;

@@ -104,9 +104,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Brings back the items of a tick as one operation. Requires: the history has the tick.
   void rewind(History::Tick tick);
   /// Makes this world equal to `other`, except for the history. `changed` are the items that may differ. If memory runs
-  /// out, some of these may be as in `other` already; the function can then be called again. Returns true if it has
-  /// succeeded. If the result is false, a state between the changes would have too many vertices, and this world must
-  /// not be used any more. Requires: this world is a replica of `other`, and nobody reads it.
+  /// out, some of these items may already be as in `other`. The caller can then call the function again. Returns true
+  /// if it has succeeded. If the result is false, a state between the changes would have too many vertices, and this
+  /// world must not be used any more. Requires: this world is a replica of `other`, and nobody reads it.
   [[nodiscard]] bool follow(const Impl& other, std::span<const ItemId> changed, ReplicaScratch& scratch);
   /// Makes one item equal to the item with this id in `other`. Returns whether it has succeeded.
   [[nodiscard]] bool follow_item(const Impl& other, ItemId id, ReplicaScratch& scratch);

@@ -307,6 +307,38 @@ static void test_discs(void) {
   ww_world_destroy(world);
 }
 
+static void test_bridges(void) {
+  ww_world* world = make_town(1);
+  ww_world* plain = make_town(0);
+  ww_context* context = NULL;
+  ww_bridge bridges[64];
+  ww_id ids[256];
+  size_t count = 0, id_count = 0, small = 0;
+  const ww_box everything = {{0, 0}, {100, 100}};
+  const ww_box between = {{30, 55}, {35, 58}}; /* between the two bridges on the left of the house */
+  const ww_box inverted = {{5, 0}, {4, 0}};
+  CHECK_OK(ww_context_create(&context));
+  CHECK_OK(ww_world_bridges(world, everything, context, NULL, 0, &count, NULL, 0, &id_count));
+  CHECK(count == 8 && id_count == 16); /* the house has four corners, and each has a bridge to two borders */
+  CHECK_OK(ww_world_bridges(world, everything, context, bridges, 64, &count, ids, 256, &id_count));
+  for (size_t i = 0; i < count; ++i) {
+    CHECK(bridges[i].has_foot == 1 && bridges[i].from_count == 1 && bridges[i].to_count == 1);
+    CHECK(bridges[i].first_id == 2 * i && ids[2 * i] == 1 && ids[2 * i + 1] == 0);
+  }
+  CHECK(is_at(bridges[0].from, 40, 40) && is_at(bridges[0].to, 0, 40) && bridges[0].radius == 20);
+  CHECK_STATUS(ww_world_bridges(world, everything, context, bridges, 1, &small, ids, 256, NULL), WW_BUFFER_TOO_SMALL);
+  CHECK(small == count);
+  CHECK_STATUS(ww_world_bridges(world, everything, context, bridges, 64, NULL, ids, 1, &small), WW_BUFFER_TOO_SMALL);
+  CHECK(small == id_count);
+  CHECK_OK(ww_world_bridges(world, between, context, bridges, 64, &count, ids, 256, &id_count));
+  CHECK(count == 0 && id_count == 0);
+  CHECK_STATUS(ww_world_bridges(world, inverted, context, bridges, 64, &count, ids, 256, &id_count), WW_BAD_DOMAIN);
+  CHECK_STATUS(ww_world_bridges(plain, everything, context, bridges, 64, &count, ids, 256, &id_count), WW_NO_BRIDGES);
+  ww_context_destroy(context);
+  ww_world_destroy(plain);
+  ww_world_destroy(world);
+}
+
 static void test_broken_rules(void) {
   static const size_t ring_sizes[] = {2, SIZE_MAX};
   ww_world* world = make_town(0);
@@ -371,11 +403,13 @@ int main(void) {
   test_bulk();
   test_locating();
   test_discs();
+  test_bridges();
   test_broken_rules();
   test_point_paths();
   test_disc_paths();
   test_many_paths();
   test_search();
+  test_search_windows();
   test_following_changes();
   test_copies();
   test_limits();

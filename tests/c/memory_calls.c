@@ -95,6 +95,9 @@ static ww_status widest_path(State* s) {
   widest.struct_size = sizeof widest;
   return ww_world_widest_path(s->world, at(10, 55), at(90, 55), s->context, &widest, NULL, 0, NULL, NULL, 0, NULL);
 }
+static ww_status bridges(State* s) {
+  return ww_world_bridges(s->world, box(0, 0, 100, 100), s->context, NULL, 0, NULL, NULL, 0, NULL);
+}
 static ww_status find_path_with(State* s, ww_path_algorithm algorithm, double radius) {
   ww_path_query query = query_of(radius);
   query.algorithm = algorithm;
@@ -133,6 +136,10 @@ static ww_status search(State* s) {
   ww_bool is_done = 0;
   const ww_status begun = ww_search_begin(s->search, s->world, &query);
   return begun != WW_OK ? begun : ww_search_step(s->search, 100000, &is_done);
+}
+static ww_status search_windows(State* s) {
+  CHECK_OK(ww_search_record_windows(s->search, 1));
+  return search(s);
 }
 static ww_status is_clear(State* s) {
   ww_bool answer = 0;
@@ -325,6 +332,7 @@ const Case kCases[] = {
     {"fit_disc", fit_disc, 0},
     {"nearest_fit", nearest_fit, 0},
     {"widest_path", widest_path, 0},
+    {"bridges", bridges, 0},
     {"find_optimal_path", find_optimal_path, 0},
     {"find_ta_path", find_ta_path, 0},
     {"find_tra_path", find_tra_path, 0},
@@ -335,6 +343,7 @@ const Case kCases[] = {
     {"find_paths_from", find_paths_from, 0},
     {"path_polyline", path_polyline, 0},
     {"search", search, 0},
+    {"search_windows", search_windows, 0},
     {"is_clear", is_clear, 0},
     {"find_affected", find_affected, 0},
     {"clone_world", clone_world, 0},
@@ -376,8 +385,8 @@ const Case kCases[] = {
 const size_t kCaseCount = sizeof kCases / sizeof kCases[0];
 
 const Call kWarmQueries[] = {
-    locate,        items_at,       items_in,    items_crossed,     cast_ray,
-    sweep_disc,    fit_disc,       nearest_fit, find_optimal_path, find_ta_path,
-    find_tra_path, find_disc_path, is_clear,    snapshot,          widest_path,
+    locate,   items_at,    items_in,          items_crossed, cast_ray,      sweep_disc,
+    fit_disc, nearest_fit, find_optimal_path, find_ta_path,  find_tra_path, find_disc_path,
+    is_clear, snapshot,    widest_path,       bridges,
 };
 const size_t kWarmQueryCount = sizeof kWarmQueries / sizeof kWarmQueries[0];

@@ -242,6 +242,44 @@ void test_search(void) {
   ww_search_destroy(search);
 }
 
+void test_search_windows(void) {
+  ww_world* world = make_town(0);
+  ww_search* search = NULL;
+  const ww_path* path = NULL;
+  ww_path_query query;
+  ww_path_info info = {0};
+  ww_search_window windows[64];
+  ww_bool is_done = 0;
+  size_t count = 1, turned = 0;
+  info.struct_size = sizeof info;
+  CHECK_OK(ww_search_create(&search));
+  CHECK_OK(ww_path_query_init(&query, sizeof query));
+  query.start = at(10, 55);
+  query.goal = at(90, 55);
+  CHECK_OK(ww_search_begin(search, world, &query));
+  CHECK_OK(ww_search_step(search, 1000, &is_done));
+  CHECK_OK(ww_search_windows(search, windows, 64, &count));
+  CHECK(is_done == 1 && count == 0); /* nobody asked for them */
+  CHECK_OK(ww_search_record_windows(search, 1));
+  CHECK_OK(ww_search_begin(search, world, &query));
+  CHECK_OK(ww_search_step(search, 1000, &is_done));
+  CHECK_OK(ww_search_windows(search, windows, 64, &count));
+  CHECK_OK(ww_search_path(search, &path));
+  CHECK_OK(ww_path_get_info(path, &info));
+  CHECK(count > 0 && count == info.expansions);
+  CHECK(is_at(windows[0].root, 10, 55) && windows[0].length == 0);
+  for (size_t i = 0; i < count; ++i) {
+    if (!is_at(windows[i].root, 40, 60)) continue; /* the path turns here */
+    ++turned;
+    CHECK(is_near(windows[i].length, sqrt(30.0 * 30.0 + 5.0 * 5.0)));
+  }
+  CHECK(turned > 0);
+  CHECK_STATUS(ww_search_windows(search, windows, 1, &count), WW_BUFFER_TOO_SMALL);
+  CHECK(count == info.expansions);
+  ww_search_destroy(search);
+  ww_world_destroy(world);
+}
+
 void test_following_changes(void) {
   static const ww_point line[] = {{10, 30}, {90, 30}};
   ww_world* world = make_town(0);

@@ -6,6 +6,7 @@ void test_point_paths(void);
 void test_disc_paths(void);
 void test_many_paths(void);
 void test_search(void);
+void test_search_windows(void);
 void test_following_changes(void);
 void test_copies(void);
 void test_limits(void);

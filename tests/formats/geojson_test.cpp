@@ -228,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Coordinates, BrokenGeoJson,
     testing::Values(
-        BrokenText{"height", geometry("Point", "[1,2,\n3]"), 2, "found a third number; a map is flat"},
+        BrokenText{"height", geometry("Point", "[1,2,\n3]"), 2, "found a third number; a map has only x and y"},
         BrokenText{"one_number", geometry("Point", "[1]"), 1, "a position of two numbers, found one number"},
         BrokenText{"number_text", geometry("Point", "[\"1\",\"2\"]"), 1, "found the text '1'"},
         BrokenText{"number_null", geometry("Point", "[1,null]"), 1, "found null"},

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenText{"too_large", "v 1 1e31", 1, "2^100", ErrorCode::coordinate_range},
         BrokenText{"overflow", "v 1 1e999", 1, "2^100", ErrorCode::coordinate_range},
         BrokenText{"not_flat", "v 1 2 0\nv 1 2\nv 1 2 0.5", 3,
-                   "the z of the vertices above, 0, found 0.5; a map is flat"},
+                   "the z of the vertices above, 0, found 0.5; a map has only x and y"},
         BrokenText{"face_of_one", kVertices + "f 1", 5, "at least 3 vertices in a face, found 1"},
         BrokenText{"face_of_two", kVertices + "f 1 2", 5, "at least 3 vertices in a face, found 2"},
         BrokenText{"face_of_none", kVertices + "f", 5, "found 0"},

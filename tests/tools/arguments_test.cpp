@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "--from takes 2 values, X Y, and 3 follow it: '1' '1' '2'"),
         of_path({"--from", "1", "1", "--to", "1", "1", "2"}, "--to takes 2 values, X Y, and 3 follow it: '1' '1' '2'"),
         of_path({"--from", "1", "1", "--to", "2", "2", "--from", "1", "1"}, "--from is given twice"),
-        of_path({"--from", "1", "1"}, "--to X Y is missing: Where it ends"),
+        of_path({"--from", "1", "1"}, "--to X Y is missing: Where the path ends"),
         of_path({"--from", "1", "1", "--to", "1", "1", "--algorithm", "--no-mesh"},
                 "--algorithm takes a value, NAME, and none is given"),
         of_run({}, "SCRIPT is missing: The script (.wws), or a map whose items it inserts; - is standard input"),
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
         of_run({"WORLD", "--dump="}, "--dump takes a value, FILE, and none is given"),
         of_run({"WORLD", "--check=false"}, "--check takes no value"),
         of_run({"WORLD", "--fast"}, "there is no option '--fast'"),
-        of_run({"-world.wws"}, "there is no option '-world.wws'; a file of that name is given as ./-world.wws")));
+        of_run({"-world.wws"}, "there is no option '-world.wws'; for a file with this name, write ./-world.wws")));
 
 const std::string kCommands = "; the commands are run, path, scenario, convert, replay and help";
 

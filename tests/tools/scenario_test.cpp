@@ -201,14 +201,14 @@ INSTANTIATE_TEST_SUITE_P(
                     "map?"},
         BadScenario{"version 1\n0 u.map 3 3 0 0 0 1 1\n0 maps/dao/v.map 3 3 0 0 0 1 1\n",
                     ":3: the query is for the map 'maps/dao/v.map', and the map given is 'u.map'; give that map, or "
-                    "--any-map to ask the queries all the same"},
+                    "add --any-map to carry out these queries, too"},
         BadScenario{
             "version 1\n0 u.map 4 3 0 0 0 1 1\n",
-            ":2: the query is for a map of 4 x 3 cells, and u.map has 3 x 3; give that map, or --any-map to ask "
-            "the queries all the same"},
+            ":2: the query is for a map of 4 x 3 cells, and u.map has 3 x 3; give that map, or add --any-map to "
+            "carry out these queries, too"},
         BadScenario{"version 1\n0 u.map 3 18446744073709551615 0 0 0 1 1\n",
                     ":2: the query is for a map of 3 x 18446744073709551615 cells, and u.map has 3 x 3; give that map, "
-                    "or --any-map to ask the queries all the same"}));
+                    "or add --any-map to carry out these queries, too"}));
 
 TEST(ScenarioCommand, TakesTheNameOfItsMapFromAnyFolderAndSystem) {
   const Files files;

@@ -1,6 +1,6 @@
 // Uses every export of the package as TypeScript sees it. types.test.mjs compiles this file under strict rules, and runs it.
 import {
-  boundingBox, type Box, type BulkOptions, centroid, type Change, type ChangedBox, type CompiledModule, type CrossedItem, type DifferenceKind,
+  boundingBox, type Box, type Bridge, type BulkOptions, centroid, type Change, type ChangedBox, type CompiledModule, type CrossedItem, type DifferenceKind,
   type DiscFit, type ErrorCode, type FillRule, findDifference, init, type InitOptions, initSync, isInRange, isSavedWorld,
   type Item, type ItemId, type ItemInfo, type ItemKind, ItemList, LARGEST_COORDINATE, type Location, type LocationKind,
   type ManyGoalsQuery, type MarkStyle, type MemoryUse, Mesh, type ModuleBytes, moduleMemory, type MovedEnd, type NearestFit,
@@ -52,6 +52,7 @@ const hit: RayHit = world.ray(start, goal);
 const fit: DiscFit = world.fitDisc(start, 1);
 const nearestQuery: NearestFitQuery = { point: middle, radius: 2 };
 const nearest: NearestFit = world.nearestFit(nearestQuery);
+const bridges: Bridge[] = world.bridges(domain);
 const widest: WidestPath = world.widestPath(start, goal);
 
 const algorithm: PathAlgorithm = 'ta';
@@ -116,7 +117,7 @@ try {
 }
 const used: number = moduleMemory().used;
 const facts: readonly unknown[] = [
-  info, locationKind, crossed, hit, fit, nearest, widest, status, moved, pieces, position, points, changes, boxes, asked, mesh,
+  info, locationKind, crossed, hit, fit, nearest, bridges, widest, status, moved, pieces, position, points, changes, boxes, asked, mesh,
   memory, validation, stages, format, scene, lineKind, result, differenceKind, scenarioQuery, picture, code, used,
   isSavedWorld(saved), isInRange(LARGEST_COORDINATE), isInRange(SMALLEST_COORDINATE),
 ];

@@ -142,6 +142,28 @@ test('a search in slices', () => {
   refuses('world-gone', () => search.step(10));
 });
 
+test('the windows of a search', () => {
+  const world = makeWorld();
+  const search = new PathSearch();
+  search.begin(world, QUERY);
+  while (!search.step(1));
+  assert.equal(search.windows().length, 0); // nobody asked for them
+  search.recordWindows(true);
+  search.begin(world, QUERY);
+  while (!search.step(1));
+  const windows = search.windows();
+  assert.equal(windows.length, 12 * search.path.info.expansions);
+  assert.deepEqual([...windows.subarray(0, 2), windows[10]], [QUERY.start.x, QUERY.start.y, 0]);
+  for (let i = 0; i < windows.length; i += 12) {
+    const [, , ax, ay, bx, by, cx, cy, dx, dy, length, bound] = windows.subarray(i, i + 12);
+    for (const [x, y] of [[cx, cy], [dx, dy]]) near((bx - ax) * (y - ay), (by - ay) * (x - ax)); // on the edge
+    assert.ok(bound >= length);
+  }
+  const into = new Float64Array(windows.length + 5);
+  assert.deepEqual(search.windows(into), windows);
+  assert.deepEqual(into.subarray(0, windows.length), windows);
+});
+
 test('following changes', () => {
   const world = makeWorld();
   const paths = [world.findPath(QUERY), world.findPath({ start: at(90, 90), goal: at(90, 95) })];

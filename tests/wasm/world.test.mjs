@@ -118,6 +118,19 @@ test('discs', () => {
   assert.deepEqual([widest.isConnected, widest.isLimited, widest.radius], [true, true, 10]);
 });
 
+test('bridges', () => {
+  const world = new World(DOMAIN, { keepBridges: true });
+  world.insertPolygon([40, 40, 60, 40, 60, 60, 40, 60], 1);
+  const all = world.bridges(DOMAIN);
+  assert.equal(all.length, 8); // two borders for each corner of the house
+  const first = { from: at(40, 40), to: at(0, 40), radius: 20, hasFoot: true, fromItems: [1], toItems: [0] };
+  assert.deepEqual(all[0], first);
+  assert.deepEqual(world.bridges({ min: at(20, 30), max: at(30, 50) }, new QueryContext()), [first]);
+  assert.deepEqual(world.bridges({ min: at(200, 200), max: at(300, 300) }), []);
+  refuses('bad-domain', () => world.bridges({ min: at(5, 0), max: at(4, 9) }));
+  refuses('no-bridges', () => makeWorld().bridges(DOMAIN));
+});
+
 test('mesh, hashes, texts and memory', () => {
   const world = makeWorld();
   const mesh = world.snapshot(new Mesh());

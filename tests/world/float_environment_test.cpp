@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 #include <cfenv>
 #include <cmath>
@@ -256,10 +257,16 @@ TEST_P(FloatEnvironment, ChangesNoPath) {
         ASSERT_EQ(text_of(by_jobs[i]), text_of(paths[i]));
         ASSERT_EQ(text_of(from_one[i]), text_of(plainly[i]));
         PathSearch search;
+        search.record_windows(true);
         in([&] { return search.begin(world, queries[i]); }).value();
         while (!in([&] { return search.step(8); }).value()) {
         }
         ASSERT_EQ(text_of(search.path()), text_of(paths[i]));
+        const std::vector<SearchWindow> windows(search.windows().begin(), search.windows().end());
+        search.begin(world, queries[i]).value();
+        while (!search.step(8).value()) {
+        }
+        ASSERT_TRUE(std::equal(windows.begin(), windows.end(), search.windows().begin(), search.windows().end()));
       }
     }
   }
@@ -290,6 +297,17 @@ TEST_P(FloatEnvironment, ChangesNoWalkAlongAPath) {
         ASSERT_EQ(bits_of(in([&] { return path.nearest(beside); })), bits_of(path.nearest(beside)));
       }
     }
+  }
+}
+
+TEST_P(FloatEnvironment, ChangesNoBridge) {
+  for (const Obstacles obstacles : kObstacles) {
+    const PathCase example = random_path_case(obstacles, 4, 6);
+    World world = World::create(example.scene.domain, {.keep_bridges = true}).value();
+    in([&] { return world.insert_all(example.scene.items); }).value();
+    const BridgeList plainly = world.bridges(world.domain()).value();
+    EXPECT_FALSE(plainly.bridges.empty());
+    EXPECT_EQ(in([&] { return world.bridges(world.domain()); }).value(), plainly);
   }
 }
 

@@ -17,6 +17,6 @@ void check_line(const std::vector<Point>& line, const std::string& name, std::si
 
 /// The end of a message about a position with more than two numbers.
 inline constexpr const char* kFlattenHint =
-    "; a map is flat: remove the heights, for example with 'ogr2ogr -dim XY' or PostGIS' ST_Force2D";
+    "; a map has only x and y: remove the heights, for example with 'ogr2ogr -dim XY' or PostGIS' ST_Force2D";
 
 }  // namespace waywright::formats

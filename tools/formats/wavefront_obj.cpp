@@ -116,7 +116,7 @@ void ObjReader::check_height(double height) {
     return text;
   };
   refuse(start_, "the z of the vertices above, " + text_of(height_),
-         text_of(height) + "; a map is flat: project the model onto a plane of constant z first");
+         text_of(height) + "; a map has only x and y: project the model onto a plane of constant z first");
 }
 
 std::vector<Point> ObjReader::read_elements(text::WordReader& words, std::string_view element, std::size_t least) {

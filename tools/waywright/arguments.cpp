@@ -82,7 +82,7 @@ std::size_t WordCheck::read_option(const Words& words, std::size_t at) {
   const std::string name = word.substr(0, equals);
   const CLI::Option* const option = command_.get_option_no_throw(name);
   if (option == nullptr) {
-    const char* const hint = name.starts_with("--") ? "" : "; a file of that name is given as ./";
+    const char* const hint = name.starts_with("--") ? "" : "; for a file with this name, write ./";
     fail(fmt::format("there is no option '{}'{}{}", name, hint, *hint == '\0' ? "" : name));
   }
   const auto needed = static_cast<std::size_t>(option->get_items_expected_min());

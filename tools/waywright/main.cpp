@@ -26,60 +26,65 @@ namespace waywright::command {
 namespace {
 
 constexpr const char* kAbout =
-    "A world of obstacles that can change, and paths through it: an exact, dynamic constrained Delaunay\n"
-    "triangulation with searches for paths.\n";
+    "Waywright triangulates a world of obstacles exactly, and finds paths through the world. The obstacles can\n"
+    "change, and the triangulation (a constrained Delaunay triangulation) changes with them.\n";
 constexpr const char* kExamples =
     "Examples:\n"
-    "  waywright run world.wws                                run a world script, answers on standard output\n"
-    "  waywright path map.wws --from 3 4 --to 90 60           one path through a map\n"
-    "  waywright scenario arena.map arena.map.scen            every query of a scenario, and how long it took\n"
+    "  waywright run world.wws                                run a world script\n"
+    "  waywright path map.wws --from 3 4 --to 90 60           find one path through a map\n"
+    "  waywright scenario arena.map arena.map.scen            find a path for each query of a scenario\n"
     "  waywright convert arena.map arena.svg                  draw a map\n"
-    "\nwaywright help COMMAND says more. A file named - is standard input or standard output; where a file goes to\n"
-    "standard output, answers go to standard error. No file is written over one that is read.\n"
-    "Exit status: 0 done, 1 a check failed, logs differ or (--strict) an operation was refused, 2 bad arguments, a\n"
-    "file that cannot be read or written, or malformed input.\n";
+    "\n`waywright help COMMAND` describes a command. The file name - is standard input or standard output. If the\n"
+    "command writes a file to standard output, it writes its answers to standard error. The command never overwrites\n"
+    "a file that it reads.\n"
+    "Exit status: 0 if the command has done its work; 1 if a check has failed, if two logs differ or, with --strict,\n"
+    "if the world has refused a line; 2 if the arguments are wrong, if the command cannot read or write a file, or if\n"
+    "the input is malformed.\n";
 constexpr const char* kAboutMap =
     "The map: .wws, .wwb, .map, .poly, .node, .geojson, .json, .wkt, .mesh or .obj; - is a world script, a saved world "
     "or GeoJSON on standard input";
 constexpr const char* kFormats =
     "Maps: .wws (world script), .wwb (saved world), .map (Moving AI), .poly and .node (Triangle), .geojson and .json\n"
-    "(GeoJSON), .wkt (well-known text), .mesh (Polyanya) and .obj (Wavefront, flat). Longitudes and latitudes are "
-    "taken\n"
-    "as x and y in the plane: lengths are then in degrees. For lengths in metres, project the file first, for example\n"
-    "with ogr2ogr -t_srs.\n";
+    "(GeoJSON), .wkt (well-known text), .mesh (Polyanya) and .obj (Wavefront; all vertices have\n"
+    "the same z). A longitude is an x coordinate and a latitude is a y coordinate, so lengths are in degrees. For\n"
+    "lengths in metres, project the file first, for example with ogr2ogr -t_srs.\n";
 constexpr const char* kRunExamples =
     "Examples:\n"
-    "  waywright run world.wws --svg world.svg                the final world, and the queries about it\n"
+    "  waywright run world.wws --svg world.svg                draw the final world, and the queries about it\n"
     "  waywright run world.wws --svg region.svg --crop 0 0 50 40 --theme dark\n"
-    "  waywright run world.wws --dump world.dump --check      the final mesh; validated after every operation\n"
-    "  generate | waywright run - --strict                    from standard input, stop at the first refusal\n"
-    "  waywright run world.wws --dump - | sha256sum           the final mesh alone on standard output\n"
-    "\nThe files are written when the script has run to its end, whole or not at all. --stats prints one JSON line\n"
-    "on standard error: how many questions about points were decided in doubles (with a proven error bound), on a\n"
-    "lattice (integers of a fixed width) and in integers of any size, for each kind of question; and how many bytes\n"
-    "the world takes at the end, by purpose.\n";
+    "  waywright run world.wws --dump world.dump --check      validate after each change, write the final mesh\n"
+    "  generate | waywright run - --strict                    read standard input, stop at the first refused line\n"
+    "  waywright run world.wws --dump - | sha256sum           write only the final mesh to standard output\n"
+    "\nThe command writes the files after the last line of the script. It writes each file completely or not at all.\n"
+    "--stats prints one JSON line on standard error. For each kind of predicate, this line says how many calls were\n"
+    "decided in doubles (with a proven error bound), in integers of a fixed width (on a lattice) and in integers of\n"
+    "any size. It also says how many bytes the world takes at the end, by purpose.\n";
 constexpr const char* kPathExamples =
     "Examples:\n"
     "  waywright path arena.map --from 5 17 --to 44 30\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --svg path.svg --no-mesh\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --algorithm ta\n"
     "  waywright path field.wws --from -3 4 --to 20 -7.5 --radius 1.5 --svg path.svg\n"
-    "\nPrints one JSON line: the path's length and pieces, or why there is none. With --radius, the pieces are lines\n"
-    "and arcs of the path of the disc's centre. If only a smaller disc gets through, the line says how large it may\n"
-    "be, and which gap stops larger discs. --geojson writes the path as a line.\n";
+    "\nThe command prints one JSON line: the length and the pieces of the path, or the reason why there is no path.\n"
+    "With --radius, the pieces are the lines and arcs on which the centre of the disc moves. If only a smaller disc\n"
+    "can move from start to goal, the JSON line contains the largest radius, and the gap that stops larger discs.\n"
+    "--geojson writes the path as a line.\n";
 constexpr const char* kScenarioExamples =
     "Examples:\n"
     "  waywright scenario arena.map arena.map.scen\n"
     "  waywright scenario arena.map arena.map.scen --algorithm ta --csv arena.csv\n"
     "  waywright scenario arena.map arena.map.scen --svg arena.svg --query 17 --query 160\n"
     "  waywright scenario arena.map arena.map.scen --radius 0.45\n"
-    "\nPrints how the paths compare with the lengths that the scenario gives, and percentiles of time,\n"
-    "expansions and length. The scenario is of Moving AI, version 1; queries count from 1. Each query must name the\n"
-    "map and the size of a .map. The folders and the ending of the name do not matter. The summary counts the queries\n"
-    "with an end where two blocked cells touch at a corner: the given path may begin in the other free cell there.\n"
-    "With --radius, all queries are for a disc. The lengths in a scenario are for points, so they are not compared:\n"
-    "the summary counts paths, queries without a path, and ends at which the disc does not fit. If the ends in the\n"
-    "scenario of a .map are whole numbers, they are cells, and the disc starts and ends at the centres of cells.\n";
+    "\nThe command compares the lengths of the paths with the lengths in the scenario. It also prints percentiles of\n"
+    "the time, of the number of triangles that the searches entered (expansions) and of the length. The scenario is\n"
+    "a file of Moving AI, version 1. The first query has the number 1. Each query must contain the name of the map\n"
+    "and, for a .map, its size. The folders and the suffix of the name may differ. The summary also counts the\n"
+    "queries with an end at which two blocked cells touch only at a corner. At such an end there are two free cells,\n"
+    "and the path in the scenario may begin in the other one.\n"
+    "With --radius, the command finds paths for a disc. The lengths in a scenario are lengths for a point, so the\n"
+    "command does not compare them. The summary then counts the paths, the queries without a path, and the ends at\n"
+    "which the disc does not fit. If the ends in the scenario of a .map are whole numbers, they are cells: the disc\n"
+    "starts and ends at the centres of these cells.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"
@@ -87,18 +92,18 @@ constexpr const char* kConvertExamples =
     "  waywright convert face.poly face.svg --no-mesh\n"
     "  waywright convert arena.map arena.wwb                  a saved world, which loads quickly\n"
     "  waywright convert town.geojson town.svg\n"
-    "  waywright convert arena.map arena.geojson              the items, for QGIS, Shapely and the like\n"
+    "  waywright convert arena.map arena.geojson              the items, for example for QGIS or Shapely\n"
     "  waywright convert arena.map mesh.geojson --format geojson-mesh     the triangles and the constrained edges\n"
     "  waywright convert arena.map - --format svg | display\n\n";
 
 constexpr const char* kReplayExamples =
     "Examples:\n"
     "  waywright replay game.wws                              make the changes again, and compare the hashes\n"
-    "  waywright replay here.wws there.wws                    where two machines began to differ\n"
+    "  waywright replay here.wws there.wws                    find the first difference of two machines\n"
     "\nA replay log is a world script with lines `tick N HASH`; the library's ReplayWriter writes it. With one log,\n"
-    "prints one JSON line: the first tick whose hash differs, and the items that changed since the last tick whose\n"
-    "hash was the same. With two logs, prints the first change or hash in which they differ. The exit status is 1 if\n"
-    "there is a difference.\n";
+    "the command prints one JSON line: the first tick whose hash differs from the computed hash, and the items that\n"
+    "have changed since the last tick with an equal hash. With two logs, it prints the first change or hash in which\n"
+    "they differ. The exit status is 1 if there is a difference.\n";
 
 /// The definition of the command line, and the values that it has after parsing.
 struct CommandLine {
@@ -141,7 +146,7 @@ void add_algorithm(CLI::App& command, PathAlgorithm& algorithm) {
 void add_radius(CLI::App& command, std::string& radius) {
   command
       .add_option("--radius", radius,
-                  "The radius of the agent, 0 or more: 0 (the default) is a point, else it is a disc")
+                  "The radius of the agent, 0 or more. 0 (the default) is a point, a larger radius is a disc")
       ->type_name("R");
 }
 
@@ -154,18 +159,19 @@ CLI::Option* add_theme(CLI::App& command, SvgTheme& theme) {
   };
   return command
       .add_option_function<std::string>(
-          "--theme", read, "The picture's colours: auto (as the viewer prefers; the default), light or dark")
+          "--theme", read,
+          "The colours of the picture: light, dark or auto (the default: as the viewer of the file prefers)")
       ->type_name("NAME");
 }
 
 /// Adds the options of a picture. They need `file`, the option that names the picture's file, or null if the command
 /// has no such option.
 void add_picture(CLI::App& command, PictureOptions& options, CLI::Option* file) {
-  command.add_flag("--no-mesh", options.no_mesh, "Leave the mesh out of the picture");
+  command.add_flag("--no-mesh", options.no_mesh, "Do not draw the mesh");
   CLI::Option* const no_axes =
-      command.add_flag("--no-axes", options.no_axes, "Leave ticks, coordinates and the scale bar out of the picture");
+      command.add_flag("--no-axes", options.no_axes, "Do not draw ticks, coordinates and the scale bar");
   CLI::Option* const theme = add_theme(command, options.theme);
-  const char* const about = "Show only the region of the world between these corners, the lower coordinates first";
+  const char* const about = "Show only the box from (X0, Y0) to (X1, Y1): X0 is less than X1, and Y0 is less than Y1";
   CLI::Option* const crop = command.add_option("--crop", options.crop, about)
                                 ->type_size(4)
                                 ->expected(1)
@@ -201,20 +207,21 @@ std::string check_vertex_count(const std::string& word) {
 
 void add_run(CommandLine& line) {
   RunOptions& options = line.run_options;
-  line.run = line.app.add_subcommand("run", "Run a world script, one JSON line per answer");
+  line.run = line.app.add_subcommand("run", "Carry out a world script, and print each answer as one line of JSON");
   add_file(*line.run, "SCRIPT", options.script,
            "The script (.wws), or a map whose items it inserts; - is standard input");
-  add_file_option(*line.run, "--dump", options.dump, "Write the final mesh, exactly, as text");
+  add_file_option(*line.run, "--dump", options.dump, "Write the final mesh as text, with exact coordinates");
   CLI::Option* const svg =
-      add_file_option(*line.run, "--svg", options.svg, "Draw the final world, and the queries since it last changed");
+      add_file_option(*line.run, "--svg", options.svg, "Draw the final world, and the queries after the last change");
   add_picture(*line.run, options.picture, svg);
   add_file_option(*line.run, "--geojson", options.geojson,
-                  "Write the final items, and the paths since they last changed, as GeoJSON");
-  line.run->add_flag("--check", options.check, "Validate after every operation; stop at the first fault");
-  line.run->add_flag("--strict", options.strict, "Stop at the first refused operation");
+                  "Write the final items, and the paths after the last change, as GeoJSON");
+  line.run->add_flag("--check", options.check, "Validate the world after each change, and stop at the first fault");
+  line.run->add_flag("--strict", options.strict, "Stop at the first line that the world refuses");
   line.run->add_flag("--stats", options.stats,
-                     "Tell on standard error which stage of the arithmetic decided how much, and where the memory is");
-  line.run->add_option("--limit", options.limit, "Refuse an operation that would make more vertices than this")
+                     "Print on standard error how many calls of predicates each stage has decided, and the "
+                     "memory of the world");
+  line.run->add_option("--limit", options.limit, "Refuse each change that would make more than N new vertices")
       ->type_name("N")
       ->check(check_vertex_count);
   line.run->footer(kRunExamples);
@@ -230,7 +237,7 @@ void add_path(CommandLine& line) {
       ->allow_extra_args(false)
       ->type_name("X Y")
       ->required();
-  line.path->add_option("--to", options.to, "Where it ends")
+  line.path->add_option("--to", options.to, "Where the path ends")
       ->type_size(2)
       ->expected(1)
       ->allow_extra_args(false)
@@ -246,19 +253,19 @@ void add_path(CommandLine& line) {
 
 void add_scenario(CommandLine& line) {
   ScenarioOptions& options = line.scenario_options;
-  line.scenario = line.app.add_subcommand("scenario", "Find all paths of a scenario and sum them up");
+  line.scenario = line.app.add_subcommand("scenario", "Find a path for each query of a scenario, and print a summary");
   add_file(*line.scenario, "MAP", options.map, kAboutMap);
   add_file(*line.scenario, "SCENARIO", options.scenario, "The queries (.scen); - is standard input");
   add_radius(*line.scenario, options.radius);
   add_algorithm(*line.scenario, options.algorithm);
   add_file_option(*line.scenario, "--csv", options.csv, "Write a line for each query");
   CLI::Option* const svg = add_file_option(*line.scenario, "--svg", options.svg,
-                                           "Draw the map and the paths of the queries named by --query");
-  line.scenario->add_option("--query", options.queries, "A query to draw")
+                                           "Draw the map and the paths of the queries that --query selects");
+  line.scenario->add_option("--query", options.queries, "The number of a query to draw")
       ->type_name("N")
       ->allow_extra_args(false)
       ->check(check_query_number);
-  line.scenario->add_flag("--any-map", options.any_map, "Ask the queries although they name another map or size");
+  line.scenario->add_flag("--any-map", options.any_map, "Carry out queries of another map or another size, too");
   add_picture(*line.scenario, options.picture, svg);
   line.scenario->footer(kScenarioExamples);
 }
@@ -266,13 +273,14 @@ void add_scenario(CommandLine& line) {
 void add_convert(CommandLine& line) {
   ConvertOptions& options = line.convert_options;
   line.convert =
-      line.app.add_subcommand("convert", "Turn a map into a world script, a saved world, a picture or GeoJSON");
+      line.app.add_subcommand("convert", "Write a map as a world script, a saved world, a picture or GeoJSON");
   add_file(*line.convert, "MAP", options.in, kAboutMap);
   add_file(*line.convert, "OUT", options.out,
            "The file to write (.wws, .wwb, .svg, .geojson or .json); - is standard output");
   line.convert
-      ->add_option("--format", options.format,
-                   "wws, wwb, svg, geojson (the items) or geojson-mesh, where the ending of OUT does not say it")
+      ->add_option(
+          "--format", options.format,
+          "wws, wwb, svg, geojson (the items) or geojson-mesh. Necessary if the suffix of OUT is none of these")
       ->type_name("NAME")
       ->check(check_format);
   add_picture(*line.convert, options.picture, nullptr);
@@ -288,8 +296,8 @@ void add_replay(CommandLine& line) {
 }
 
 void add_help(CommandLine& line) {
-  line.help = line.app.add_subcommand("help", "Say more about a command");
-  line.help->add_option("COMMAND", line.helped, "The command; without one, what they all do");
+  line.help = line.app.add_subcommand("help", "Print the help of a command");
+  line.help->add_option("COMMAND", line.helped, "The command. Without it, print what each command does");
 }
 
 std::unique_ptr<CommandLine> make_command_line() {

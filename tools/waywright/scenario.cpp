@@ -94,7 +94,7 @@ std::string_view stem_of(std::string_view name) {
 
 /// Throws Failure if a query is for another map.
 void check_map(const ScenarioOptions& options, const Scene& scene, const std::vector<ScenarioQuery>& queries) {
-  constexpr std::string_view kAdvice = "; give that map, or --any-map to ask the queries all the same";
+  constexpr std::string_view kAdvice = "; give that map, or add --any-map to carry out these queries, too";
   if (options.any_map) return;
   for (const ScenarioQuery& query : queries) {
     if (options.map != "-" && stem_of(query.map) != stem_of(options.map)) {

@@ -31,6 +31,7 @@ void Reporter::report_end(std::size_t total) {
   try {
     progress_(total, total);
   } catch (py::error_already_set& error) {
+    if (error.matches(PyExc_KeyboardInterrupt)) return PyErr_SetInterrupt();
     error.discard_as_unraisable("a progress function");
   }
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <thread>
 
 #include "convert.hpp"
 
@@ -10,11 +11,24 @@
 
 namespace waywright::python {
 
+/// Calls a function of Python that takes the GIL. While the interpreter shuts down, Python ends each thread that calls
+/// such a function, by an exception that must not reach a destructor. So this thread sleeps until the process ends.
+template <class Take>
+auto take_gil(const Take& take) noexcept {
+  try {
+    return take();
+  } catch (...) {
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+}
+
 /// Releases the GIL until it is destroyed.
 class WithoutGil {
  public:
   WithoutGil() : state_(PyEval_SaveThread()) {}
-  ~WithoutGil() { PyEval_RestoreThread(state_); }
+  ~WithoutGil() {
+    take_gil([this] { PyEval_RestoreThread(state_); });
+  }
   WithoutGil(const WithoutGil&) = delete;
   WithoutGil& operator=(const WithoutGil&) = delete;
 
@@ -25,7 +39,7 @@ class WithoutGil {
 /// Holds the GIL until it is destroyed. Requires: the thread has released it by WithoutGil.
 class WithGil {
  public:
-  WithGil() : state_(PyGILState_Ensure()) {}
+  WithGil() : state_(take_gil([] { return PyGILState_Ensure(); })) {}
   ~WithGil() { PyGILState_Release(state_); }
   WithGil(const WithGil&) = delete;
   WithGil& operator=(const WithGil&) = delete;
@@ -43,7 +57,9 @@ class Reporter {
   explicit Reporter(const py::object& progress);
 
   /// Reports progress, at most 20 times in a second, and at the end. The unit has no meaning. At the end the call has
-  /// already done its work. If the function then raises an exception, the exception does not reach the caller.
+  /// already done its work. If the function then raises an exception, Python prints it. A KeyboardInterrupt reaches the
+  /// program after the call.
+  ///
   /// Exceptions: throws py::error_already_set if a signal handler or the function has raised an exception.
   void operator()(std::size_t done, std::size_t total);
   /// Returns a function for BulkOptions::progress. The reporter must live as long as this function.

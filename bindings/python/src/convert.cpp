@@ -10,6 +10,12 @@ static_assert(sizeof(Point) == 2 * sizeof(double) && sizeof(ItemId) == sizeof(st
 
 namespace {
 
+/// Forgets the exception of Python, if there is one. Passes on one such as KeyboardInterrupt.
+void clear_error() {
+  if (PyErr_Occurred() != nullptr && PyErr_ExceptionMatches(PyExc_Exception) == 0) throw py::error_already_set();
+  PyErr_Clear();
+}
+
 /// Reads a number. Returns whether the object is one.
 bool read_number(PyObject* object, double& number) {
   if (PyFloat_CheckExact(object)) {
@@ -18,28 +24,63 @@ bool read_number(PyObject* object, double& number) {
   }
   number = PyFloat_AsDouble(object);
   if (number != -1.0 || PyErr_Occurred() == nullptr) return true;
-  PyErr_Clear();
+  clear_error();
   return false;
 }
 
-/// Reads `count` numbers from a sequence of this length.
-bool read_numbers(PyObject* object, Py_ssize_t count, double* numbers) {
-  if (!PyList_Check(object) && !PyTuple_Check(object)) {
-    if (PyUnicode_Check(object) || PyBytes_Check(object) || PySequence_Check(object) == 0) return false;
-    const py::object list = py::reinterpret_steal<py::object>(PySequence_List(object));
-    if (list) return read_numbers(list.ptr(), count, numbers);
-    PyErr_Clear();
-    return false;
+/// Reads `count` numbers from a sequence of this length that is neither a list nor a tuple.
+bool read_other_numbers(PyObject* object, Py_ssize_t count, double* numbers) {
+  if (PyUnicode_Check(object) || PyBytes_Check(object) || PySequence_Check(object) == 0) return false;
+  const Py_ssize_t size = PySequence_Size(object);
+  const auto iterator = size == count ? py::reinterpret_steal<py::object>(PyObject_GetIter(object)) : py::object();
+  for (Py_ssize_t i = 0; iterator && i < count; ++i) {
+    const auto item = py::reinterpret_steal<py::object>(PyIter_Next(iterator.ptr()));
+    if (!item || !read_number(item.ptr(), numbers[i])) break;
+    if (i == count - 1) return true;
   }
+  clear_error();
+  return false;
+}
+
+/// Reads `count` numbers from a sequence of this length. To read one can run code of Python, which can change the list.
+bool read_numbers(PyObject* object, Py_ssize_t count, double* numbers) {
+  if (!PyList_Check(object) && !PyTuple_Check(object)) return read_other_numbers(object, count, numbers);
   if (PySequence_Fast_GET_SIZE(object) != count) return false;
-  PyObject** const items = PySequence_Fast_ITEMS(object);
   for (Py_ssize_t i = 0; i < count; ++i) {
-    if (!read_number(items[i], numbers[i])) return false;
+    if (i >= PySequence_Fast_GET_SIZE(object)) return false;
+    const auto item = py::reinterpret_borrow<py::object>(PySequence_Fast_GET_ITEM(object, i));
+    if (!read_number(item.ptr(), numbers[i])) return false;
   }
   return true;
 }
 
+/// Returns whether a masked array hides elements.
+bool is_masked(py::handle array) {
+  return py::module_::import("numpy").attr("ma").attr("is_masked")(array).cast<bool>();
+}
+
+/// Returns whether an array of objects contains text, which NumPy would read as numbers.
+bool has_text(const py::array& objects) {
+  for (const py::handle element : objects.attr("flat")) {
+    if (PyUnicode_Check(element.ptr()) || PyBytes_Check(element.ptr())) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+void refuse_masked(py::handle source) {
+  const auto refuse = [](py::handle array) {
+    const bool is_plain = Py_TYPE(array.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+    if (!is_plain && py::isinstance<py::array>(array) && is_masked(array))
+      throw py::value_error("a masked array must not hide elements");
+  };
+  refuse(source);
+  if (!PyList_Check(source.ptr()) && !PyTuple_Check(source.ptr())) return;
+  for (const py::handle element : py::reinterpret_borrow<py::sequence>(source)) {
+    if (!PyTuple_CheckExact(element.ptr()) && !PyList_CheckExact(element.ptr())) refuse(element);
+  }
+}
 
 bool read_point(py::handle object, Point& point) {
   double numbers[2];
@@ -49,7 +90,9 @@ bool read_point(py::handle object, Point& point) {
   }
   if (!py::hasattr(object, "__geo_interface__")) return false;
   const py::object geometry = object.attr("__geo_interface__");
-  if (!py::isinstance<py::dict>(geometry) || !geometry.contains("coordinates")) return false;
+  if (!py::isinstance<py::dict>(geometry) || !geometry.contains("coordinates") || !geometry.contains("type")) {
+    return false;
+  }
   return py::object(geometry["type"]).equal(py::str("Point")) &&
          read_numbers(py::object(geometry["coordinates"]).ptr(), 2, numbers) &&
          (point = {numbers[0], numbers[1]}, true);
@@ -62,6 +105,10 @@ bool read_box(py::handle object, Box& box) {
     return true;
   }
   if (PySequence_Check(object.ptr()) == 0 || PyUnicode_Check(object.ptr())) return false;
+  if (PySequence_Size(object.ptr()) != 2) {
+    clear_error();
+    return false;
+  }
   const py::list ends(py::reinterpret_borrow<py::object>(object));
   return ends.size() == 2 && read_point(ends[0], box.min) && read_point(ends[1], box.max);
 }
@@ -88,6 +135,11 @@ Shape read_shape(py::handle object) {
   return py::module_::import("waywright._geo").attr("shape_of")(object).cast<Shape>();
 }
 
+py::object refuse_pickle(const py::object& self, int /*protocol*/) {
+  const auto name = py::type::handle_of(self).attr("__name__").cast<std::string>();
+  throw py::type_error("an object of the class " + name + " cannot be pickled");
+}
+
 py::handle new_pair(double x, double y) {
   PyObject* const pair = PyTuple_New(2);
   PyObject* const first = PyFloat_FromDouble(x);
@@ -100,12 +152,12 @@ py::handle new_pair(double x, double y) {
 
 DoubleArray doubles_of(py::handle source, const char* what) {
   constexpr std::string_view kNumbers = "biufO";  // NumPy would also read text, dates and complex numbers as doubles
-  if (py::isinstance<py::array>(source)) {
-    const char kind = py::reinterpret_borrow<py::array>(source).dtype().kind();
-    if (kNumbers.find(kind) == std::string_view::npos) throw py::type_error(what);
-  }
+  refuse_masked(source);
   try {
-    return DoubleArray(py::reinterpret_borrow<py::object>(source));
+    const auto array = py::array(py::reinterpret_borrow<py::object>(source));
+    const char kind = array.dtype().kind();
+    if (kNumbers.find(kind) == std::string_view::npos || (kind == 'O' && has_text(array))) throw py::type_error(what);
+    return DoubleArray(array);
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError)) throw;
     py::raise_from(error, PyExc_TypeError, what);

@@ -23,6 +23,46 @@ namespace waywright::python {
 
 namespace py = pybind11;
 
+/// Whether T is a class of the library that the module shows as a class of Python. The classes of the module itself
+/// have a member type BoundToPython instead.
+template <class T>
+inline constexpr bool kIsBoundToPython = false;
+template <>
+inline constexpr bool kIsBoundToPython<Change> = true;
+template <>
+inline constexpr bool kIsBoundToPython<DiscFit> = true;
+template <>
+inline constexpr bool kIsBoundToPython<Location> = true;
+template <>
+inline constexpr bool kIsBoundToPython<MeshSnapshot> = true;
+template <>
+inline constexpr bool kIsBoundToPython<NearestFit> = true;
+template <>
+inline constexpr bool kIsBoundToPython<Path> = true;
+template <>
+inline constexpr bool kIsBoundToPython<PathChanges> = true;
+template <>
+inline constexpr bool kIsBoundToPython<PathPosition> = true;
+template <>
+inline constexpr bool kIsBoundToPython<RayHit> = true;
+template <>
+inline constexpr bool kIsBoundToPython<ReplayResult> = true;
+template <>
+inline constexpr bool kIsBoundToPython<Scene> = true;
+template <>
+inline constexpr bool kIsBoundToPython<Script> = true;
+template <>
+inline constexpr bool kIsBoundToPython<ScriptLine> = true;
+template <>
+inline constexpr bool kIsBoundToPython<Shape> = true;
+template <>
+inline constexpr bool kIsBoundToPython<WidestPath> = true;
+
+template <class T>
+concept BoundToPython = kIsBoundToPython<T> || requires {
+  typename T::BoundToPython;
+};
+
 /// Reads a point from a pair of numbers, or from an object with `__geo_interface__`. Returns whether there is one.
 [[nodiscard]] bool read_point(py::handle object, Point& point);
 /// Reads a box from four numbers (the smallest x and y, the largest x and y), or from two points.
@@ -32,6 +72,9 @@ namespace py = pybind11;
 /// Reads the geometry of an item from a Shape, from an object with `__geo_interface__`, or from a GeoJSON object.
 /// Exceptions: throws the exception of Python that says what is wrong.
 [[nodiscard]] Shape read_shape(py::handle object);
+/// The member __reduce_ex__ of classes without pickle. (By itself, Python would write objects without contents with its
+/// old protocols.) Exceptions: always throws a TypeError.
+[[noreturn]] py::object refuse_pickle(const py::object& self, int protocol);
 /// Returns a new tuple of two numbers.
 [[nodiscard]] py::handle new_pair(double x, double y);
 
@@ -47,9 +90,12 @@ struct ShapeArg {
 using DoubleArray =
     py::array_t<double, py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 
+/// Exceptions: py::value_error, if `source` is a masked array that hides elements, or a list that contains one.
+void refuse_masked(py::handle source);
 /// Returns an array of doubles: `source` itself if it contains doubles in C order, otherwise a copy. `what` names the
 /// argument in an error: "points must be numbers: an array of shape (N, 2)".
-/// Exceptions: throws a TypeError, whose cause is the exception of NumPy, if the elements are no real numbers.
+/// Exceptions: throws a TypeError, whose cause is the exception of NumPy, if the elements are no real numbers. Throws a
+/// ValueError if a masked array hides elements.
 [[nodiscard]] DoubleArray doubles_of(py::handle source, const char* what);
 /// Returns the name of a file from text, bytes or an object with `__fspath__`.
 /// Exceptions: py::value_error, if there is a zero byte in the name. The exception of os.fsencode.
@@ -183,6 +229,19 @@ template <class Enum, std::size_t N>
 
 namespace pybind11::detail {
 
+/// Refuses an object whose __init__ nobody has called, for example the result of World.__new__(World). pybind11 would
+/// give the functions of the module memory without an object in it.
+template <class T>
+class type_caster<T, enable_if_t<waywright::python::BoundToPython<T>>> : public type_caster_base<T> {
+ public:
+  bool load(handle source, bool convert) { return this->template load_impl<type_caster>(source, convert); }
+  /// pybind11 calls this.
+  void load_value(value_and_holder&& object) {
+    if (!object.holder_constructed()) throw type_error("an object is used whose __init__ has not been called");
+    this->value = object.value_ptr();
+  }
+};
+
 #define WAYWRIGHT_PYTHON_NAMES(Enum, all)                                                       \
   template <>                                                                                   \
   struct type_caster<Enum> {                                                                    \
@@ -239,7 +298,7 @@ struct type_caster<waywright::python::PointsArg> {
   bool load(handle source, bool) {
     value.array = waywright::python::doubles_of(source, "points must be numbers: an array of shape (N, 2)");
     if (value.array.ndim() == 2 && value.array.shape(1) == 2) return true;
-    if (value.array.size() == 0) return true;
+    if (value.array.ndim() == 1 && value.array.size() == 0) return true;  // an empty list
     throw value_error("points must be an array of shape (N, 2), not " +
                       std::string(str(static_cast<object>(value.array.attr("shape")))));
   }
@@ -250,6 +309,7 @@ struct type_caster<waywright::python::RadiiArg> {
   PYBIND11_TYPE_CASTER(waywright::python::RadiiArg, const_name("radius"));
   bool load(handle source, bool) {
     value.array = waywright::python::doubles_of(source, "radius must be a number, or an array of numbers");
+    if (value.array.ndim() > 1) throw value_error("radius must be one number, or one for each query");
     return true;
   }
 };
@@ -271,7 +331,7 @@ template <>
 struct type_caster<waywright::python::ShapeArg> {
   PYBIND11_TYPE_CASTER(waywright::python::ShapeArg, const_name("shape"));
   bool load(handle source, bool) {
-    type_caster_base<waywright::Shape> shape;
+    make_caster<waywright::Shape> shape;
     if (shape.load(source, false)) {
       value.shape = static_cast<waywright::Shape*>(shape);
     } else {

@@ -10,9 +10,14 @@ namespace waywright::python {
 namespace {
 
 void raise_in_python(const Error& error) {
+  const std::string text = error.message();
+  // The message can contain the name of a file, whose bytes need not be UTF-8.
+  const auto message = py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
+  if (!message) throw py::error_already_set();
   const py::object exception =
       py::module_::import("waywright._errors")
-          .attr("exception_of")(std::string(to_string(error.code)), error.message(), error.index, error.item);
+          .attr("exception_of")(std::string(to_string(error.code)), message, error.index, error.item);
   PyErr_SetObject(py::type::handle_of(exception).ptr(), exception.ptr());
 }
 

@@ -25,12 +25,13 @@ class Run {
   /// Answers chunks until there is none left. `report` is called after each chunk.
   template <class Report>
   void work(const Report& report) {
-    const ContextPool::Loan context(contexts_);
+    std::optional<ContextPool::Loan> context;
     while (!must_stop_) {
       const std::size_t index = next_++;
       if (index >= batch_.chunk_count()) return;
       try {
-        answer_(*context, batch_.chunk(index));
+        if (!context) context.emplace(contexts_);
+        answer_(**context, batch_.chunk(index));
         ++done_;
         report(done_.load());
       } catch (...) {

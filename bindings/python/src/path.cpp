@@ -100,7 +100,9 @@ bool is_usable(const PathPiece& piece) {
 bool is_usable(const Path& path) {
   return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.radius) && path.radius >= 0.0 &&
          std::all_of(path.points.begin(), path.points.end(), [](const Point& point) { return is_in_range(point); }) &&
-         std::all_of(path.pieces.begin(), path.pieces.end(), [](const PathPiece& piece) { return is_usable(piece); });
+         std::all_of(path.pieces.begin(), path.pieces.end(), [&](const PathPiece& piece) {
+           return is_usable(piece) && piece.radius <= path.radius;  // polyline() counts with the radius of the path
+         });
 }
 
 std::unique_ptr<Path> path_from(const py::tuple& state) {

@@ -13,12 +13,15 @@ namespace {
 
 /// A log that is written to a file.
 struct LogHandle {
-  LogHandle(const std::string& name, const WorldHandle& world, std::uint64_t ticks_per_hash)
-      : out(name, std::ios::binary) {
+  using BoundToPython = void;
+
+  LogHandle(const std::string& file_name, const WorldHandle& world, std::uint64_t ticks_per_hash)
+      : name(file_name), out(name, std::ios::binary) {
     if (!out) throw BadResult({ErrorCode::unwritable, name + ": cannot be opened for writing", {}, 0});
     writer.emplace(world.read([&](const World& w) { return ReplayWriter(out, w, ticks_per_hash); }));
   }
 
+  std::string name;
   std::ofstream out;
   std::optional<ReplayWriter> writer;
 };
@@ -30,7 +33,9 @@ ReplayWriter& writer_of(LogHandle& self) {
 
 void close(LogHandle& self) {
   self.writer.reset();
-  if (self.out.is_open()) self.out.close();
+  if (!self.out.is_open()) return;
+  self.out.close();
+  if (!self.out) throw BadResult({ErrorCode::unwritable, self.name + ": cannot be written", {}, 0});
 }
 
 void bind_writer(py::module_& module) {
@@ -62,6 +67,7 @@ A log is a world script: ``waywright run`` reads it, too. Use it in a ``with`` s
           "last_tick", [](LogHandle& self) { return writer_of(self).last_tick(); },
           "The number of the last tick, 0 before the first.")
       .def("close", &close, "Closes the file.")
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__", [](LogHandle& self, const py::args&) { close(self); });
 }
@@ -96,6 +102,7 @@ void bind_result(py::module_& module) {
           "changed", [](const ReplayResult& self) { return self.changed; },
           "The ids of the items that were changed after tick ``last_same``.")
       .def("__bool__", [](const ReplayResult& self) { return self.is_same; })
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__", [](const ReplayResult& self) {
         if (self.is_same) return "<waywright.ReplayResult same, " + std::to_string(self.ticks) + " ticks>";
         return "<waywright.ReplayResult differs at tick " + std::to_string(self.tick) + ", line " +

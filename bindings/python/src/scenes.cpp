@@ -22,6 +22,7 @@ void bind_scene(py::module_& module, WorldClass& world) {
           "items", [](const Scene& self) { return pairs_of(self.items); }, "Pairs (id, shape).")
       .def_property_readonly(
           "y_down", [](const Scene& self) { return self.y_down; }, "Whether the y axis of the file points down.")
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__",
            [](const Scene& self) { return "<waywright.Scene of " + std::to_string(self.items.size()) + " items>"; });
   world.def_static(
@@ -81,6 +82,7 @@ void bind_script_line(py::module_& module) {
           "tick", [](const ScriptLine& self) { return self.tick; }, "The number of a 'tick', 'mark' or 'rewind'.")
       .def_property_readonly(
           "items_hash", [](const ScriptLine& self) { return self.items_hash; }, "The hash of a 'tick', or None.")
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__", [](const ScriptLine& self) {
         return "<waywright.ScriptLine " + std::to_string(self.line) + ": " + std::string(to_string(self)) + ">";
       });
@@ -96,6 +98,7 @@ void bind_script(py::module_& module) {
       .def(
           "scene", [](const Script& self) { return scene_of(self); },
           "Returns the items that are left after all insertions, replacements and removals.")
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__",
            [](const Script& self) { return "<waywright.Script of " + std::to_string(self.lines.size()) + " lines>"; });
   module.def(

@@ -17,6 +17,8 @@ namespace {
 /// A search, and the world or the snapshot that it searches. The search has its own handle of the snapshot. So the
 /// immutable world exists as long as the search, even after Snapshot.release().
 struct SearchHandle {
+  using BoundToPython = void;
+
   WorldOrSnapshot searched;
   PathSearch search;
 };
@@ -87,6 +89,7 @@ True
           "Whether a search has begun and is neither done nor cancelled.")
       .def(
           "cancel", [](SearchHandle& self) { self.search.cancel(); }, "Cancels the search.")
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__", [](const SearchHandle& self) {
         return std::string("<waywright.PathSearch ") + (self.search.is_running() ? "running>" : "not running>");
       });

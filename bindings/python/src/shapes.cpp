@@ -189,6 +189,15 @@ void bind_shapes(py::module_& module) {
   bind_shape(module);
   bind_change(module);
   module.def(
+      "_points",
+      [](const py::object& coordinates) {
+        const DoubleArray points = doubles_of(coordinates, "an element is not a number");
+        if (points.size() == 0) return DoubleArray(std::vector<py::ssize_t>{0, 2});
+        if (points.ndim() != 2 || points.shape(1) < 2) throw py::value_error("it is not a list of pairs");
+        return DoubleArray(points[py::make_tuple(py::ellipsis(), py::make_tuple(0, 1))]);
+      },
+      py::arg("coordinates"));
+  module.def(
       "_shape",
       [](ItemKind kind, const PointsArg& points, const std::vector<std::size_t>& offsets, FillRule fill) {
         return Shape{kind, rings_from(points.span(), offsets), fill};

@@ -45,6 +45,12 @@ ValueError: this snapshot has been released; World.publish() makes a new one
       .def("__copy__", copy)
       .def(
           "__deepcopy__", [copy](const SnapshotHandle& self, const py::dict&) { return copy(self); }, py::arg("memo"))
+      .def(
+          "__reduce_ex__",
+          [](const SnapshotHandle&, int) -> py::object {
+            throw py::type_error("a snapshot cannot be pickled: pickle its clone(), which is a World");
+          },
+          py::arg("protocol"))
       .def("__bool__", &SnapshotHandle::is_held)
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__", [](SnapshotHandle& self, const py::args&) { self.release(); })

@@ -12,6 +12,8 @@ namespace waywright::python {
 /// WorldHandle with the same names, but no query waits. Requires of all members: the thread holds the GIL.
 class SnapshotHandle {
  public:
+  using BoundToPython = void;
+
   /// `contexts` is the pool of the world.
   SnapshotHandle(WorldSnapshot snapshot, std::shared_ptr<ContextPool> contexts)
       : snapshot_(std::move(snapshot)), contexts_(std::move(contexts)) {}

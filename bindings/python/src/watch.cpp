@@ -13,6 +13,8 @@ namespace {
 
 /// A watch, and its world. A watch for a snapshot has no world: it reads only snapshots.
 struct WatchHandle {
+  using BoundToPython = void;
+
   template <class Handle>
   WatchHandle(WorldPointer own, const Handle& handle)
       : world(std::move(own)), pool(handle.pool()), watch(handle.read([&](const World& w) {
@@ -75,6 +77,7 @@ void bind_path_changes(py::module_& module) {
           "The paths that may be longer than necessary, because an item was removed.")
       .def(
           "__eq__", [](const PathChanges& a, const PathChanges& b) { return a == b; }, py::is_operator())
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__", &repr_of);
 }
 
@@ -117,6 +120,7 @@ last update.
           py::arg("key"))
       .def("__len__", [](const WatchHandle& self) { return self.watch.size(); })
       .def("__bool__", [](const WatchHandle&) { return true; })
+      .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
       .def("__repr__", [](const WatchHandle& self) {
         return "<waywright.PathWatch of " + std::to_string(self.watch.size()) + " paths>";
       });

@@ -55,6 +55,8 @@ class ContextPool {
 /// works. If it changes this world, it gets a RuntimeError.
 class WorldHandle {
  public:
+  using BoundToPython = void;
+
   explicit WorldHandle(World world) : world_(std::move(world)) {}
 
   /// Calls a short function of the world with the GIL held. Returns its result.

@@ -36,9 +36,11 @@ using Offsets = py::array_t<std::int64_t, py::array::c_style | py::array::forcec
 
 /// Exceptions: py::type_error, if the offsets are no integers.
 Offsets offsets_of(const py::object& source) {
+  refuse_masked(source);
   const py::array array = py::array::ensure(source);
   const char kind = array ? array.dtype().kind() : 'O';
   if (kind != 'i' && kind != 'u' && (!array || array.size() > 0)) throw py::type_error("offsets must be integers");
+  if (array.ndim() != 1) throw py::value_error("offsets must be a list of integers");
   return Offsets(array);
 }
 
@@ -47,7 +49,8 @@ std::span<const std::int64_t> checked_offsets(const Offsets& offsets, std::size_
   const std::span<const std::int64_t> all(offsets.data(), static_cast<std::size_t>(offsets.size()));
   bool ascends = !all.empty() && all.front() >= 0 && all.back() <= static_cast<std::int64_t>(end);
   for (std::size_t i = 1; i < all.size(); ++i) ascends = ascends && all[i - 1] <= all[i];
-  if (!ascends) throw py::value_error("offsets must ascend from 0 to the length of the list that they divide");
+  if (!ascends)
+    throw py::value_error("offsets must ascend, from 0 or more up to the length of the list that they divide");
   return all;
 }
 

@@ -122,6 +122,16 @@ __all__ = [
     "to_script",
 ]
 
+
+def _reduce_ex(self, protocol):
+    """The protocols 0 and 1 of pickle would call the constructor of pybind11's base class, which ends the process."""
+    return object.__reduce_ex__(self, max(protocol, 2))
+
+
+for _object in vars(_core).values():
+    if isinstance(_object, type) and "__setstate__" in vars(_object):
+        _object.__reduce_ex__ = _reduce_ex
+
 # Pickle, repr() and help() show the public name of each object.
 for _name in __all__:
     _object = globals()[_name]

@@ -76,16 +76,20 @@ class PathBatch:
         return len(self.statuses)
 
     def __getitem__(self, index: int) -> NDArray[np.float64]:
+        index = self._checked(index)
+        return self.points[self.offsets[index] : self.offsets[index + 1]]
+
+    def _checked(self, index: int) -> int:
         if not -len(self) <= index < len(self):
             raise IndexError("there is no path with this index")
-        index %= len(self)
-        return self.points[self.offsets[index] : self.offsets[index + 1]]
+        return index % len(self)
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
         return (self[index] for index in range(len(self)))
 
     def pieces_of(self, index: int) -> NDArray[Any]:
         """Returns the lines and arcs of a path."""
+        index = self._checked(index)
         return self.pieces[self.piece_offsets[index] : self.piece_offsets[index + 1]]
 
     def __eq__(self, other: object) -> bool:

@@ -14,40 +14,53 @@ if TYPE_CHECKING:
     from waywright._batch import AnyWorld
 
 Geometry = Mapping[str, Any]
+DEEPEST = 100  # collections in collections, so that a collection that contains itself ends
 COLLECTIONS = ("FeatureCollection", "GeometryCollection", "MultiPoint", "MultiLineString")
+
+
+def _object_of(source: Any) -> Geometry:
+    """Returns the GeoJSON object that an object is or has."""
+    geometry = source if isinstance(source, Mapping) else getattr(source, "__geo_interface__", None)
+    if isinstance(geometry, Mapping):
+        return geometry
+    wanted = "a Shape, a GeoJSON geometry, or an object with __geo_interface__"
+    raise TypeError(f"a geometry must be {wanted}, not {type(source).__name__}")
 
 
 def geometry_of(source: Any) -> Geometry:
     """Returns the GeoJSON geometry of an object: of a feature its geometry."""
-    if not isinstance(source, Mapping):
-        geometry = getattr(source, "__geo_interface__", None)
-        if not isinstance(geometry, Mapping):
-            wanted = "a Shape, a GeoJSON geometry, or an object with __geo_interface__"
-            raise TypeError(f"a geometry must be {wanted}, not {type(source).__name__}")
-        source = geometry
-    if source.get("type") == "Feature":
-        if source.get("geometry") is None:
-            raise ValueError("this feature has no geometry")
-        return geometry_of(source["geometry"])
-    return source
+    geometry = _object_of(source)
+    if geometry.get("type") != "Feature":
+        return geometry
+    if geometry.get("geometry") is None:
+        raise ValueError("this feature has no geometry")
+    geometry = _object_of(geometry["geometry"])
+    if geometry.get("type") == "Feature":
+        raise ValueError("the geometry of a feature must not be a feature")
+    return geometry
 
 
 def _member(geometry: Geometry, name: str) -> Any:
-    if geometry.get(name) is None:
+    """Returns a member of a GeoJSON object, which must be a list."""
+    member = geometry.get(name)
+    if member is None:
         raise ValueError(f"a GeoJSON object of the type {geometry.get('type')} needs {name}")
-    return geometry[name]
+    if isinstance(member, (str, bytes, Mapping)) or not isinstance(member, Iterable):
+        raise ValueError(f"{name} of a GeoJSON object must be a list")
+    return member
 
 
 def _points(coordinates: Any) -> np.ndarray:
     try:
-        points = np.asarray(coordinates, dtype=np.float64)
+        return _core._points(coordinates)
     except (TypeError, ValueError) as error:
-        raise ValueError("the coordinates of a geometry must be pairs of numbers") from error
-    if points.size == 0:
-        return points.reshape(0, 2)
-    if points.ndim != 2 or points.shape[1] < 2:
-        raise ValueError("the coordinates of a geometry must be pairs of numbers")
-    return np.ascontiguousarray(points[:, :2])
+        raise ValueError(f"the coordinates of a geometry must be pairs of numbers: {error}") from error
+
+
+def _rings(polygon: Any) -> list[Any]:
+    if isinstance(polygon, (str, bytes, Mapping)) or not isinstance(polygon, Iterable):
+        raise ValueError("the coordinates of a polygon must be a list of rings")
+    return list(polygon)
 
 
 def _polygon(rings: Iterable[Any]) -> _core.Shape:
@@ -79,19 +92,22 @@ def shape_of(source: Any) -> _core.Shape:
         points = _points(coordinates)
         return _core._shape("segment" if len(points) == 2 else "polyline", points, [0, len(points)])
     if kind == "Polygon":
-        return _polygon(coordinates)
-    return _polygon(ring for rings in coordinates for ring in rings)
+        return _polygon(_rings(coordinates))
+    return _polygon(ring for rings in coordinates for ring in _rings(rings))
 
 
-def _geometries(geometry: Geometry) -> Iterator[Any]:
+def _geometries(source: Any, depth: int = 0) -> Iterator[Any]:
     """Yields the geometries of a collection, each of which is one item, and pairs (id, geometry)."""
+    if depth > DEEPEST:
+        raise ValueError(f"collections of geometries are nested more than {DEEPEST} deep")
+    geometry = _object_of(source)
     kind = geometry.get("type")
     if kind == "FeatureCollection":
         for feature in _member(geometry, "features"):
             yield from _items_of_feature(feature)
     elif kind == "GeometryCollection":
         for member in _member(geometry, "geometries"):
-            yield from _geometries(member)
+            yield from _geometries(member, depth + 1)
     elif kind in ("MultiPoint", "MultiLineString"):
         for coordinates in _member(geometry, "coordinates"):
             yield {"type": kind[len("Multi") :], "coordinates": coordinates}
@@ -105,7 +121,7 @@ def _items_of_feature(feature: Any) -> Iterator[Any]:
         return
     shapes = list(_geometries(geometry_of(feature)))
     number = feature.get("id")
-    if isinstance(number, int) and len(shapes) == 1:
+    if isinstance(number, int) and not isinstance(number, bool) and len(shapes) == 1:
         yield number, shapes[0]
     else:
         yield from shapes
@@ -116,7 +132,7 @@ def _elements(source: Any) -> Iterable[Any]:
     if isinstance(source, _core.Shape):
         return [source]
     if isinstance(source, Mapping) or hasattr(source, "__geo_interface__"):
-        geometry = source if isinstance(source, Mapping) else source.__geo_interface__
+        geometry = _object_of(source)
         return _items_of_feature(geometry) if geometry.get("type") == "Feature" else _geometries(geometry)
     if not isinstance(source, Iterable):
         raise TypeError(f"items must be geometries, or a collection of GeoJSON or Shapely, not {type(source).__name__}")
@@ -147,11 +163,12 @@ def _coordinates(points: np.ndarray) -> list[tuple[float, float]]:
 def shape_to_geojson(shape: _core.Shape) -> dict[str, Any]:
     """The shape as a GeoJSON geometry. Shapely and other libraries read it."""
     if shape.kind == "point":
-        return {"type": "Point", "coordinates": _coordinates(shape.points)[0]}
+        points = _coordinates(shape.points)
+        return {"type": "Point", "coordinates": points[0] if points else ()}
     if shape.kind != "polygon":
         return {"type": "LineString", "coordinates": _coordinates(shape.points)}
     rings = [_coordinates(ring) for ring in shape.rings]
-    return {"type": "Polygon", "coordinates": [[*ring, ring[0]] for ring in rings]}
+    return {"type": "Polygon", "coordinates": [[*ring, *ring[:1]] for ring in rings]}
 
 
 def path_to_geojson(path: _core.Path) -> dict[str, Any]:

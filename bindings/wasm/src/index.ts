@@ -4,6 +4,7 @@ export { QueryContext, trim } from './handle.js';
 export { type Item, type ItemInfo, ItemList } from './items.js';
 export { Mesh } from './mesh.js';
 export {
+  type Bridge,
   type MovedEnd,
   Path,
   type PathAlgorithm,

@@ -135,6 +135,40 @@ export interface WidestPath {
   readonly toItems: readonly ItemId[];
 }
 
+/** The straight connection between two pieces of wall at the gap between them. */
+export interface Bridge {
+  readonly from: Point;
+  readonly to: Point;
+  /** The largest radius of a disc that passes. */
+  readonly radius: number;
+  /** Whether the bridge ends strictly inside a wall. */
+  readonly hasFoot: boolean;
+  /** The items at its two ends. 0 is the border. */
+  readonly fromItems: readonly ItemId[];
+  readonly toItems: readonly ItemId[];
+}
+
+type BridgesCall = (a: number, roomA: number, countA: number, b: number, roomB: number, countB: number) => number;
+
+export function readBridges(call: BridgesCall): Bridge[] {
+  const { ww_bridge: layout } = abi;
+  const [list, idList] = readTwoLists(layout.size_, call);
+  const ids = readIds(idList);
+  return Array.from({ length: list.count }, (_, i) => {
+    const struct = list.address + i * layout.size_;
+    const first = get.size(struct + layout.firstId);
+    const middle = first + get.size(struct + layout.fromCount);
+    return {
+      from: readPoint(struct + layout.from),
+      to: readPoint(struct + layout.to),
+      radius: get.float(struct + layout.radius),
+      hasFoot: get.flag(struct + layout.hasFoot),
+      fromItems: ids.slice(first, middle),
+      toItems: ids.slice(middle, middle + get.size(struct + layout.toCount)),
+    };
+  });
+}
+
 type WidestCall = (
   struct: number, a: number, roomA: number, countA: number, b: number, roomB: number, countB: number,
 ) => number;

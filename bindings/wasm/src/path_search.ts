@@ -1,4 +1,5 @@
-import { toSize } from './buffers.js';
+import { copyNumbers, readList, toSize } from './buffers.js';
+import { toFlag } from './errors.js';
 import { Address, addressOf, Handle, make } from './handle.js';
 import { packPathQuery, Path, type PathQuery } from './path.js';
 import { check, lib, slots, u32 } from './runtime.js';
@@ -43,6 +44,24 @@ export class PathSearch extends Handle {
 
   get isRunning(): boolean {
     return askFlag((flag) => lib.ww_search_is_running(this.address, flag));
+  }
+
+  /** Sets whether the searches that begin from now on record their windows. */
+  recordWindows(wanted: boolean): void {
+    const [address, flag] = [this.address, toFlag(wanted, 'wanted') ? 1 : 0];
+    this.changed();
+    check(lib.ww_search_record_windows(address, flag));
+  }
+
+  /**
+   * The windows that the search has followed since its last start, one for each triangle that it has entered: 12 numbers for
+   * each. These are x, y of five points: the root, the left and the right end of the edge, the left and the right end of
+   * the interval; then the length of the path to the root, and the bound.
+   */
+  windows(into?: Float64Array): Float64Array {
+    const { address } = this;
+    const list = readList(96, (...buffer) => lib.ww_search_windows(address, ...buffer));
+    return copyNumbers(list.address, 12 * list.count, into);
   }
 
   cancel(): void {

@@ -5,7 +5,10 @@ import { refuse, toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { Address, addressOf, contextAddress, make, ownAddressOf, type QueryContext } from './handle.js';
 import { Mesh } from './mesh.js';
-import { copyOptions, findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readWidest, type WidestPath } from './path.js';
+import {
+  type Bridge, copyOptions, findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readBridges, readWidest,
+  type WidestPath,
+} from './path.js';
 import { check, idAt, lib, slots, textAt, withProgress } from './runtime.js';
 import { copySvgOptions, packSvgOptions, type SvgOptions, SvgOverlay } from './svg.js';
 import {
@@ -268,6 +271,13 @@ export class World extends WorldHistory {
     const [a, b] = writeEnds(start, goal);
     const [world, asked] = [this.address, contextAddress(context)];
     return readWidest((struct, ...lists) => lib.ww_world_widest_path(world, a, b, asked, struct, ...lists));
+  }
+
+  /** Lists the bridges that meet a closed box, for example `world.domain`. */
+  bridges(box: Box, context?: QueryContext): Bridge[] {
+    const given = writeBox(slots.box, box);
+    const [world, asked] = [this.address, contextAddress(context)];
+    return readBridges((...lists) => lib.ww_world_bridges(world, given, asked, ...lists));
   }
 
   /** Finds a path, or finds out that there is none. The answer is `path`, or a new path. */

@@ -20,6 +20,8 @@ interface Waiting {
 
 type Answer<Name extends keyof EngineApi> = ReturnType<EngineApi[Name]>;
 
+let workerCount = 0;
+
 /** Makes workers. The single-file page replaces it. */
 export type WorkerFactory = () => Worker;
 
@@ -49,16 +51,30 @@ export class EngineClient {
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      this.crashed(event.message || 'the worker stopped');
+      if (this.worker === worker) this.crashed(event.message || 'the worker stopped');
     };
-    return this.ask('load', await this.module());
+    const lock = `waywright-engine-${Date.now()}-${Math.random()}-${++workerCount}`;
+    const version = await this.ask('load', await this.module(), lock);
+    this.watch(worker, lock);
+    return version;
+  }
+
+  /** Notices that the browser has ended the worker, for example because memory is short. No event says so. */
+  private watch(worker: Worker, lock: string): void {
+    navigator.locks?.request(lock, () => {
+      if (this.worker === worker) this.crashed('the browser has ended its worker');
+    }).catch(() => {
+      // Without the lock, the page does not notice.
+    });
   }
 
   ask<Name extends keyof EngineApi>(name: Name, ...args: Parameters<EngineApi[Name]>): Promise<Answer<Name>> {
     const seq = ++this.last;
+    const { worker } = this;
+    if (worker === null) return Promise.reject(new EngineError({ code: 'stopped', message: 'there is no engine', item: null }));
     return new Promise<unknown>((resolve, reject) => {
       this.waiting.set(seq, { resolve, reject });
-      this.worker!.postMessage({ seq, name, args });
+      worker.postMessage({ seq, name, args });
     }) as Promise<Answer<Name>>;
   }
 
@@ -76,6 +92,7 @@ export class EngineClient {
 
   private crashed(message: string): void {
     this.worker?.terminate();
+    this.worker = null;
     const lost = [...this.waiting.values()];
     this.waiting = new Map();
     for (const { reject } of lost) reject(new EngineError({ code: 'crashed', message, item: null }));

@@ -1,15 +1,15 @@
 // The world of the worker, and the answers to the page's questions.
 import {
-  init, ItemList, moduleMemory, Path, PathSearch, Shape as WorldShape, SvgOverlay, version, World, type Change,
+  init, ItemList, moduleMemory, Path, Shape as WorldShape, SvgOverlay, version, World, type Change,
 } from 'waywright';
 import type { Bounds, Shape } from '../model/shape';
 import { Crowd } from './crowd';
-import { lookInside } from './inside';
+import { listBridges, lookInside } from './inside';
 import type {
-  CrowdOptions, EditAnswer, EngineApi, EngineEvent, FilmFrame, Hashes, MeshAnswer, PackedItems, RouteAnswer, RouteQuery,
-  WireChange, WorldSummary,
+  BridgesAnswer, CrowdOptions, EditAnswer, EngineApi, EngineEvent, Film, Hashes, MeshAnswer, PackedItems, RouteAnswer,
+  RouteQuery, WireChange, WorldSummary,
 } from './protocol';
-import { drawTolerance, filmFrame, Router } from './routes';
+import { filmOf, Router } from './routes';
 
 /** The largest number of new vertices of one operation, so that no operation fills the memory of the machine. */
 const NEW_VERTEX_LIMIT = 4_000_000;
@@ -27,8 +27,6 @@ export class Engine implements EngineApi {
   private world_: World | null = null;
   private readonly emit: (event: EngineEvent, transfer?: Transferable[]) => void;
   private router_: Router | null = null;
-  private search: PathSearch | null = null;
-  private searchQuery: RouteQuery | null = null;
   private crowd: Crowd | null = null;
 
   constructor(emit: (event: EngineEvent, transfer?: Transferable[]) => void) {
@@ -69,7 +67,6 @@ export class Engine implements EngineApi {
       list.dispose();
     }
     this.crowdStop();
-    this.search?.cancel();
     this.world_?.dispose();
     this.world_ = world;
     return this.summary(begin);
@@ -145,17 +142,12 @@ export class Engine implements EngineApi {
     return this.world.toSvg(overlay, { theme: dark ? 'dark' : 'light', yDown, title: 'Waywright' });
   }
 
-  filmBegin(query: RouteQuery): void {
-    const { start, goal, radius, algorithms } = query;
-    this.search ??= new PathSearch();
-    this.searchQuery = query;
-    this.search.begin(this.world, { start, goal, radius, algorithm: algorithms[0]!, wantsChannel: true });
+  bridges(): BridgesAnswer {
+    return listBridges(this.world);
   }
 
-  filmStep(expansions: number): FilmFrame {
-    if (this.search === null || this.searchQuery === null) throw new Error('no search is running');
-    const isDone = this.search.step(expansions);
-    return filmFrame(this.search.path, isDone, drawTolerance(this.world));
+  film(query: RouteQuery): Film {
+    return filmOf(this.world, query);
   }
 
   /** Starts a crowd. Returns the radius of each unit. */

@@ -1,6 +1,6 @@
 // What the page shows of the inside of a world. It computes components and corridors from a copy of the mesh.
 import { Mesh, type World } from 'waywright';
-import { LEVEL, type MeshAnswer } from './protocol';
+import { type BridgesAnswer, LEVEL, type MeshAnswer } from './protocol';
 
 /** For each side of each triangle: the triangle on its other side, -1 for none, -2 if the edge is a wall. */
 interface Adjacency {
@@ -124,6 +124,11 @@ function findLevels(neighbours: Int32Array, components: Int32Array): Uint8Array 
     if (levels[face] === LEVEL.junction && degrees[face] === 2) levels[face] = LEVEL.corridor;
   }
   return levels;
+}
+
+export function listBridges(world: World): BridgesAnswer {
+  const numbers = world.bridges(world.domain).flatMap(({ from, to, radius }) => [from.x, from.y, to.x, to.y, radius]);
+  return { version: world.version, bridges: Float64Array.from(numbers) };
 }
 
 let copy: Mesh | null = null;

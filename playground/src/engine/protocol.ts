@@ -106,6 +106,7 @@ export interface MeshAnswer {
 /** The kind of a triangle in the abstraction: an element of `MeshAnswer.levels`. */
 export const LEVEL = { covered: 0, deadEnd: 1, corridor: 2, junction: 3 } as const;
 
+/** A search as it stands after a number of steps. */
 export interface FilmFrame {
   readonly isDone: boolean;
   readonly expansions: number;
@@ -115,6 +116,26 @@ export interface FilmFrame {
   readonly line: Float64Array;
   readonly channel: Float64Array;
 }
+
+/** The whole course of a search. */
+export interface Film {
+  /** Ascending by steps. The last one is done. */
+  readonly frames: readonly FilmFrame[];
+  /** The windows, WINDOW_NUMBERS numbers for each as `PathSearch.windows` gives them: one for each step, or none. */
+  readonly windows: Float64Array;
+}
+
+/** The numbers of a window: x, y of the root, of the edge's two ends and of the interval's two ends; length, bound. */
+export const WINDOW_NUMBERS = 12;
+
+/** The bridges of a world: BRIDGE_NUMBERS numbers for each. */
+export interface BridgesAnswer {
+  readonly version: number;
+  readonly bridges: Float64Array;
+}
+
+/** The numbers of a bridge: x, y of its two ends, and the largest radius that passes. */
+export const BRIDGE_NUMBERS = 5;
 
 export interface CrowdOptions {
   readonly count: number;
@@ -144,7 +165,8 @@ export type EngineEvent =
 
 /** The questions of the page. */
 export interface EngineApi {
-  load(module: ArrayBuffer | string): string;
+  /** `lock` is the name of a lock that the worker holds as long as it lives. */
+  load(module: ArrayBuffer | string, lock: string): string;
   open(domain: Bounds, items: PackedItems): WorldSummary;
   edit(changes: readonly WireChange[], query: RouteQuery | null): EditAnswer;
   routes(query: RouteQuery): RouteAnswer;
@@ -152,8 +174,8 @@ export interface EngineApi {
   validate(): { readonly isValid: boolean; readonly fault: string; readonly milliseconds: number };
   mesh(): MeshAnswer;
   svg(query: RouteQuery | null, dark: boolean, yDown: boolean): string;
-  filmBegin(query: RouteQuery): void;
-  filmStep(expansions: number): FilmFrame;
+  bridges(): BridgesAnswer;
+  film(query: RouteQuery): Film;
   crowdStart(options: CrowdOptions): Float32Array;
   crowdStop(): void;
   crash(): void;

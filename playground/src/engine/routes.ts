@@ -1,10 +1,12 @@
 // Path queries of the page.
-import { Path, type PathAlgorithm, type World } from 'waywright';
-import type { FilmFrame, Gap, Route, RouteAnswer, RouteQuery, XY } from './protocol';
+import { Path, type PathAlgorithm, PathSearch, type World } from 'waywright';
+import type { Film, FilmFrame, Gap, Route, RouteAnswer, RouteQuery, XY } from './protocol';
 
 /** How long the repetitions of one search may take, in milliseconds. */
 const MEASURE_MILLISECONDS = 8;
 const MOST_REPETITIONS = 5000;
+/** About how many frames a film has. */
+const FILM_FRAMES = 120;
 
 const numbers = (ids: readonly (number | bigint)[]): number[] => ids.map(Number);
 
@@ -67,11 +69,27 @@ export class Router {
   }
 }
 
-export function filmFrame(path: Path, isDone: boolean, tolerance: number): FilmFrame {
+function filmFrame(path: Path, isDone: boolean, tolerance: number): FilmFrame {
   const { status, length, lowerBound, expansions } = path.info;
   return {
     isDone, status, length, lowerBound, expansions,
     line: lineOf(path, tolerance),
     channel: path.isFound ? path.channel() : new Float64Array(0),
   };
+}
+
+/** Searches for the path in slices. Only `optimal` records windows, and only for a radius of 0. */
+export function filmOf(world: World, { start, goal, radius, algorithms }: RouteQuery): Film {
+  const query = { start, goal, radius, algorithm: algorithms[0]!, wantsChannel: true };
+  using path = world.findPath(query);
+  const slice = Math.max(1, Math.ceil(path.info.expansions / FILM_FRAMES));
+  using search = new PathSearch();
+  search.recordWindows(true);
+  search.begin(world, query);
+  const frames: FilmFrame[] = [];
+  for (let isDone = false; !isDone;) {
+    isDone = search.step(slice);
+    frames.push(filmFrame(search.path, isDone, drawTolerance(world)));
+  }
+  return { frames, windows: search.windows() };
 }

@@ -23,8 +23,32 @@ function toFailure(reason: unknown): Failure {
   return { code: code ?? 'internal-error', message: message ?? String(reason), item: null };
 }
 
+/** Holds a lock as long as the worker lives: the page gets it when the browser has ended the worker. */
+function hold(lock: string): Promise<void> {
+  return new Promise((resolve) => {
+    const held = (): Promise<never> => {
+      resolve();
+      return new Promise(() => {});
+    };
+    // Browsers have no locks on pages that are not secure.
+    if (navigator.locks === undefined) resolve();
+    else navigator.locks.request(lock, held).catch(() => resolve());
+  });
+}
+
+let beginToAnswer: (loading: Promise<unknown>) => void;
+/** All other questions wait until the module is loaded. */
+const loaded = new Promise<unknown>((resolve) => (beginToAnswer = resolve));
+
+async function load(module: ArrayBuffer | string, lock: string): Promise<string> {
+  await hold(lock);
+  return engine.loadModule(module);
+}
+
 async function answer({ name, args }: Request): Promise<unknown> {
-  if (name === 'load') return engine.loadModule(args[0] as ArrayBuffer | string);
+  if (name === 'load') beginToAnswer(load(args[0] as ArrayBuffer | string, args[1] as string));
+  const version = await loaded;
+  if (name === 'load') return version;
   return (engine[name] as (...given: readonly unknown[]) => unknown).apply(engine, args as unknown[]);
 }
 

@@ -33,7 +33,8 @@ function refuseOtherFiles(bytes: Uint8Array): void {
   }
 }
 
-function refuseSize(size: number): void {
+/** Throws an InputError for a file that is too small or too large to be read. */
+export function refuseSize(size: number): void {
   if (size === 0) throw new InputError('the file is empty', {}, `Choose a file of one of these formats: ${FORMATS}`);
   if (size <= LARGEST_FILE) return;
   const advice = 'Cut it into pieces, or use the native command, which has no such limit';

@@ -155,6 +155,7 @@ function readState(bytes: Uint8Array): ShareState {
   const start = reader.optional(() => reader.point()) ?? null;
   const goal = reader.optional(() => reader.point()) ?? null;
   const radius = reader.number();
+  if (!(radius >= 0 && radius < Infinity)) throw damaged('its radius is not a number from 0 on');
   const algorithm = reader.algorithm();
   const view = reader.optional(() => ({ x: reader.number(), y: reader.number(), scale: reader.number() })) ?? null;
   const count = codes.count(1);

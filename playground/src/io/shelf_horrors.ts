@@ -61,7 +61,8 @@ export function slivers(): ParsedWorld {
     segment([-tiny, -tiny], [tiny, tiny]),
   ];
   for (let k = 1; k < 9; ++k) items.push(segment([k * 1e14 + 0.25, -2], [k * 1e14 + 0.5, 2]));
-  return { items, domain: [-long, -long, 2 * long, long], start: [-0.5, 0.25], goal: [1.5e15, 0] };
+  // The needles' points, and the ends in the lane of 2^-100 to 1 between two needles.
+  return { items, domain: [-long, -long, 2 * long, long], start: [-1, -2], goal: [2.5, 0.5], view: [-2, -3, 4, 3] };
 }
 
 /** 225 points of which each has the next double as its neighbour, and walls between them. */
@@ -70,7 +71,8 @@ export function neighbouringDoubles(): ParsedWorld {
   const items: Item[] = Array.from({ length: 225 }, (_, k) => ({ kind: 'point', xy: at(k % 15, Math.floor(k / 15)) }));
   items.push(segment(at(0, 0), at(14, 13)), segment(at(0, 14), at(13, 0)), segment(at(0, 7), at(14, 8)));
   items.push(polygon([at(2, 2), at(12, 3), at(11, 12), at(3, 11)]));
-  return { items, domain: [0, 0, 2, 2], start: [0.5, 0.5], goal: [1.5, 1.5] };
+  const [start, goal] = [at(-3, -2), at(17, 16)];
+  return { items, domain: [0, 0, 2, 2], start, goal, view: [...at(-5, -5), ...at(19, 19)] };
 }
 
 /** The same polygon 60 times: from other first corners, and in the other direction. */

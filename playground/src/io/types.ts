@@ -59,6 +59,8 @@ export interface ParsedWorld {
   readonly start?: XY;
   readonly goal?: XY;
   readonly radius?: number;
+  /** The part of the domain that is worth seeing first. Without it, that is the whole domain. */
+  readonly view?: Domain;
   /** All operations of a script in their order. They make `items`, and more: the next id and the marks. */
   readonly operations?: readonly Operation[];
   readonly refused?: readonly RefusedLine[];

@@ -64,7 +64,9 @@ const READER: Reader = { id: toNumber, shape: ({ item }) => toShape(item) };
 /** The document of a file or an example. The marks and ticks of a script become steps of the log. */
 export function openParsed(world: ParsedWorld, title: string): Opened {
   const domain: Bounds = world.domain ?? domainAround(world.items);
-  const document = new Document(domain, [], title, { yDown: world.yDown ?? false, size: world.items.length });
+  const document = new Document(domain, [], title, {
+    yDown: world.yDown ?? false, size: world.items.length, view: world.view ?? domain,
+  });
   new Replay(document, READER).run(operationsOfParsed(world));
   return { document, ends: endsFor(domain, world), refused: world.refused ?? [] };
 }

@@ -21,14 +21,17 @@ export class Document {
   readonly domain: Bounds;
   readonly yDown: boolean;
   readonly title: string;
+  /** What the page shows first. */
+  readonly view: Bounds;
   readonly items = new Map<number, Shape>();
   private grid: Grid;
   private log_: Entry[] = [];
   private cursor_ = 0;
   nextId = 1;
 
-  constructor(domain: Bounds, items: readonly IdentifiedShape[], title: string, { yDown = false, size = items.length } = {}) {
+  constructor(domain: Bounds, items: readonly IdentifiedShape[], title: string, { yDown = false, size = items.length, view = domain } = {}) {
     this.domain = domain;
+    this.view = view;
     this.title = title;
     this.yDown = yDown;
     this.grid = new Grid(domain, Math.max(size, 1000));

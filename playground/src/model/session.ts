@@ -61,6 +61,14 @@ export class Session {
   private isPumping = false;
   private idleTimer = 0;
   private isDragging = false;
+  private ignoresDrags = false;
+  /** The start of another engine after a crash. Everything else waits for it. */
+  private recovery: Promise<boolean> | null = null;
+  /**
+   * Called before something else than a drag changes the world: the tool takes back what it has begun. Returns whether it had
+   * begun something.
+   */
+  interrupt: () => boolean = () => false;
   /** Called with what the engine refuses. */
   onRefusal: (error: EngineError) => void = () => {};
 
@@ -90,9 +98,12 @@ export class Session {
 
   /** Replaces the world. */
   async open(document: Document, ends: Ends): Promise<void> {
+    this.interrupt();
     await this.enqueue(async () => {
       const summary = await this.openInEngine(document);
+      this.forgetGestures();
       this.document = document;
+      this.hashes = null;
       this.ends = ends;
       this.summary = summary;
       this.routes = null;
@@ -103,28 +114,62 @@ export class Session {
     this.askRoutes();
   }
 
+  /** What people have begun in the old world does not change the new one. */
+  private forgetGestures(): void {
+    this.ignoresDrags = true;
+    this.interrupt();
+    this.ignoresDrags = false;
+    this.isDragging = false;
+    this.live?.done(false);
+    this.live = null;
+    this.seekTarget = null;
+    this.seekSteps = 0;
+  }
+
   private openInEngine(document: Document): Promise<WorldSummary> {
     const items = document.sortedItems();
     const ids = Float64Array.from(items, ([id]) => id);
     return this.engine.ask('open', document.domain, { ids, shapes: items.map(([, shape]) => shape) });
   }
 
-  /** Gives a new engine the world of the page. */
-  async restore(): Promise<void> {
+  /** Gives a new engine the world of the page. Returns whether that has succeeded. */
+  restore(): Promise<boolean> {
+    const recovery = this.startAgain().catch(() => false);
+    this.recovery = recovery;
+    void recovery.then(() => {
+      if (this.recovery === recovery) this.recovery = null;
+    });
+    return recovery;
+  }
+
+  private async startAgain(): Promise<boolean> {
     await this.engine.start();
     this.summary = await this.openInEngine(this.document);
+    this.hashes = null;
     this.notify('summary');
     this.askRoutes();
+    return true;
+  }
+
+  /** The changes from the present shapes, without those that change nothing. */
+  private fromPresent(changes: readonly Change[]): Change[] {
+    return changes
+      .map(({ id, after }) => ({ id, before: this.document.items.get(id) ?? null, after }))
+      .filter(({ before, after }) => before !== after);
   }
 
   /** Makes changes and records them. Returns whether the engine has accepted them. */
   async commit(label: string, changes: readonly Change[]): Promise<boolean> {
     if (changes.length === 0) return true;
+    this.interrupt();
+    const { document } = this;
     let isAccepted = false;
     await this.enqueue(async () => {
-      const answer = await this.engine.ask('edit', toWire(changes), this.query);
-      this.document.record({ label, changes });
-      this.accept(answer, changes);
+      if (this.document !== document) return;
+      const current = this.fromPresent(changes);
+      const answer = await this.engine.ask('edit', toWire(current), this.query);
+      if (current.length > 0) this.document.record({ label, changes: current });
+      this.accept(answer, current);
       this.notify('log');
       isAccepted = true;
     });
@@ -133,6 +178,7 @@ export class Session {
 
   /** Makes changes of a drag. Only the newest ones count; the others resolve to false. */
   drag(changes: readonly Change[]): Promise<boolean> {
+    if (this.ignoresDrags) return Promise.resolve(false);
     this.isDragging = true;
     return new Promise((done) => {
       this.live?.done(false);
@@ -143,9 +189,11 @@ export class Session {
 
   /** Records the changes of a drag, which the engine has already made: from the first shapes to the last accepted ones. */
   async endDrag(label: string, firsts: readonly Change[]): Promise<void> {
-    const last = this.live;
+    if (this.ignoresDrags) return;
+    const { live: last, document } = this;
     this.live = null;
     await this.enqueue(async () => {
+      if (this.document !== document) return last?.done(false);
       if (last !== null) await this.carryOut(last);
       this.isDragging = false;
       const changes = firsts
@@ -157,17 +205,21 @@ export class Session {
     this.askRoutes();
   }
 
-  /** Goes to a position in the log. */
+  /** Goes to a position in the log. A drag that is under way is taken back. */
   seek(target: number): void {
+    this.interrupt();
     this.seekTarget = target;
     this.seekSteps = 0;
     void this.pump();
   }
+  /** Takes back a drag that is under way, or else the last step. */
   undo(): void {
+    if (this.interrupt()) return;
     --this.seekSteps;
     void this.pump();
   }
   redo(): void {
+    if (this.interrupt()) return;
     ++this.seekSteps;
     void this.pump();
   }
@@ -230,6 +282,7 @@ export class Session {
 
   /** Does the next piece of work. Returns false if there is none. */
   private async step(): Promise<boolean> {
+    while (this.recovery !== null) await this.recovery;
     if (this.tasks.length > 0) await this.stepTask();
     else if (this.live !== null) await this.stepDrag();
     else if (this.seekTarget !== null || this.seekSteps !== 0) await this.stepSeek();
@@ -246,9 +299,7 @@ export class Session {
 
   private async carryOut({ changes, done }: Drag): Promise<void> {
     const isAccepted = await this.attempt(async () => {
-      const current = changes
-        .map(({ id, after }) => ({ id, before: this.document.items.get(id) ?? null, after }))
-        .filter(({ before, after }) => before !== after);
+      const current = this.fromPresent(changes);
       this.accept(await this.engine.ask('edit', toWire(current), this.query), current);
     });
     done(isAccepted);

@@ -92,7 +92,10 @@ export class PointTool implements Tool {
     const id = session.document.takeId();
     void session.commit('insert point', [{ id, before: null, after: makeShape('point', [at.x, at.y]) }]);
   }
-  abandon(): void {}
+  readonly clicks = true;
+  abandon(): boolean {
+    return false;
+  }
   cancel(): boolean {
     return false;
   }
@@ -108,6 +111,7 @@ abstract class CornersTool implements Tool {
   protected abstract readonly least: number;
   readonly cursor = 'crosshair';
   private readonly bench: Bench;
+  readonly clicks = true;
   private corners: XY[] = [];
   private next: XY | null = null;
 
@@ -134,7 +138,9 @@ abstract class CornersTool implements Tool {
   move(press: Press): void {
     this.hover(press);
   }
-  abandon(): void {}
+  abandon(): boolean {
+    return false;
+  }
   hover({ at }: Press): void {
     this.next = at;
     if (this.corners.length > 0) this.bench.view.refresh();

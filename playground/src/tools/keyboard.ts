@@ -26,7 +26,6 @@ export class Keyboard {
   private readonly tools: readonly Tool[];
   private readonly selection: Selection;
   private readonly commands: Commands;
-  private isHeld = false;
 
   constructor(bench: Bench, pointers: Pointers, tools: readonly Tool[], selection: Selection, commands: Commands) {
     this.bench = bench;
@@ -118,9 +117,7 @@ export class Keyboard {
     const from = this.position();
     view.cursor = { x: from.x + x, y: from.y + y };
     view.pointer = view.cursor;
-    const press = this.pointers.pressAt(view.cursor);
-    if (this.isHeld) this.pointers.tool.move(press);
-    else this.pointers.tool.hover?.(press);
+    this.pointers.moveByKey(view.cursor);
     view.refresh();
     return true;
   }
@@ -129,13 +126,9 @@ export class Keyboard {
   private press(): boolean {
     const { view } = this.bench;
     view.cursor ??= this.position();
-    const press = this.pointers.pressAt(view.cursor);
     const { tool } = this.pointers;
-    const isClick = tool.abandon !== undefined;
-    if (!this.isHeld) tool.down(press);
-    if (this.isHeld || isClick) tool.up(press);
-    this.isHeld = !this.isHeld && !isClick;
-    this.bench.say(this.isHeld ? `${tool.label}: held; move with the arrow keys, release with the space bar` : tool.label);
+    const isHeld = this.pointers.pressByKey(view.cursor);
+    this.bench.say(isHeld ? `${tool.label}: held; move with the arrow keys, release with the space bar` : tool.label);
     return true;
   }
 

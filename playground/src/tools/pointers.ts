@@ -5,7 +5,7 @@ import type { Bench, Press, Tool } from './tool';
 
 const END_REACH_PIXELS = 13;
 
-/** The grid on which presses snap: about 1/100 of the domain, a power of ten times 1, 2 or 5. */
+/** The grid on which presses snap: about 1/100 of a width, a power of ten times 1, 2 or 5. */
 export function gridStep(width: number): number {
   const rough = width / 100;
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -20,6 +20,8 @@ export class Pointers {
   private end: 'start' | 'goal' | null = null;
   private pans = false;
   private isPressed = false;
+  /** Whether the space bar holds the tool. */
+  private isHeldByKey = false;
 
   constructor(bench: Bench, tool: Tool) {
     this.bench = bench;
@@ -44,7 +46,7 @@ export class Pointers {
 
   pressAt(exact: XY, adds = false): Press {
     if (!this.snaps) return { at: exact, exact, adds };
-    const [x0, , x1] = this.bench.session.document.domain;
+    const [x0, , x1] = this.bench.session.document.view;
     const step = gridStep(x1 - x0);
     return { at: { x: Math.round(exact.x / step) * step, y: Math.round(exact.y / step) * step }, exact, adds };
   }
@@ -77,6 +79,7 @@ export class Pointers {
     const { view } = this.bench;
     view.canvas.setPointerCapture(event.pointerId);
     this.held.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
+    if (this.isHeldByKey) this.interrupt();
     if (this.held.size > 1) {
       this.giveUp();
       return;
@@ -91,14 +94,45 @@ export class Pointers {
     this.isPressed = true;
   }
 
-  /** Two fingers move and zoom: the tool gives up its gesture. */
-  private giveUp(): void {
-    if (this.isPressed && this.end === null) {
-      if (this.tool.abandon === undefined) this.tool.cancel();
-      else this.tool.abandon();
-    }
-    this.end = null;
+  /** Ends the press of the tool, which takes back what it has begun. Returns whether that was something. */
+  interrupt(): boolean {
+    const isPressed = this.isHeldByKey || (this.isPressed && this.end === null);
+    if (!isPressed) return false;
+    this.isHeldByKey = false;
     this.isPressed = false;
+    const { tool } = this;
+    return tool.abandon === undefined ? tool.cancel() : tool.abandon();
+  }
+
+  /** Ends the press of the tool, or the drag of an end where it is. Two fingers do that: they move and zoom. */
+  giveUp(): void {
+    this.interrupt();
+    if (this.end !== null) this.dropEnd();
+    this.isPressed = false;
+  }
+
+  private dropEnd(): void {
+    this.end = null;
+    this.bench.session.setDragging(false);
+    this.bench.session.askRoutes();
+  }
+
+  /** The space bar presses, and releases when it is hit again. Returns whether it holds the tool now. */
+  pressByKey(at: XY): boolean {
+    const { tool } = this;
+    if (this.isPressed) return false;
+    const press = this.pressAt(at);
+    if (!this.isHeldByKey) tool.down(press);
+    const releases = this.isHeldByKey || tool.clicks === true;
+    this.isHeldByKey = !releases;
+    if (releases) tool.up(press);
+    return this.isHeldByKey;
+  }
+
+  moveByKey(at: XY): void {
+    const press = this.pressAt(at);
+    if (this.isHeldByKey) this.tool.move(press);
+    else if (!this.isPressed) this.tool.hover?.(press);
   }
 
   private onMove(event: PointerEvent): void {
@@ -136,16 +170,14 @@ export class Pointers {
   private onUp(event: PointerEvent): void {
     this.held.delete(event.pointerId);
     if (this.held.size > 0) return;
-    if (this.end !== null) {
-      this.bench.session.setDragging(false);
-      this.bench.session.askRoutes();
-    } else if (this.isPressed) {
-      if (event.type === 'pointercancel') this.tool.cancel();
-      else this.tool.up(this.press(event));
+    const isClick = this.isPressed && this.end === null && event.type === 'pointerup';
+    if (isClick) {
+      this.isPressed = false;
+      this.tool.up(this.press(event));
+    } else {
+      this.giveUp();
     }
-    this.end = null;
     this.pans = false;
-    this.isPressed = false;
   }
 
   private onWheel(event: WheelEvent): void {

@@ -120,18 +120,24 @@ export class SelectTool implements Tool {
   }
 
   cancel(): boolean {
+    const { view } = this.bench;
+    if (this.moving !== null) return this.abandon();
+    const had = view.selection.size > 0;
+    view.selection.clear();
+    view.refresh();
+    return had;
+  }
+
+  /** Takes a move back. What is selected stays selected. */
+  abandon(): boolean {
     const { moving, bench } = this;
-    if (moving === null) {
-      const had = bench.view.selection.size > 0;
-      bench.view.selection.clear();
-      bench.view.refresh();
-      return had;
-    }
+    this.pan.cancel();
+    if (moving === null) return false;
     this.moving = null;
     const firsts = moving.shapes.map(([id, before]): Change => ({ id, before, after: before }));
     if (moving.hasMoved) void bench.session.drag(firsts);
     void bench.session.endDrag('move', firsts).then(() => bench.view.drop());
-    return true;
+    return moving.hasMoved;
   }
 }
 

@@ -28,8 +28,13 @@ export interface Tool {
   finish?(): void;
   /** Removes the last corner. Returns whether there was one. */
   stepBack?(): boolean;
-  /** A second finger has touched the screen: the press must have no effect. Without this function, the page calls `cancel`. */
-  abandon?(): void;
+  /** Whether a press and a release at one position are one click, as for corners. */
+  readonly clicks?: boolean;
+  /**
+   * Another input has started, such as a second finger: the press must have no effect. Without this function, the page
+   * calls `cancel`. Returns whether the press had changed something.
+   */
+  abandon?(): boolean;
   /** Cancels the shape or change that the tool has begun. Returns whether there was one. */
   cancel(): boolean;
 }

@@ -25,6 +25,8 @@ import { WorldPanel } from './world_panel';
 const PHONE = window.matchMedia('(max-width: 760px)');
 /** If more items than this have changed, it is faster to draw everything again. */
 const MOST_REPAINTS = 200;
+/** After so many stops of the engine, one after the other, the page does not start it again. */
+const MOST_RESTARTS = 5;
 
 function insets(): Insets {
   return PHONE.matches
@@ -63,16 +65,17 @@ export class App {
     };
     const tools = makeTools(this.bench);
     const pointers = new Pointers(this.bench, tools[0]!);
+    session.interrupt = () => pointers.interrupt();
     this.toolbar = new Toolbar(this.bench, pointers, tools);
     this.help = makeHelp(tools);
     this.files = new Files(session, view, messages, () => this.fit());
     this.crowd = new CrowdPanel(session, view);
-    this.connect(engine);
+    this.connect(engine, pointers);
     new Keyboard(this.bench, pointers, tools, new Selection(this.bench), {
       choose: (tool) => this.toolbar.choose(tool),
       toggleSnap: () => this.toolbar.toggleSnap(),
       changeBrush: (factor) => this.changeBrush(factor),
-      fit: () => this.fit(),
+      fit: () => this.fit(true),
       help: () => this.help.showModal(),
     });
     this.build(root);
@@ -138,7 +141,7 @@ export class App {
     return panel;
   }
 
-  private connect(engine: EngineClient): void {
+  private connect(engine: EngineClient, pointers: Pointers): void {
     const { session, view, messages } = this;
     engine.onEvent = (event) => {
       if (event.event === 'crowd') this.crowd.onStates(event.states, event.stats);
@@ -149,11 +152,16 @@ export class App {
     };
     session.listen((topic) => {
       if (topic === 'document') {
+        pointers.giveUp();
+        pointers.tool.cancel();
         view.selection.clear();
         view.mesh = null;
+        view.bridges = null;
         view.redrawAll();
       } else if (topic === 'items') {
         this.repaintChanges();
+      } else if (topic === 'hashes') {
+        this.restarts = 0;
       } else if (topic === 'routes' || topic === 'ends') {
         view.refresh();
       }
@@ -178,12 +186,13 @@ export class App {
   private async recover(message: string): Promise<void> {
     const { session, messages } = this;
     this.crowd.forget();
-    if (++this.restarts > 5) {
-      messages.toast(`The engine stops again and again (${message}). Save the world as .wws, and reload the page.`);
+    session.interrupt();
+    if (++this.restarts > MOST_RESTARTS) {
+      const advice = session.summary === null ? 'Reload the page.' : 'Save the world as .wws, and reload the page.';
+      messages.toast(`The engine stops again and again (${message}). ${advice}`);
       return;
     }
-    await session.restore();
-    messages.toast(`The engine stopped (${message}). The page has started it again with the last world: nothing is lost.`);
+    if (await session.restore()) messages.toast(`The engine stopped (${message}). The page has started it again with the last world: nothing is lost.`);
   }
 
   private changeBrush(factor: number): void {
@@ -192,8 +201,8 @@ export class App {
     this.view.refresh();
   }
 
-  fit(): void {
-    this.view.fit(insets());
+  fit(alternates = false): void {
+    this.view.fit(insets(), alternates);
   }
 
   private toggleTheme(): void {
@@ -209,7 +218,8 @@ export class App {
 
   /** Opens the world of the link, or the first example. */
   async begin(): Promise<void> {
-    await this.session.engine.start();
+    // If the start fails, the page tries again, and the world of the link waits for that.
+    await this.session.engine.start().catch(() => {});
     const isOpen = await this.files.openLink(location.hash);
     if (!isOpen) await this.files.openExample(examples[0]!);
   }

@@ -1,5 +1,5 @@
 // Opens files, examples and links, and saves.
-import { parseFile } from '../io/formats';
+import { parseFile, refuseSize } from '../io/formats';
 import { decodeShare } from '../io/share';
 import { examples, type Example } from '../io/shelf';
 import type { RefusedLine } from '../io/types';
@@ -38,6 +38,8 @@ export class Files {
   private readonly view: View;
   private readonly messages: Messages;
   private readonly fit: () => void;
+  /** How many worlds the page was asked to open. Only the last one counts. */
+  private requests = 0;
 
   constructor(session: Session, view: View, messages: Messages, fit: () => void) {
     this.session = session;
@@ -80,15 +82,29 @@ export class Files {
     window.addEventListener('drop', (event) => {
       event.preventDefault();
       this.dropArea.hidden = true;
-      const file = event.dataTransfer?.files[0];
-      if (file !== undefined) void this.openFile(file);
+      if (event.dataTransfer !== null) this.openDropped(event.dataTransfer);
     });
+  }
+
+  private openDropped({ files, items }: DataTransfer): void {
+    const [first, ...others] = files;
+    if (first === undefined) return;
+    if (items[0]?.webkitGetAsEntry()?.isDirectory === true) {
+      this.messages.toast(`${first.name} is a folder. Drop a file in it. The world on the page has not changed.`);
+      return;
+    }
+    void this.openFile(first);
+    if (others.length === 0) return;
+    const names = others.slice(0, 3).map(({ name }) => name).join(', ') + (others.length > 3 ? ', …' : '');
+    this.messages.toast(`The page opens one file at a time: ${first.name}. It has not opened ${names}.`);
   }
 
   /** Opens a world. If it cannot be read or built, the page keeps its world and says why. */
   private async open(name: string, read: () => Opened | Promise<Opened>, after: () => void = this.fit): Promise<boolean> {
+    const request = ++this.requests;
     try {
       const { document, ends, refused } = await read();
+      if (request !== this.requests) return false;
       await this.session.open(document, ends);
       if (this.session.document !== document) return false;
       after();
@@ -102,7 +118,10 @@ export class Files {
   }
 
   async openFile(file: File): Promise<boolean> {
-    return this.open(file.name, async () => openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name));
+    return this.open(file.name, async () => {
+      refuseSize(file.size);
+      return openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name);
+    });
   }
 
   openExample(example: Example): Promise<boolean> {
@@ -116,6 +135,10 @@ export class Files {
     if (text === '') return false;
     const example = examples.find(({ id }) => `example=${id}` === text);
     if (example !== undefined) return this.open(example.title, () => openParsed(example.load(), example.title));
+    if (text.startsWith('example=')) {
+      this.messages.toast(`The link: the page has no example with the name '${text.slice(8, 48)}'. Choose one under Examples.`);
+      return false;
+    }
     const state = await decodeShare(text).catch((reason: Error) => reason);
     if (state instanceof Error) {
       this.messages.toast(`The link: ${state.message}`);
@@ -123,7 +146,7 @@ export class Files {
     }
     const restoreView = (): void => {
       this.fit();
-      if (state.view !== null) Object.assign(this.view.camera, state.view);
+      if (state.view !== null) this.view.camera.show(state.view);
       this.session.algorithm = state.algorithm;
       this.view.refresh();
     };

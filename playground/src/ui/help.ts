@@ -7,7 +7,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ['Enter', 'end a chain or a polygon'], ['Esc', 'give up, or select nothing'], ['Delete', 'remove the selected items'],
   ['Alt + arrows', 'move the selected items'], ['Ctrl + D', 'copy the selected items'], ['Ctrl + A', 'select everything'],
   ['Ctrl + Z', 'undo'], ['Ctrl + Shift + Z', 'redo'], ['S', 'put the start here'], ['T', 'put the goal here'],
-  ['N', 'snap to a grid'], ['[ and ]', 'size of the brush'], ['+ and -', 'zoom'], ['0', 'show everything'], ['?', 'this list'],
+  ['N', 'snap to a grid'], ['[ and ]', 'size of the brush'], ['+ and -', 'zoom'], ['0', 'show what matters, then everything'], ['?', 'this list'],
 ];
 
 export function makeHelp(tools: readonly Tool[]): HTMLDialogElement {

@@ -1,13 +1,11 @@
-// What the page shows of the inside: the mesh, circumcircles, components, corridors, a search step by step.
-import type { FilmFrame } from '../engine/protocol';
+// What the page shows of the inside: the mesh, circumcircles, components, corridors, bridges, a search step by step.
+import { BRIDGE_NUMBERS } from '../engine/protocol';
 import type { Session } from '../model/session';
 import type { View } from '../view/view';
-import { check, count, h, milliseconds, short } from './dom';
+import { check, count, h, milliseconds } from './dom';
+import { FilmPlayer } from './film_player';
 
 const LARGEST_LIVE_MESH = 30_000;
-const FILM_STEP_MILLISECONDS = 60;
-/** The approximate number of steps in which the page shows a whole search. */
-const FILM_STEPS = 120;
 
 export class InsidePanel {
   readonly element = h('section', { className: 'sheet', 'aria-label': 'Inside', hidden: true });
@@ -15,23 +13,22 @@ export class InsidePanel {
   private readonly view: View;
   private readonly facts = h('p', { className: 'quiet' });
   private readonly legend = h('div', { className: 'legend' });
-  private readonly film = h('dl');
-  private readonly play = h('button', { className: 'plain' }, 'Play the search');
-  private readonly stepButton = h('button', { className: 'plain' }, 'One step');
+  private readonly bridgeFacts = h('div', { className: 'legend' });
+  private readonly film: FilmPlayer;
   private isAsking = false;
-  private timer = 0;
-  private hasFilm = false;
-  private isStepping = false;
+  private isAskingBridges = false;
 
   constructor(session: Session, view: View) {
     this.session = session;
     this.view = view;
+    this.film = new FilmPlayer(session, view);
     this.build();
     session.listen((topic) => {
       if (topic === 'items' || topic === 'document') this.meshChanged();
-      if (topic === 'busy' || topic === 'hashes') void this.refreshMesh();
+      if (topic === 'busy' || topic === 'hashes') this.refreshAll();
+      if (topic === 'ends' || topic === 'routes') this.renderBridges();
       if (topic === 'touched' && view.look.touched) view.flashTouched();
-      if (topic === 'ends' || topic === 'document') this.stopFilm();
+      if (topic === 'ends' || topic === 'items' || topic === 'document') this.film.stop();
     });
   }
 
@@ -40,7 +37,7 @@ export class InsidePanel {
     const change = (apply: (isOn: boolean) => void) => (isOn: boolean): void => {
       apply(isOn);
       view.redrawAll();
-      void this.refreshMesh();
+      this.refreshAll();
       this.renderLegend();
     };
     const faces = (['none', 'components', 'levels'] as const).map((mode) => {
@@ -49,8 +46,6 @@ export class InsidePanel {
       const label = { none: 'Plain', components: 'Components', levels: 'Corridors' }[mode];
       return h('label', { className: 'check' }, input, label);
     });
-    this.play.addEventListener('click', () => this.togglePlay());
-    this.stepButton.addEventListener('click', () => void this.filmStep());
     this.element.append(
       h('div', { className: 'stack' }, h('h2', {}, 'Mesh'),
         check('Triangles', false, change((isOn) => (view.look.mesh = isOn))),
@@ -58,8 +53,9 @@ export class InsidePanel {
         check('What a change has touched', false, change((isOn) => (view.look.touched = isOn)))),
       h('div', { className: 'stack' }, h('h2', {}, 'Faces'), h('div', { className: 'row start' }, ...faces), this.legend),
       this.facts,
-      h('div', { className: 'stack' }, h('h2', {}, 'A search, step by step'),
-        h('div', { className: 'row start' }, this.play, this.stepButton), this.film),
+      h('div', { className: 'stack' }, h('h2', {}, 'Gaps'),
+        check('Bridges', false, change((isOn) => (view.look.bridges = isOn))), this.bridgeFacts),
+      this.film.element,
     );
   }
 
@@ -71,7 +67,41 @@ export class InsidePanel {
   private meshChanged(): void {
     const { view, session } = this;
     if (!this.wantsMesh) view.mesh = null;
-    else if ((session.summary?.triangleCount ?? 0) <= LARGEST_LIVE_MESH) void this.refreshMesh();
+    if ((session.summary?.triangleCount ?? 0) <= LARGEST_LIVE_MESH) this.refreshAll();
+  }
+
+  private refreshAll(): void {
+    void this.refreshMesh();
+    void this.refreshBridges();
+  }
+
+  private async refreshBridges(): Promise<void> {
+    const { view, session } = this;
+    this.renderBridges();
+    if (!view.look.bridges || this.isAskingBridges || session.summary === null) return;
+    if (view.bridges?.version === session.summary.version) return;
+    this.isAskingBridges = true;
+    const bridges = await session.engine.ask('bridges').catch(() => null);
+    this.isAskingBridges = false;
+    if (bridges === null) return;
+    view.setBridges(bridges);
+    this.renderBridges();
+    if (session.summary.version !== bridges.version) void this.refreshBridges();
+  }
+
+  /** Says how many bridges the agent passes. */
+  private renderBridges(): void {
+    const { look, bridges } = this.view;
+    this.bridgeFacts.replaceChildren();
+    if (!look.bridges || bridges === null) return;
+    let narrow = 0;
+    for (let i = BRIDGE_NUMBERS - 1; i < bridges.bridges.length; i += BRIDGE_NUMBERS) {
+      if (bridges.bridges[i]! < this.session.ends.radius) ++narrow;
+    }
+    const total = bridges.bridges.length / BRIDGE_NUMBERS;
+    this.bridgeFacts.append(
+      this.entry('second', `${count(total - narrow)} that the agent passes`),
+      this.entry('failed', `${count(narrow)} that are too narrow`));
   }
 
   private async refreshMesh(): Promise<void> {
@@ -91,67 +121,20 @@ export class InsidePanel {
     if (session.summary.version !== mesh.version) void this.refreshMesh();
   }
 
+  private entry(colour: string, text: string): HTMLElement {
+    const mark = h('i');
+    mark.style.background = `var(--${colour})`;
+    return h('span', {}, mark, text);
+  }
+
   private renderLegend(): void {
-    const entry = (colour: string, text: string): HTMLElement => {
-      const mark = h('i');
-      mark.style.background = `var(--${colour})`;
-      return h('span', {}, mark, text);
-    };
     const { faces } = this.view.look;
     this.legend.replaceChildren();
     if (faces === 'levels') {
-      this.legend.append(entry('level-1', 'dead end'), entry('level-2', 'corridor'), entry('level-3', 'junction'));
+      this.legend.append(
+        this.entry('level-1', 'dead end'), this.entry('level-2', 'corridor'), this.entry('level-3', 'junction'));
     } else if (faces === 'components') {
       this.legend.append('Faces of one colour are connected for a point agent.');
     }
-  }
-
-  private togglePlay(): void {
-    if (this.timer !== 0) {
-      window.clearInterval(this.timer);
-      this.timer = 0;
-      this.play.textContent = 'Play the search';
-      return;
-    }
-    this.play.textContent = 'Pause';
-    this.timer = window.setInterval(() => void this.filmStep(), FILM_STEP_MILLISECONDS);
-    void this.filmStep();
-  }
-
-  private async filmStep(): Promise<void> {
-    if (this.isStepping) return;
-    this.isStepping = true;
-    const { session, view } = this;
-    const total = session.routes?.routes[0]?.expansions ?? 0;
-    await session.after(async () => {
-      if (!this.hasFilm) await session.engine.ask('filmBegin', session.query);
-      this.hasFilm = true;
-      const frame = await session.engine.ask('filmStep', Math.max(1, Math.round(total / FILM_STEPS)));
-      view.film = frame;
-      view.refresh();
-      this.renderFilm(frame, total);
-      if (!frame.isDone) return;
-      if (this.timer !== 0) this.togglePlay();
-      this.hasFilm = false;
-    });
-    this.isStepping = false;
-  }
-
-  private renderFilm(frame: FilmFrame, total: number): void {
-    const rows: [string, string][] = [
-      ['Triangles entered', total === 0 ? count(frame.expansions) : `${count(frame.expansions)} of ${count(total)}`],
-      [frame.isDone ? 'The path' : 'Best path until now', frame.status === 'found' ? short(frame.length) : 'none'],
-    ];
-    if (frame.lowerBound > 0) rows.push(['No path is shorter than', short(frame.lowerBound)]);
-    const part = total === 0 ? 1 : Math.min(1, frame.expansions / total);
-    const bar = h('progress', { max: 1, value: frame.isDone ? 1 : part, 'aria-label': 'Progress of the search' });
-    this.film.replaceChildren(...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]), bar);
-  }
-
-  private stopFilm(): void {
-    if (this.timer !== 0) this.togglePlay();
-    this.hasFilm = false;
-    this.view.film = null;
-    this.film.replaceChildren();
   }
 }

@@ -23,6 +23,7 @@ export class PathPanel {
   private readonly why = h('div');
   private readonly slider = h('input', { type: 'range', min: '0', max: String(SLIDER_STEPS), step: '1', id: 'radius' });
   private readonly radiusText = h('input', { type: 'text', inputMode: 'decimal', size: 7, 'aria-label': 'Radius as a number' });
+  private readonly radiusError = h('div', { className: 'why', id: 'radius-error', role: 'alert', hidden: true });
   private readonly rows = h('tbody');
   private measured: RouteAnswer | null = null;
   private timer = 0;
@@ -43,11 +44,8 @@ export class PathPanel {
   private build(): void {
     const { session, slider, radiusText } = this;
     slider.addEventListener('input', () => this.setRadius(this.fromSlider(Number(slider.value))));
-    radiusText.addEventListener('change', () => {
-      const radius = Number(radiusText.value);
-      if (radiusText.value.trim() !== '' && radius >= 0 && Number.isFinite(radius)) this.setRadius(radius);
-      else this.render();
-    });
+    radiusText.addEventListener('change', () => this.readRadius());
+    radiusText.setAttribute('aria-describedby', 'radius-error');
     Object.assign(radiusText.style, { width: '84px', textAlign: 'right', background: 'none', border: '1px solid var(--line)', borderRadius: '8px', padding: '4px 8px' });
     const wish = (name: 'compares' | 'widest' | 'channel') => (isOn: boolean): void => {
       session.wishes[name] = isOn;
@@ -58,7 +56,7 @@ export class PathPanel {
       this.why,
       h('div', { className: 'stack' },
         h('div', { className: 'row' }, h('label', { for: 'radius' }, 'Radius of the agent'), radiusText),
-        slider),
+        slider, this.radiusError),
       h('table', {}, h('thead', {}, h('tr', {}, h('th', {}, 'Algorithm'), h('th', {}, 'Length'), h('th', {}, 'Time'))), this.rows),
       h('div', { className: 'stack' },
         check('Draw all three', false, wish('compares')),
@@ -69,7 +67,7 @@ export class PathPanel {
   }
 
   private resetScale(): void {
-    const [x0, y0, x1, y1] = this.session.document.domain;
+    const [x0, y0, x1, y1] = this.session.document.view;
     this.largest = Math.min(x1 - x0, y1 - y0) / 8;
     this.measured = null;
   }
@@ -81,7 +79,22 @@ export class PathPanel {
     return Math.round(Math.sqrt(Math.min(1, radius / this.largest)) * SLIDER_STEPS);
   }
 
+  private readRadius(): void {
+    const text = this.radiusText.value.trim();
+    const radius = Number(text);
+    if (text !== '' && radius >= 0 && Number.isFinite(radius)) return this.setRadius(radius);
+    const what = text === '' ? 'The radius is missing' : `'${text.slice(0, 24)}' is no radius`;
+    this.radiusError.textContent = `${what}. Type a number from 0 on, such as 1.5. The radius is still ${short(this.session.ends.radius)}.`;
+    this.setRefused(true);
+  }
+
+  private setRefused(isRefused: boolean): void {
+    this.radiusError.hidden = !isRefused;
+    this.radiusText.setAttribute('aria-invalid', String(isRefused));
+  }
+
   setRadius(radius: number): void {
+    this.setRefused(false);
     this.session.ends.radius = radius;
     this.session.askRoutes();
   }

@@ -32,7 +32,10 @@ export class Toolbar {
 
   choose(tool: Tool): void {
     const { pointers, bench } = this;
-    if (pointers.tool !== tool) pointers.tool.cancel();
+    if (pointers.tool !== tool) {
+      pointers.giveUp();
+      pointers.tool.cancel();
+    }
     pointers.tool = tool;
     bench.view.preview = null;
     bench.view.canvas.style.cursor = tool.cursor;

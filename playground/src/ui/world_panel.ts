@@ -33,7 +33,7 @@ export class WorldPanel {
   }
 
   private get largest(): number {
-    const [x0, y0, x1, y1] = this.session.document.domain;
+    const [x0, y0, x1, y1] = this.session.document.view;
     return Math.min(x1 - x0, y1 - y0) / 6;
   }
 

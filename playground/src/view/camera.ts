@@ -9,6 +9,10 @@ export interface Insets {
   readonly bottom: number;
 }
 
+/** The camera shows no more and no less than what a world can contain: coordinates from 2^-100 to 2^100. */
+const LEAST_SCALE = 2 ** -110;
+const LARGEST_SCALE = 2 ** 110;
+
 export class Camera {
   /** The position in the middle of the screen. */
   x = 0;
@@ -44,10 +48,16 @@ export class Camera {
   /** Zooms such that the position under a pixel stays there. */
   zoom(factor: number, x: number, y: number): void {
     const at = this.toWorld(x, y);
-    this.scale *= factor;
+    this.scale = Math.min(LARGEST_SCALE, Math.max(LEAST_SCALE, this.scale * factor));
     const moved = this.toWorld(x, y);
     this.x += at.x - moved.x;
     this.y += at.y - moved.y;
+  }
+
+  /** Shows a position in the middle, unless no world has it. */
+  show({ x, y, scale }: { readonly x: number; readonly y: number; readonly scale: number }): void {
+    if (!Number.isFinite(x) || !Number.isFinite(y) || !(scale >= LEAST_SCALE && scale <= LARGEST_SCALE)) return;
+    Object.assign(this, { x, y, scale });
   }
 
   /** Shows a box in the middle of the screen without its insets. */

@@ -125,8 +125,9 @@ export class Layer {
     if (this.isEmpty) return;
     const { canvas, camera } = this.front;
     const factor = view.scale / camera.scale;
-    const corner = camera.toWorld(0, 0);
-    let [x, y] = [view.screenX(corner.x), view.screenY(corner.y)];
+    // At large zooms, the corner of the picture is no double. The distance of the two cameras is exact.
+    let x = (camera.x - view.x) * view.scale + (view.width - camera.width * factor) / 2;
+    let y = (camera.y - view.y) * view.scale * view.yStep + (view.height - camera.height * factor) / 2;
     if (factor === 1) {
       x = Math.round(x * this.ratio) / this.ratio;
       y = Math.round(y * this.ratio) / this.ratio;

@@ -1,5 +1,5 @@
 // Draws what changes with every frame: routes, gaps, ends, units, the selection.
-import type { FilmFrame, MeshAnswer, Route, XY } from '../engine/protocol';
+import { type FilmFrame, type MeshAnswer, type Route, WINDOW_NUMBERS, type XY } from '../engine/protocol';
 import type { Session } from '../model/session';
 import type { Bounds, Shape } from '../model/shape';
 import type { Camera } from './camera';
@@ -9,6 +9,8 @@ import type { Theme } from './theme';
 type Context = CanvasRenderingContext2D;
 
 const LEAST_END_PIXELS = 7;
+/** One path with more triangles takes more time than several paths. */
+const WINDOWS_PER_FILL = 300;
 
 export function endPixels(radius: number, camera: Camera): number {
   return Math.max(LEAST_END_PIXELS, radius * camera.scale);
@@ -206,10 +208,65 @@ export function drawFace(context: Context, camera: Camera, mesh: MeshAnswer, fac
   context.stroke();
 }
 
-export function drawFilm(context: Context, camera: Camera, film: FilmFrame, theme: Theme): void {
-  drawChannel(context, camera, film.channel, theme);
+/** What the page shows of a film: one moment of it. */
+export interface Scene {
+  readonly frame: FilmFrame;
+  readonly windows: Float64Array;
+  /** How many of the windows the search has followed. */
+  readonly count: number;
+}
+
+/** The triangle between the root of a window and its interval. */
+function traceWindow(context: Context, camera: Camera, windows: Float64Array, at: number): void {
+  context.moveTo(camera.screenX(windows[at]!), camera.screenY(windows[at + 1]!));
+  context.lineTo(camera.screenX(windows[at + 8]!), camera.screenY(windows[at + 9]!));
+  context.lineTo(camera.screenX(windows[at + 6]!), camera.screenY(windows[at + 7]!));
+  context.closePath();
+}
+
+function traceSegment(context: Context, camera: Camera, numbers: Float64Array, at: number): void {
+  context.moveTo(camera.screenX(numbers[at]!), camera.screenY(numbers[at + 1]!));
+  context.lineTo(camera.screenX(numbers[at + 2]!), camera.screenY(numbers[at + 3]!));
+}
+
+/** The ground that the windows of a search have seen, below everything else. */
+export function drawSeen(context: Context, camera: Camera, { windows, count }: Scene, theme: Theme): void {
+  const end = WINDOW_NUMBERS * count;
+  context.fillStyle = theme.seen;
+  for (let first = 0; first < end; first += WINDOW_NUMBERS * WINDOWS_PER_FILL) {
+    context.beginPath();
+    const last = Math.min(end, first + WINDOW_NUMBERS * WINDOWS_PER_FILL);
+    for (let at = first; at < last; at += WINDOW_NUMBERS) traceWindow(context, camera, windows, at);
+    context.fill();
+  }
+  context.beginPath();
+  for (let at = 0; at < end; at += WINDOW_NUMBERS) traceSegment(context, camera, windows, at + 6);
+  context.strokeStyle = theme['seen-edge'];
+  context.lineWidth = 1;
+  context.stroke();
+}
+
+/** The window that the search follows now: its triangle, its edge, its interval and its root. */
+function drawWindow(context: Context, camera: Camera, windows: Float64Array, at: number, theme: Theme): void {
+  context.beginPath();
+  traceWindow(context, camera, windows, at);
+  context.fillStyle = theme['accent-soft'];
+  context.fill();
+  for (const [first, width] of [[2, 1.5], [6, 4]] as const) {
+    context.beginPath();
+    traceSegment(context, camera, windows, at + first);
+    context.strokeStyle = theme.second;
+    context.lineWidth = width;
+    context.stroke();
+  }
+  drawDot(context, camera.toScreen({ x: windows[at]!, y: windows[at + 1]! }), 4, theme.second, theme.page);
+}
+
+export function drawFilm(context: Context, camera: Camera, { frame, windows, count }: Scene, theme: Theme): void {
+  if (count > 0 && !frame.isDone) drawWindow(context, camera, windows, WINDOW_NUMBERS * (count - 1), theme);
+  drawChannel(context, camera, frame.channel, theme);
   const style = styleOf('optimal', theme);
-  drawLine(context, camera, film.line, film.isDone ? style : { ...style, dash: [6, 6] });
+  drawLine(context, camera, frame.line, frame.isDone ? style : { ...style, dash: [6, 6] });
 }
 
 export interface Units {

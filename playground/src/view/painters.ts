@@ -1,5 +1,5 @@
 // Draws items and the mesh into layers.
-import { LEVEL, type MeshAnswer } from '../engine/protocol';
+import { BRIDGE_NUMBERS, type BridgesAnswer, LEVEL, type MeshAnswer } from '../engine/protocol';
 import type { Document } from '../model/document';
 import { type Bounds, ringRanges, type Shape } from '../model/shape';
 import type { Camera } from './camera';
@@ -128,6 +128,33 @@ export function* paintEdges(
     context.beginPath();
   }
   context.stroke();
+}
+
+/** Draws the bridges: in one colour those that an agent with this radius passes, in another those that stop it. */
+export function* paintBridges(
+  context: Context, camera: Camera, box: Bounds, { bridges }: BridgesAnswer, radius: number, theme: Theme,
+): Generator<void> {
+  for (const passes of [true, false]) {
+    let first = 0;
+    while (first < bridges.length) {
+      const end = Math.min(bridges.length, first + BRIDGE_NUMBERS * EDGES_PER_SLICE);
+      context.strokeStyle = passes ? theme.second : theme.failed;
+      context.lineWidth = passes ? 1 : 2;
+      context.setLineDash(passes ? [4, 3] : []);
+      context.beginPath();
+      for (; first < end; first += BRIDGE_NUMBERS) {
+        const [x0, y0, x1, y1, largest] = bridges.subarray(first, first + BRIDGE_NUMBERS) as unknown as number[];
+        if (largest! >= radius !== passes) continue;
+        if (Math.max(x0!, x1!) < box[0] || Math.min(x0!, x1!) > box[2]) continue;
+        if (Math.max(y0!, y1!) < box[1] || Math.min(y0!, y1!) > box[3]) continue;
+        context.moveTo(camera.screenX(x0!), camera.screenY(y0!));
+        context.lineTo(camera.screenX(x1!), camera.screenY(y1!));
+      }
+      context.stroke();
+      context.setLineDash([]);
+      yield;
+    }
+  }
 }
 
 /** Returns the hue of a component. Multiples of the golden angle give consecutive numbers very different hues. */

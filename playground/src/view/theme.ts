@@ -2,7 +2,7 @@
 
 const NAMES = [
   'page', 'ground', 'mesh', 'solid', 'solid-edge', 'wall', 'point', 'text', 'accent', 'accent-soft', 'second', 'third',
-  'start', 'failed', 'gap', 'level-1', 'level-2', 'level-3', 'unit', 'touched',
+  'start', 'failed', 'gap', 'level-1', 'level-2', 'level-3', 'seen', 'seen-edge', 'unit', 'touched',
 ] as const;
 export type Ink = (typeof NAMES)[number];
 export type Theme = Readonly<Record<Ink, string>>;

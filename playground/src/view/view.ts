@@ -1,11 +1,11 @@
 // The canvas: it draws a frame when something has changed.
-import type { FilmFrame, MeshAnswer, XY } from '../engine/protocol';
+import type { BridgesAnswer, MeshAnswer, XY } from '../engine/protocol';
 import type { Session } from '../model/session';
 import type { Bounds, Shape } from '../model/shape';
 import { Camera, type Insets } from './camera';
 import { Layer } from './layer';
 import * as overlay from './overlay';
-import { paintEdges, paintFaces, paintItems, paintShape } from './painters';
+import { paintBridges, paintEdges, paintFaces, paintItems, paintShape } from './painters';
 import { readTheme, type Theme } from './theme';
 
 /** How long one frame may draw layers, in milliseconds. */
@@ -17,6 +17,7 @@ export interface LookInside {
   circles: boolean;
   faces: 'none' | 'components' | 'levels';
   touched: boolean;
+  bridges: boolean;
 }
 
 /** What a tool draws: in pixels, above everything else. */
@@ -25,11 +26,12 @@ export type Preview = (context: CanvasRenderingContext2D, camera: Camera, theme:
 export class View {
   readonly canvas: HTMLCanvasElement;
   readonly camera = new Camera();
-  readonly look: LookInside = { mesh: false, circles: false, faces: 'none', touched: false };
+  readonly look: LookInside = { mesh: false, circles: false, faces: 'none', touched: false, bridges: false };
   readonly selection = new Set<number>();
   theme: Theme = readTheme();
   mesh: MeshAnswer | null = null;
-  film: FilmFrame | null = null;
+  bridges: BridgesAnswer | null = null;
+  film: overlay.Scene | null = null;
   units: overlay.Units | null = null;
   pointer: XY | null = null;
   preview: Preview | null = null;
@@ -44,6 +46,9 @@ export class View {
   private readonly items: Layer;
   private readonly edges: Layer;
   private readonly faces: Layer;
+  private readonly bridgeLines: Layer;
+  /** The radius of the agent for which `bridgeLines` is drawn. */
+  private bridgeRadius = 0;
   private isWaiting = false;
   private touchedAt = -Infinity;
   private ratio = 1;
@@ -58,6 +63,9 @@ export class View {
     this.edges = new Layer((context, camera, box) => paintEdges(context, camera, box, this.mesh!, this.theme));
     this.faces = new Layer((context, camera, box) =>
       paintFaces(context, camera, box, this.mesh!, this.look.faces === 'components' ? 'components' : 'levels', this.theme),
+    );
+    this.bridgeLines = new Layer((context, camera, box) =>
+      paintBridges(context, camera, box, this.bridges!, this.bridgeRadius, this.theme),
     );
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
@@ -85,15 +93,32 @@ export class View {
     this.refresh();
   }
 
-  fit(insets: Insets): void {
+  setBridges(bridges: BridgesAnswer | null): void {
+    this.bridges = bridges;
+    this.bridgeLines.invalidate();
+    this.refresh();
+  }
+
+  private showsBox(box: Bounds, insets: Insets): boolean {
+    const { x, y, scale } = this.camera;
+    const fitted = new Camera();
+    fitted.copyFrom(this.camera);
+    fitted.fit(box, insets);
+    return fitted.x === x && fitted.y === y && fitted.scale === scale;
+  }
+
+  /** Shows what is worth seeing first. If the screen shows that already and `alternates`, shows the whole domain. */
+  fit(insets: Insets, alternates: boolean): void {
     this.camera.yStep = this.session.document.yDown ? 1 : -1;
-    this.camera.fit(this.session.document.domain, insets);
+    const { view, domain } = this.session.document;
+    const box = alternates && this.showsBox(view, insets) ? domain : view;
+    this.camera.fit(box, insets);
     this.refresh();
   }
 
   /** Draws all layers again. */
   redrawAll(): void {
-    for (const layer of [this.items, this.edges, this.faces]) layer.invalidate();
+    for (const layer of [this.items, this.edges, this.faces, this.bridgeLines]) layer.invalidate();
     this.refresh();
   }
 
@@ -148,6 +173,7 @@ export class View {
     context.fillStyle = theme.page;
     context.fillRect(0, 0, camera.width, camera.height);
     this.drawGround();
+    if (this.film !== null) overlay.drawSeen(context, camera, this.film, theme);
     const isComplete = this.drawLayers(begin + LAYER_BUDGET);
     this.drawOverlay();
     this.frameTimes.push(performance.now() - begin);
@@ -171,12 +197,20 @@ export class View {
     const layers = [this.items];
     if (this.mesh !== null && this.look.faces !== 'none') layers.unshift(this.faces);
     if (this.mesh !== null && this.look.mesh) layers.push(this.edges);
+    if (this.bridges !== null && this.look.bridges) layers.push(this.updatedBridges());
     let isComplete = true;
     for (const layer of layers) {
       if (!layer.update(this.camera, this.ratio, deadline)) isComplete = false;
       layer.draw(this.context, this.camera);
     }
     return isComplete;
+  }
+
+  private updatedBridges(): Layer {
+    const { radius } = this.session.ends;
+    if (radius !== this.bridgeRadius) this.bridgeLines.invalidate();
+    this.bridgeRadius = radius;
+    return this.bridgeLines;
   }
 
   private drawOverlay(): void {

@@ -178,6 +178,8 @@ test('a forged link is accepted if it is a state, and refused if not', async () 
   await refuses(() => decodeShare(forge([...state(0), 0])), /more than its state/);
   await refuses(() => decodeShare(forge(state(0, 0))), /more than its state/);
   await refuses(() => decodeShare(forge([...codes(0), ...list(0, 0, 19, 0), ...list(2)])), /domain is empty/);
+  // 1 is the difference -1.
+  await refuses(() => decodeShare(forge([...codes(0), ...list(...DOMAIN), ...list(1)])), /its radius is not a number from 0/);
   await refuses(() => decodeShare(forge([...codes(0), 7, 0])), /unknown kind 7/);
   await refuses(() => decodeShare(forge([...codes(0), 1, 4, 3, ...DOMAIN])), /unknown divisor 3/);
 });

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "waywright/path.hpp"
+#include "waywright/point.hpp"
+
+namespace waywright {
+
+/// @addtogroup paths
+/// @{
+
+/// A window that a search has followed: an element of PathSearch::windows. A window is the piece of an edge of the mesh
+/// that is visible from its *root*, through the triangles that the search has crossed. The root is the start of the
+/// path, or a corner at which the path turns.
+///
+/// For each window, the search enters one triangle. It enters the triangle beyond the edge, except at a turn: there the
+/// root is a corner of the triangle, and the edge is the side of the triangle opposite the root.
+///
+/// The coordinates are rounded, and serve for pictures. The search itself decides exactly, and computes no end of an
+/// interval. If the search sees an edge at an angle that is too small for doubles, the interval reaches to the end of
+/// the edge.
+struct SearchWindow {
+  Point root;           ///< where the path turned last, or its start
+  Portal edge;          ///< the whole edge; left and right as seen from the root
+  Portal interval;      ///< the piece of the edge that is visible from the root
+  double length = 0.0;  ///< of the path from the start to the root
+  double bound = 0.0;   ///< up to rounding, no path through the window to the goal is shorter than this
+
+  friend bool operator==(const SearchWindow&, const SearchWindow&) = default;
+};
+
+/// @}
+
+}  // namespace waywright

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "constraint/exact_triangulation.hpp"
+
+namespace waywright::clearance {
+
+/// Calls visit(slot) for each side on the wall, with the slot of the side's item. The domain has the slot 0.
+template <class Visit>
+void for_each_item_on(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge wall, Visit&& visit) {
+  triangulation.for_each_side(wall, [&](const constraint::Side& side) { visit(side.item); });
+}
+
+/// Does the same for each side on a wall at the vertex.
+template <class Visit>
+void for_each_item_at(const constraint::ExactTriangulation& triangulation, mesh::Vertex v, Visit&& visit) {
+  triangulation.topology().for_each_outgoing(v, [&](mesh::HalfEdge h) {
+    if (triangulation.topology().is_fixed(h)) for_each_item_on(triangulation, h, visit);
+  });
+}
+
+}  // namespace waywright::clearance
