@@ -16,7 +16,10 @@ using namespace waywright;
 using namespace waywright::c;
 
 ww_status ww_path_watch_create(const ww_world* world, ww_path_watch** watch) {
-  return guarded([&] { return make_object(watch, object(world)); });
+  return guarded([&] {
+    require_no_question(object(world));
+    return make_object(watch, object(world));
+  });
 }
 
 void ww_path_watch_destroy(ww_path_watch* watch) { destroy_object(watch); }
@@ -54,6 +57,7 @@ ww_status ww_path_watch_update(ww_path_watch* watch, const ww_world* world) {
     Watch& updated = object(watch);
     const World& watched = object(world);
     require(&watched == updated.world, "a path watch belongs to another world");
+    require_no_question(watched);
     updated.watch.update(watched, updated.changes);
     return WW_OK;
   });

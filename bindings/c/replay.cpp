@@ -44,6 +44,7 @@ ww_status ww_replay_writer_create(const ww_output* output, const ww_world* world
     ww_replay_writer*& out = answer(writer);
     require(ticks_per_hash >= 1, "a replay log needs one tick or more for each hash");
     const World& logged = object(world);
+    require_no_question(logged);
     const RunningCall running(logged, RunningCall::Use::reads);
     auto log = std::make_unique<ReplayLog>(output, logged, ticks_per_hash);
     if (!log->stream.good()) return fail(WW_UNWRITABLE, "the replay log cannot be written: the output takes no bytes");
@@ -70,6 +71,7 @@ ww_status ww_replay_writer_tick(ww_replay_writer* writer, const ww_world* world)
   return guarded([&] {
     ReplayLog& log = object(writer);
     const World& logged = object(world);
+    require_no_question(logged);
     const RunningCall running(logged, RunningCall::Use::reads);
     return status_of(log.writer.tick(logged));
   });

@@ -40,7 +40,7 @@ void require_unused(const World& world) {
 
 void require_no_question(const World& world) {
   require(!RunningCall::uses(world, {RunningCall::Use::asks}),
-          "a question of ww_world_attempt about this world has not ended yet");
+          "this world is trying changes out: the question may only make queries");
 }
 
 }  // namespace waywright::c

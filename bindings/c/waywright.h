@@ -419,7 +419,8 @@ WW_API ww_status ww_world_mark(ww_world* world, uint64_t* tick);
 WW_API ww_status ww_world_rewind(ww_world* world, uint64_t tick);
 
 /* A question about a changed world. `changed` is the world of the call ww_world_attempt. The question may call all
-   functions that take a `const ww_world*`, except ww_world_clone and ww_search_begin. The other functions return
+   functions that take a `const ww_world*`, except ww_world_clone, ww_search_begin, ww_path_watch_create,
+   ww_path_watch_update, ww_replay_writer_create and ww_replay_writer_tick. These and the other functions return
    WW_INVALID_ARGUMENT for this world; it must not be destroyed. The same is true for ww_search_step with a search in
    this world. */
 typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);

@@ -16,8 +16,12 @@ from pathlib import Path
 # replaces. Snapshots for other threads: the module has one thread.
 OMITTED = re.compile(
     r"ww_set_allocator|ww_scene_read|\w*_file|ww_world_save|ww_world_load|ww_world_attempt|ww_replay_writer_create|ww_replay_run"
-    r"|ww_world_publish|ww_snapshot_\w+"
+    r"|ww_world_publish|ww_snapshot_\w+|ww_version|ww_text_read|ww_(item|location)_kind_name|ww_fill_rule_name"
+    r"|ww_path_(algorithm|status)_name|ww_path_algorithm_by_name|ww_world_find_paths"
 )
+# The constants that the wrapper uses, and the structs that it does not use. The rest would only make the package larger.
+CONSTANTS = re.compile(r"WW_(OK|BUFFER_TOO_SMALL|INVALID_ARGUMENT|CHANGE_\w+|PATH_FOUND|PIECE_LINE|FLOAT64)")
+UNUSED_STRUCTS = re.compile(r"ww_(point|box|allocator|job_system|portal|\w+_hash|triangle|constrained_edge|output|input)")
 SIZES = {"double": 8, "uint64_t": 8, "int64_t": 8, "uint32_t": 4, "int32_t": 4, "size_t": 4, "uint8_t": 1, "char": 1}
 
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
@@ -93,9 +97,11 @@ def parameters_of(header, parameters):
 
 def write_abi(header):
     lines = ["// Written by make_abi.py from the C headers. Do not edit.", ""]
-    lines += [f"export const {name} = {value};" for name, value in header.constants]
+    lines += [f"export const {name} = {value};" for name, value in header.constants if CONSTANTS.fullmatch(name)]
     lines += ["", "/** The sizes of the structs, and the offsets of their members. */"]
     for name, struct in header.structs.items():
+        if UNUSED_STRUCTS.fullmatch(name):
+            continue
         members = {"size_": struct["size"], **{camel(member): offset for member, offset in struct["members"].items()}}
         text = ", ".join(f"{member}: {offset}" for member, offset in members.items())
         lines.append(f"export const {name} = {{ {text} }} as const;")

@@ -128,6 +128,9 @@ typedef struct Question {
   ww_world* world;
   ww_world* other;
   ww_search* search; /* in the world */
+  ww_path_watch* watch;
+  ww_output output;
+  ww_replay_writer* writer;
   ww_context* context;
   ww_path* path;
   ww_path_query query;
@@ -149,6 +152,8 @@ static ww_status break_rules(const ww_world* changed, void* user_data) {
   ww_world* const world = question->world;
   ww_world* clone = NULL;
   ww_search* search = NULL;
+  ww_path_watch* watch = NULL;
+  ww_replay_writer* writer = NULL;
   ww_bool answer = 0;
   ww_change change;
   ww_shape shape;
@@ -175,6 +180,10 @@ static ww_status break_rules(const ww_world* changed, void* user_data) {
   CHECK_STATUS(ww_world_clone(changed, &clone), WW_INVALID_ARGUMENT);
   CHECK_STATUS(ww_search_begin(search, changed, &question->query), WW_INVALID_ARGUMENT);
   CHECK_STATUS(ww_search_step(question->search, 1, &answer), WW_INVALID_ARGUMENT);
+  CHECK_STATUS(ww_path_watch_create(changed, &watch), WW_INVALID_ARGUMENT);
+  CHECK_STATUS(ww_path_watch_update(question->watch, changed), WW_INVALID_ARGUMENT);
+  CHECK_STATUS(ww_replay_writer_create(&question->output, changed, 1, &writer), WW_INVALID_ARGUMENT);
+  CHECK_STATUS(ww_replay_writer_tick(question->writer, changed), WW_INVALID_ARGUMENT);
   /* It may do all this with another world. */
   CHECK_OK(ww_world_insert_point(question->other, point, 0, NULL));
   CHECK_OK(ww_search_begin(search, question->other, &question->query));
@@ -200,6 +209,13 @@ static ww_status ask_another(const ww_world* changed, void* user_data) {
   return WW_OK;
 }
 
+static ww_bool forget(const void* bytes, size_t size, void* user_data) {
+  (void)bytes;
+  (void)size;
+  (void)user_data;
+  return 1;
+}
+
 void test_trying_out(void) {
   static const ww_point fence[] = {{50, 60}, {50, 100}};
   ww_world* before = NULL;
@@ -217,6 +233,10 @@ void test_trying_out(void) {
   CHECK_OK(ww_context_create(&question.context));
   CHECK_OK(ww_path_create(&question.path));
   CHECK_OK(ww_search_create(&question.search));
+  CHECK_OK(ww_path_watch_create(question.world, &question.watch));
+  question.output.struct_size = sizeof question.output;
+  question.output.write = forget;
+  CHECK_OK(ww_replay_writer_create(&question.output, question.world, 1, &question.writer));
   CHECK_OK(ww_path_query_init(&question.query, sizeof question.query));
   question.query.start = at(10, 70);
   question.query.goal = at(90, 70);
@@ -255,6 +275,10 @@ void test_trying_out(void) {
   CHECK(version == later && have_equal_hashes(question.world, before));
   CHECK_OK(ww_search_step(question.search, 1000, &is_done));
   CHECK(is_done);
+  CHECK_OK(ww_path_watch_update(question.watch, question.world));
+  CHECK_OK(ww_replay_writer_tick(question.writer, question.world));
+  ww_path_watch_destroy(question.watch);
+  ww_replay_writer_destroy(question.writer);
   ww_search_destroy(question.search);
   ww_path_destroy(question.path);
   ww_context_destroy(question.context);

@@ -10,7 +10,7 @@ const types = readFileSync(new URL('../../bindings/wasm/dist/index.d.ts', import
 const rows = page.split('\n').filter((line) => line.startsWith('| ')).map((line) => line.split(' | '));
 const names = rows.flatMap((cells) => [...cells.at(-1).matchAll(/`(?:new )?(\w+(?:\.\w+)?)`/g)].map((match) => match[1]));
 // Each class has these; and what its type declares as internal.
-const COMMON = new Set(['constructor', 'dispose', 'isDisposed', 'address', 'changed']);
+const COMMON = new Set(['constructor', 'dispose', 'isDisposed', 'address', 'ownAddress', 'changed', 'using']);
 
 /** Returns the names of all public members that a class declares. */
 function membersOf(name) {
@@ -37,7 +37,7 @@ test('every name in the table exists', () => {
 
 test('the table names every operation of the classes', () => {
   const internal = new Set([
-    'Path.renew', 'Paths.renew', 'Scene.change', 'Scene.info', 'World.constructor',
+    'Path.renew', 'Path.answers', 'Paths.renew', 'Scene.change', 'Scene.info', 'World.constructor',
     ...membersOf('Walkers'), 'ItemList.constructor',
   ]);
   const classes = ['World', 'Path', 'Paths', 'PathSearch', 'PathWatch', 'Mesh', 'ItemList', 'Scene', 'Script', 'Scenario',

@@ -48,3 +48,28 @@ export class WaywrightError extends Error {
 export function refuse(message: string): never {
   throw new WaywrightError('invalid-argument', message);
 }
+
+/** @internal Returns how a message calls a value that it refuses. */
+export function shown(value: unknown): string {
+  if (typeof value === 'string') return value.length > 40 ? 'a long text' : `'${value}'`;
+  if (typeof value === 'function') return 'a function';
+  if (typeof value !== 'object' || value === null) return String(value);
+  if (Array.isArray(value)) return 'an array';
+  const name: unknown = value.constructor?.name;
+  return typeof name === 'string' && name !== 'Object' ? `an object of the class ${name}` : 'an object';
+}
+
+/** @internal Returns a number, or throws. */
+export function toNumber(value: number, what: string): number {
+  return typeof value === 'number' ? value : refuse(`${what} is ${shown(value)}, not a number`);
+}
+
+/** @internal Returns an object, or throws. */
+export function toObject<T extends object>(value: T, what: string): T {
+  return typeof value === 'object' && value !== null ? value : refuse(`${what} is ${shown(value)}, not an object`);
+}
+
+/** @internal Returns a truth value, or throws. */
+export function toFlag(value: boolean, what: string): boolean {
+  return typeof value === 'boolean' ? value : refuse(`${what} is ${shown(value)}, not true or false`);
+}

@@ -30,7 +30,7 @@ export {
   type ReplayResult,
   ReplayWriter,
 } from './replay.js';
-export { init, type InitOptions, initSync, moduleMemory } from './runtime.js';
+export { type CompiledModule, init, type InitOptions, initSync, type ModuleBytes, moduleMemory, unload } from './runtime.js';
 export {
   Scenario,
   type ScenarioQuery,

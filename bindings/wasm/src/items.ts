@@ -1,6 +1,7 @@
-import { arena, copyIntegers, copyNumbers, readList, toSize } from './buffers.js';
+import { copyIntegers, copyNumbers, readList, toSize } from './buffers.js';
 import { ww_item_info } from './generated/abi.js';
-import { Handle, make } from './handle.js';
+import { toObject } from './errors.js';
+import { Address, Handle, make } from './handle.js';
 import { check, idAt, lib } from './runtime.js';
 import { FILL_RULES, type FillRule, forEachShape, ITEM_KINDS, type ItemKind, packShape, type RaggedPoints, type Shape } from './shape.js';
 import { answer, askSize, fromEnum, get, type ItemId, toId } from './values.js';
@@ -24,15 +25,18 @@ export interface ItemInfo {
 export class ItemList extends Handle {
   constructor(items?: Iterable<Item>);
   /** @internal */
-  constructor(address: number, owner: Handle);
-  constructor(given?: Iterable<Item> | number, owner?: Handle) {
-    if (typeof given === 'number' && owner !== undefined) {
-      super(given, owner);
+  constructor(given: Address);
+  constructor(given?: Iterable<Item> | Address) {
+    if (given instanceof Address) {
+      super(given.value, given.owner!);
       return;
     }
     super(make((address) => lib.ww_items_create(address)), (address) => lib.ww_items_destroy(address));
     try {
-      for (const { id, shape } of (given as Iterable<Item> | undefined) ?? []) this.add(shape, id);
+      for (const item of toObject(given ?? [], 'a list of items')) {
+        const { id, shape } = toObject(item, 'an item');
+        this.add(shape, id);
+      }
     } catch (reason) {
       this.dispose();
       throw reason;
@@ -40,22 +44,20 @@ export class ItemList extends Handle {
   }
 
   clear(): void {
-    check(lib.ww_items_clear(this.address));
+    check(lib.ww_items_clear(this.ownAddress));
   }
 
   /** Appends a copy of a shape. If `id` is 0, a world that inserts the item chooses the id. */
   add(shape: Shape, id: ItemId = 0): void {
-    arena.reset();
-    check(lib.ww_items_add(this.address, toId(id), packShape(shape)));
+    const [wanted, given] = [toId(id), packShape(shape)];
+    check(lib.ww_items_add(this.ownAddress, wanted, given));
   }
 
   /** Appends many shapes of one kind. If `firstId` is not 0, the shapes get this id and the ids after it. */
   addMany(kind: ItemKind, shapes: RaggedPoints, firstId: ItemId = 0): void {
-    arena.reset();
-    const address = this.address;
     let id = toId(firstId);
     forEachShape(kind, shapes, (struct) => {
-      check(lib.ww_items_add(address, id, struct));
+      check(lib.ww_items_add(this.ownAddress, id, struct));
       if (id !== 0n) id += 1n;
     });
   }

@@ -1,9 +1,9 @@
-import { arena, copyIntegers, copyNumbers, packSizes, type Point, readList, readTwoLists, toSize } from './buffers.js';
-import { refuse, WaywrightError } from './errors.js';
+import { arena, copyIntegers, copyNumbers, copyPoint, packSizes, type Point, readList, readTwoLists, toSize } from './buffers.js';
+import { refuse, shown, toFlag, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
-import { contextAddress, Handle, make, type QueryContext } from './handle.js';
+import { Address, addressOf, contextAddress, Handle, make, ownAddressOf, type QueryContext } from './handle.js';
 import { allocate, check, f64, lib, release, slots, u32, u8 } from './runtime.js';
-import { answer, askSize, fromEnum, get, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
+import { answer, askSize, fromEnum, get, isInRange, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
 
 /** `optimal` finds the shortest path. `ta` and `tra` take less time and may find longer paths. */
 export type PathAlgorithm = 'ta' | 'tra' | 'optimal';
@@ -40,36 +40,66 @@ export interface PathQuery extends PathOptions {
 const NO_LIMIT = 2n ** 64n - 1n;
 const ORIGIN: Point = { x: 0, y: 0 };
 
-function packBudget(struct: number, { budgetExpansions, budgetNanoseconds }: PathOptions): void {
-  const { ww_path_query: layout } = abi;
-  if (budgetExpansions !== undefined) {
-    const limit = budgetExpansions === Infinity ? NO_LIMIT : BigInt(toSize(budgetExpansions));
-    put.long(struct + layout.budgetExpansions, limit);
-  }
-  if (budgetNanoseconds !== undefined && budgetNanoseconds !== Infinity) {
-    if (!Number.isSafeInteger(budgetNanoseconds)) refuse(`a budget of ${budgetNanoseconds} ns is not a whole number`);
-    put.long(struct + layout.budgetNanoseconds, BigInt.asUintN(64, BigInt(budgetNanoseconds)));
-  }
+/** A copy of the options of a query that a caller has given. */
+interface OptionsCopy {
+  readonly algorithm: number;
+  readonly radius: number;
+  readonly endTolerance: number | null;
+  readonly wantsChannel: boolean;
+  readonly wantsTime: boolean;
+  readonly expansions: bigint | null;
+  readonly nanoseconds: bigint | null;
+}
+
+function toExpansions(budget: number): bigint {
+  return budget === Infinity ? NO_LIMIT : BigInt(toSize(budget));
+}
+
+function toNanoseconds(budget: number): bigint | null {
+  if (budget === Infinity) return null;
+  if (Number.isSafeInteger(budget)) return BigInt.asUintN(64, BigInt(budget));
+  return refuse(`a budget of ${shown(budget)} ns is not a whole number`);
+}
+
+export function copyOptions(given: PathOptions): OptionsCopy {
+  const { algorithm = 'optimal', radius = 0, endTolerance, wantsChannel = false, wantsTime = false, ...rest } = toObject(given, 'a query');
+  const { budgetExpansions, budgetNanoseconds } = rest;
+  return {
+    algorithm: toEnum(PATH_ALGORITHMS, algorithm),
+    radius: toNumber(radius, 'the radius'),
+    endTolerance: endTolerance === undefined ? null : toNumber(endTolerance, 'endTolerance'),
+    wantsChannel: toFlag(wantsChannel, 'wantsChannel'),
+    wantsTime: toFlag(wantsTime, 'wantsTime'),
+    expansions: budgetExpansions === undefined ? null : toExpansions(budgetExpansions),
+    nanoseconds: budgetNanoseconds === undefined ? null : toNanoseconds(budgetNanoseconds),
+  };
 }
 
 /** Writes a query to a struct of the module. */
-export function packQuery(options: PathOptions, start = ORIGIN, goal = ORIGIN): number {
+export function packQuery(options: OptionsCopy, start = ORIGIN, goal = ORIGIN): number {
   const { ww_path_query: layout } = abi;
   const struct = slots.struct2;
   check(lib.ww_path_query_init(struct, layout.size_));
   writePoint(struct + layout.start, start);
   writePoint(struct + layout.goal, goal);
-  const { algorithm, radius, endTolerance } = options;
-  if (algorithm !== undefined) put.int(struct + layout.algorithm, toEnum(PATH_ALGORITHMS, algorithm));
-  if (radius !== undefined) put.float(struct + layout.radius, radius);
-  if (endTolerance !== undefined) {
+  put.int(struct + layout.algorithm, options.algorithm);
+  put.float(struct + layout.radius, options.radius);
+  if (options.endTolerance !== null) {
     put.flag(struct + layout.hasEndTolerance, true);
-    put.float(struct + layout.endTolerance, endTolerance);
+    put.float(struct + layout.endTolerance, options.endTolerance);
   }
-  if (options.wantsChannel === true) put.flag(struct + layout.wantsChannel, true);
-  if (options.wantsTime === true) put.flag(struct + layout.wantsTime, true);
-  packBudget(struct, options);
+  put.flag(struct + layout.wantsChannel, options.wantsChannel);
+  put.flag(struct + layout.wantsTime, options.wantsTime);
+  if (options.expansions !== null) put.long(struct + layout.budgetExpansions, options.expansions);
+  if (options.nanoseconds !== null) put.long(struct + layout.budgetNanoseconds, options.nanoseconds);
   return struct;
+}
+
+/** Writes a whole query of a caller to a struct of the module. */
+export function packPathQuery(query: PathQuery): number {
+  const options = copyOptions(query);
+  const [start, goal] = [copyPoint(query.start), copyPoint(query.goal)];
+  return packQuery(options, start, goal);
 }
 
 /** An end that the search has moved. */
@@ -179,12 +209,20 @@ function newPosition(): PathPosition {
 
 function writePosition(struct: number, position: PathPosition): void {
   const { ww_path_position: layout } = abi;
+  const { at: givenAt, heading: givenHeading, segment, before, distance } = toObject(position, 'a position');
+  const [at, heading] = [copyPoint(givenAt), copyPoint(givenHeading)];
   answer(layout, struct);
-  writePoint(struct + layout.at, position.at);
-  writePoint(struct + layout.heading, position.heading);
-  put.size(struct + layout.segment, position.segment);
-  put.float(struct + layout.before, position.before);
-  put.float(struct + layout.distance, position.distance);
+  writePoint(struct + layout.at, at);
+  writePoint(struct + layout.heading, heading);
+  put.size(struct + layout.segment, toSize(segment));
+  put.float(struct + layout.before, toDistance(before));
+  put.float(struct + layout.distance, toDistance(distance));
+}
+
+/** Returns a length along a path, or throws. */
+function toDistance(value: number): number {
+  if (!Number.isNaN(value)) return toNumber(value, 'a distance');
+  throw new WaywrightError('bad-distance', 'a distance is NaN');
 }
 
 function readPosition(struct: number, position: PathPosition): PathPosition {
@@ -264,18 +302,25 @@ function readPiece(struct: number): PathPiece {
  */
 export class Path extends Handle {
   private info_: PathInfo | null = null;
+  private answers_ = 0;
 
   constructor();
   /** @internal */
-  constructor(address: number, owner: Handle);
-  constructor(address?: number, owner?: Handle) {
-    if (address !== undefined && owner !== undefined) super(address, owner);
+  constructor(given: Address);
+  constructor(given?: Address) {
+    if (given instanceof Address) super(given.value, given.owner!);
     else super(make((at) => lib.ww_path_create(at)), (at) => lib.ww_path_destroy(at));
   }
 
   /** @internal Forgets what the wrapper knows of the last answer. */
   renew(): void {
     this.info_ = null;
+    this.answers_ += 1;
+  }
+
+  /** @internal How many answers the object has had. */
+  get answers(): number {
+    return this.answers_;
   }
 
   /** All facts about the path. */
@@ -295,8 +340,9 @@ export class Path extends Handle {
 
   /** A copy, for example of a path that belongs to a list or a search. */
   copy(into: Path = new Path()): Path {
+    const [from, to] = [this.address, ownAddressOf(Path, into)];
     into.renew();
-    check(lib.ww_path_copy(this.address, into.address));
+    check(lib.ww_path_copy(from, to));
     return into;
   }
 
@@ -337,31 +383,36 @@ export class Path extends Handle {
 
   /** The position at a distance from the start. Like the functions below, it needs a path that is found. */
   at(distance: number, precision: Precision = 'float64', into: PathPosition = newPosition()): PathPosition {
+    const [wanted, kind] = [toDistance(distance), toEnum(PRECISIONS, precision)];
     const struct = answer(abi.ww_path_position);
-    check(lib.ww_path_at(this.address, distance, toEnum(PRECISIONS, precision), struct));
+    check(lib.ww_path_at(this.address, wanted, kind, struct));
     return readPosition(struct, into);
   }
 
   /** Moves a position of this path farther along the path by `step`. Returns the same object. */
   advance(position: PathPosition, step: number, precision: Precision = 'float64'): PathPosition {
+    const [farther, kind] = [toDistance(step), toEnum(PRECISIONS, precision)];
     writePosition(slots.struct, position);
-    check(lib.ww_path_advance(this.address, step, toEnum(PRECISIONS, precision), slots.struct));
+    check(lib.ww_path_advance(this.address, farther, kind, slots.struct));
     return readPosition(slots.struct, position);
   }
 
   /** The position on the path that is nearest to a point. */
   nearest(point: Point, precision: Precision = 'float64', into: PathPosition = newPosition()): PathPosition {
-    const struct = answer(abi.ww_path_position);
-    const at = writePoint(slots.a, point);
-    check(lib.ww_path_nearest(this.address, at, toEnum(PRECISIONS, precision), struct));
+    const [given, kind] = [copyPoint(point), toEnum(PRECISIONS, precision)];
+    for (const each of [given.x, given.y]) {
+      if (!isInRange(each)) throw new WaywrightError('coordinate-range', `no world accepts the coordinate ${each}`);
+    }
+    const [at, struct] = [writePoint(slots.a, given), answer(abi.ww_path_position)];
+    check(lib.ww_path_nearest(this.address, at, kind, struct));
     return readPosition(struct, into);
   }
 
   /** The path as points that are not farther than `tolerance` from it. */
   polyline(tolerance: number, into?: Float64Array): Float64Array {
-    const { address } = this;
+    const [address, allowed] = [this.address, toNumber(tolerance, 'the tolerance')];
     const list = readList(16, (buffer, capacity, count) =>
-      lib.ww_path_polyline(address, tolerance, buffer, capacity, count),
+      lib.ww_path_polyline(address, allowed, buffer, capacity, count),
     );
     return copyNumbers(list.address, 2 * list.count, into);
   }
@@ -392,7 +443,7 @@ export class Paths extends Handle {
   /** A path of the list. It belongs to the list, and is valid until the list changes. */
   get(index: number): Path {
     check(lib.ww_paths_get(this.address, toSize(index), slots.pointer));
-    return new Path(u32[slots.pointer >>> 2]!, this);
+    return new Path(new Address(u32[slots.pointer >>> 2]!, this));
   }
 
   /** The length of each path: 0 for a path without length, NaN for a path that is not found. */
@@ -426,6 +477,8 @@ export class Paths extends Handle {
 /** The agents of a crowd: each walks along a path of its own. One call moves all of them. */
 export class Walkers extends Handle {
   private readonly paths: (Path | null)[];
+  /** How many answers each path had when its agent came onto it. */
+  private readonly answers: number[];
 
   /** Makes `count` agents without paths. */
   constructor(readonly count: number) {
@@ -434,18 +487,29 @@ export class Walkers extends Handle {
     if (bytes >= 2 ** 31) throw new WaywrightError('out-of-memory', `there is no memory for ${count} agents`);
     super(allocateZeroed(bytes), release);
     this.paths = new Array<Path | null>(count).fill(null);
+    this.answers = new Array<number>(count).fill(0);
     for (let i = 0; i < count; ++i) answer(abi.ww_path_position, this.address + i * size);
   }
 
   private slot(index: number): number {
-    if (!(index >= 0 && index < this.count && Number.isInteger(index))) refuse(`there is no agent ${index}`);
+    if (!(Number.isInteger(index) && index >= 0 && index < this.count)) refuse(`there is no agent ${shown(index)}`);
     return this.address + index * abi.ww_path_position.size_;
+  }
+
+  private pathAddress(index: number): number {
+    const path = this.paths[index] ?? null;
+    if (path === null) return 0;
+    if (path.answers === this.answers[index]) return path.address;
+    return refuse(`the path of agent ${index} has another answer since: call set() again`);
   }
 
   /** Puts an agent on a path that is found, at its start or farther along it. Null takes it off its path. */
   set(index: number, path: Path | null, distance = 0): void {
-    const slot = this.slot(index);
-    if (path !== null) check(lib.ww_path_at(path.address, distance, abi.WW_FLOAT64, answer(abi.ww_path_position, slot)));
+    const [slot, wanted] = [this.slot(index), toDistance(distance)];
+    if (path !== null) {
+      check(lib.ww_path_at(addressOf(Path, path), wanted, abi.WW_FLOAT64, answer(abi.ww_path_position, slot)));
+      this.answers[index] = path.answers;
+    }
     this.paths[index] = path;
   }
 
@@ -456,10 +520,11 @@ export class Walkers extends Handle {
 
   /** Moves all agents by `step`. Returns x, y and the heading x, y of each; an agent without a path stays where it is. */
   advance(step: number, into?: Float64Array): Float64Array {
+    const [positions, farther] = [this.address, toDistance(step)];
     arena.reset();
-    const addresses = packSizes(this.paths.map((path) => (path === null ? 0 : path.address)));
+    const addresses = packSizes(this.paths.map((_, i) => this.pathAddress(i)));
     const states = arena.take(32 * this.count);
-    check(lib.ww_js_paths_advance(addresses.address, this.count, this.address, step, states));
+    check(lib.ww_js_paths_advance(addresses.address, this.count, positions, farther, states));
     return copyNumbers(states, 4 * this.count, into);
   }
 }
@@ -471,10 +536,10 @@ function allocateZeroed(bytes: number): number {
 }
 
 /** Makes a path query. Returns the given path, or a new one. */
-export function findPath(world: number, query: PathQuery, path: Path, context: QueryContext | undefined): Path {
-  const { address } = path;
-  const asked = packQuery(query, query.start, query.goal);
+export function findPath(world: Handle, query: PathQuery, path: Path, context: QueryContext | undefined): Path {
+  const asked = packPathQuery(query);
+  const [within, used, into] = [world.address, contextAddress(context), ownAddressOf(Path, path)];
   path.renew();
-  check(lib.ww_world_find_path(world, asked, contextAddress(context), address));
+  check(lib.ww_world_find_path(within, asked, used, into));
   return path;
 }

@@ -1,34 +1,40 @@
 import { copyNumbers, readList, toSize } from './buffers.js';
-import { Handle, make } from './handle.js';
-import { packQuery, Path, type PathQuery } from './path.js';
+import { toFlag } from './errors.js';
+import { Address, addressOf, Handle, make } from './handle.js';
+import { packPathQuery, Path, type PathQuery } from './path.js';
 import { check, lib, slots, u32 } from './runtime.js';
 import { askFlag, askSize } from './values.js';
-import type { World } from './world.js';
+import { World } from './world.js';
 
 /** A path search in slices. Between the slices you may change the world. */
 export class PathSearch extends Handle {
+  /** @internal The world of the search: the garbage collector must not free it before the search ends. */
+  searched: World | null = null;
+
   constructor() {
     super(make((address) => lib.ww_search_create(address)), (address) => lib.ww_search_destroy(address));
   }
 
   /** Starts a search. It cancels the search that is running. */
   begin(world: World, query: PathQuery): void {
-    const { address } = this;
+    const asked = packPathQuery(query);
+    const [address, within] = [this.address, addressOf(World, world)];
     this.changed();
-    check(lib.ww_search_begin(address, world.address, packQuery(query, query.start, query.goal)));
+    check(lib.ww_search_begin(address, within, asked));
+    this.searched = world;
   }
 
   /** Continues the search until it has entered `expansions` further triangles. Returns whether it is done. */
   step(expansions: number): boolean {
-    const { address } = this;
+    const [address, count] = [this.address, toSize(expansions)];
     this.changed();
-    return askFlag((flag) => lib.ww_search_step(address, toSize(expansions), flag));
+    return askFlag((flag) => lib.ww_search_step(address, count, flag));
   }
 
   /** The answer, or the best path so far. It belongs to the search, and is valid until the next call that changes it. */
   get path(): Path {
     check(lib.ww_search_path(this.address, slots.pointer));
-    return new Path(u32[slots.pointer >>> 2]!, this);
+    return new Path(new Address(u32[slots.pointer >>> 2]!, this));
   }
 
   /** How often the search started again because the world had changed. */
@@ -42,9 +48,9 @@ export class PathSearch extends Handle {
 
   /** Sets whether the searches that begin from now on record their windows. */
   recordWindows(wanted: boolean): void {
-    const { address } = this;
+    const [address, flag] = [this.address, toFlag(wanted, 'wanted') ? 1 : 0];
     this.changed();
-    check(lib.ww_search_record_windows(address, wanted ? 1 : 0));
+    check(lib.ww_search_record_windows(address, flag));
   }
 
   /**
@@ -62,5 +68,6 @@ export class PathSearch extends Handle {
     const { address } = this;
     this.changed();
     check(lib.ww_search_cancel(address));
+    this.searched = null;
   }
 }

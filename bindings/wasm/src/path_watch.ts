@@ -1,9 +1,9 @@
 import { readList } from './buffers.js';
-import { Handle, make } from './handle.js';
-import type { Path } from './path.js';
+import { addressOf, Handle, make } from './handle.js';
+import { Path } from './path.js';
 import { check, lib } from './runtime.js';
-import { askFlag, askSize, type ItemId, readIds, toId } from './values.js';
-import type { World } from './world.js';
+import { askFlag, askSize, type ItemId, readIds, toLong } from './values.js';
+import { World } from './world.js';
 
 /** The answer of `PathWatch.update`: three lists of keys. The keys of each list ascend. A path can be in two lists. */
 export interface PathChanges {
@@ -21,7 +21,7 @@ export class PathWatch extends Handle {
 
   /** Makes a watch without paths for a world. */
   constructor(world: World) {
-    super(make((address) => lib.ww_path_watch_create(world.address, address)), (address) =>
+    super(make((address) => lib.ww_path_watch_create(addressOf(World, world), address)), (address) =>
       lib.ww_path_watch_destroy(address),
     );
     this.world = world;
@@ -29,17 +29,17 @@ export class PathWatch extends Handle {
 
   /** Watches a copy of a path under a key, instead of the path that the watch has under this key. */
   add(key: ItemId, path: Path): void {
-    check(lib.ww_path_watch_add(this.address, toId(key), path.address));
+    check(lib.ww_path_watch_add(this.address, toLong(key, 'key'), addressOf(Path, path)));
   }
 
   /** Stops watching the path under a key. Returns whether there was one. */
   remove(key: ItemId): boolean {
-    const wanted = toId(key);
+    const wanted = toLong(key, 'key');
     return askFlag((flag) => lib.ww_path_watch_remove(this.address, wanted, flag));
   }
 
   contains(key: ItemId): boolean {
-    const wanted = toId(key);
+    const wanted = toLong(key, 'key');
     return askFlag((flag) => lib.ww_path_watch_contains(this.address, wanted, flag));
   }
 

@@ -1,12 +1,12 @@
-import { arena, readList, toSize } from './buffers.js';
+import { arena, copyList, readList, toSize } from './buffers.js';
 import { refuse, WaywrightError, type ErrorCode } from './errors.js';
 import * as abi from './generated/abi.js';
-import { Handle, make } from './handle.js';
+import { addressOf, Handle, make } from './handle.js';
 import { check, cTextAt, idAt, lib, slots, textAt, withProgress } from './runtime.js';
-import type { Script } from './scene.js';
-import { answer, askLong, fromEnum, get, type ItemId, itemsHashAt, packIds, readBytes, readIds } from './values.js';
-import type { World } from './world.js';
-import { type BulkOptions, type Change, packChanges } from './world_items.js';
+import { Script } from './scene.js';
+import { answer, askLong, fromEnum, get, type ItemId, itemsHashAt, packIds, readBytes, readIds, toId } from './values.js';
+import { World } from './world.js';
+import { type BulkOptions, type Change, copyChanges, packChanges, progressOf } from './world_items.js';
 
 /** Writes a replay log: a world script with the items of a world, each change, and a hash of the items every few ticks. */
 export class ReplayWriter extends Handle {
@@ -14,16 +14,16 @@ export class ReplayWriter extends Handle {
 
   /** Starts a log with the items of the world. Writes a hash at each tick whose number is a multiple of `ticksPerHash`. */
   constructor(world: World, ticksPerHash = 1) {
-    const ticks = BigInt(toSize(ticksPerHash));
+    const [ticks, address] = [BigInt(toSize(ticksPerHash)), addressOf(World, world)];
     const log = make((text) => lib.ww_text_create(text));
     let writer = 0;
     try {
-      writer = make((address) => lib.ww_js_replay_writer_create(world.address, ticks, log, address));
+      writer = make((at) => lib.ww_js_replay_writer_create(address, ticks, log, at));
     } finally {
       if (writer === 0) lib.ww_text_destroy(log);
     }
-    super(writer, (address) => {
-      lib.ww_replay_writer_destroy(address);
+    super(writer, (at) => {
+      lib.ww_replay_writer_destroy(at);
       lib.ww_text_destroy(log);
     });
     this.log_ = log;
@@ -31,16 +31,17 @@ export class ReplayWriter extends Handle {
 
   /** Records changes that the world has made. `ids` has the id of each change: the answer of `World.apply`. */
   record(changes: readonly Change[], ids?: readonly ItemId[]): void {
-    if (ids !== undefined && ids.length !== changes.length) refuse('each change needs one id');
+    const [copies, wanted] = [copyChanges(changes), ids === undefined ? null : copyList(ids, 'a list of ids', toId)];
+    if (wanted !== null && wanted.length !== copies.length) refuse('each change needs one id');
     arena.reset();
-    const list = packChanges(changes);
-    const given = ids === undefined ? 0 : packIds(ids).address;
-    check(lib.ww_replay_writer_record(this.address, list, changes.length, given));
+    const list = packChanges(copies);
+    const given = wanted === null ? 0 : packIds(wanted).address;
+    check(lib.ww_replay_writer_record(this.address, list, copies.length, given));
   }
 
   /** Ends a tick. Ticks count from 1. */
   tick(world: World): void {
-    check(lib.ww_replay_writer_tick(this.address, world.address));
+    check(lib.ww_replay_writer_tick(this.address, addressOf(World, world)));
   }
 
   get lastTick(): number {
@@ -49,7 +50,7 @@ export class ReplayWriter extends Handle {
 
   /** Returns the text that the writer has written since the last call of this function, and drops it. */
   take(): string {
-    if (this.isDisposed) return refuse('the writer was disposed');
+    void this.address; // throws if the writer was disposed
     const text = readBytes(this.log_, textAt);
     check(lib.ww_js_text_clear(this.log_));
     return text;
@@ -107,10 +108,11 @@ function readResult(replay: number): ReplayResult {
 
 /** Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. */
 export function replay(log: Script, options: BulkOptions = {}): ReplayResult {
+  const [given, progress] = [addressOf(Script, log), progressOf(options)];
   const address = make((at) => lib.ww_replay_create(at));
   try {
-    const reports = options.progress === undefined ? 0 : 1;
-    withProgress(options.progress, () => check(lib.ww_js_replay_run(address, log.address, reports)));
+    const reports = progress === undefined ? 0 : 1;
+    withProgress(progress, () => check(lib.ww_js_replay_run(address, given, reports)));
     return readResult(address);
   } finally {
     lib.ww_replay_destroy(address);
@@ -140,7 +142,7 @@ export interface ReplayDifference {
 export function findDifference(log: Script, other: Script): ReplayDifference | null {
   const { ww_replay_difference: layout } = abi;
   const struct = slots.struct;
-  const [first, second] = [log.address, other.address];
+  const [first, second] = [addressOf(Script, log), addressOf(Script, other)];
   const changed = readIds(
     readList(8, (...list) => lib.ww_find_difference(first, second, answer(layout), ...list)),
   );

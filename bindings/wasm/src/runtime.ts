@@ -1,5 +1,5 @@
 import { type Functions, guarded, ww_error, WW_BUFFER_TOO_SMALL, WW_INVALID_ARGUMENT, WW_OK } from './generated/abi.js';
-import { type ErrorCode, WaywrightError } from './errors.js';
+import { type ErrorCode, refuse, shown, WaywrightError } from './errors.js';
 
 /** The exports of the module: the functions of the C interface, and the functions and memory that the wrapper needs. */
 interface Exports extends Functions {
@@ -22,9 +22,29 @@ function unavailable(code: ErrorCode, message: string): Functions {
 const notInitialised = unavailable('not-initialised', 'call and await init() before everything else');
 const busy = unavailable('invalid-argument', 'a progress function must not call functions of the package');
 
+/** Throws while a progress function runs: the call that it belongs to uses the memory for arguments. */
+export function requireIdle(): void {
+  if (lib === busy) lib.ww_version_number(); // throws
+}
+
 let exports: Exports | null = null;
 let functions = notInitialised;
 let initialStack = 0;
+
+/** How often the module was unloaded. An object of an earlier module no longer exists. */
+export let generation = 0;
+
+/** What forgets its addresses when the module is unloaded. */
+const forgetters: (() => void)[] = [];
+export function onUnload(forget: () => void): void {
+  forgetters.push(forget);
+}
+
+/** What forgets objects that a trapped call may have left unfinished. */
+let forgetUnfinished = (): void => undefined;
+export function onTrap(forget: () => void): void {
+  forgetUnfinished = forget;
+}
 
 /** The functions of the module. */
 export let lib: Functions = notInitialised;
@@ -36,7 +56,7 @@ export let f64 = new Float64Array(0);
 export let u64 = new BigUint64Array(0);
 
 function refreshViews(): void {
-  const buffer = exports!.memory.buffer;
+  const buffer = exports === null ? new ArrayBuffer(0) : exports.memory.buffer;
   u8 = new Uint8Array(buffer);
   i32 = new Int32Array(buffer);
   u32 = new Uint32Array(buffer);
@@ -67,11 +87,13 @@ function reportProgress(done: number, total: number): void {
 /** The question of the running call, and the error that it has thrown. */
 let question: (() => void) | null = null;
 let questionError: { readonly reason: unknown } | null = null;
+let questionsRunning = 0;
 
 function askQuestion(): number {
   const [asked, outerStack] = [question!, initialStack];
   question = null;
   initialStack = exports!.stackSave();
+  questionsRunning += 1;
   try {
     asked();
     return WW_OK;
@@ -79,6 +101,7 @@ function askQuestion(): number {
     questionError = { reason };
     return WW_INVALID_ARGUMENT;
   } finally {
+    questionsRunning -= 1;
     initialStack = outerStack;
   }
 }
@@ -101,6 +124,7 @@ export function withQuestion(ask: () => void, call: () => number): void {
 
 /** Makes a call that may report its progress. If the progress function throws an error, throws it after the call. */
 export function withProgress<T>(report: ((done: number, total: number) => void) | undefined, call: () => T): T {
+  if (report !== undefined && typeof report !== 'function') refuse(`progress is ${shown(report)}, not a function`);
   progress = report ?? null;
   progressError = null;
   try {
@@ -116,9 +140,10 @@ export function withProgress<T>(report: ((done: number, total: number) => void) 
 /** Handles a trap, which means a bug in the library, or too little stack. Resets the stack, so that later calls work. */
 function trapped(reason: unknown): never {
   exports!.stackRestore(initialStack);
+  forgetUnfinished();
   throw new WaywrightError(
     'internal-error',
-    `the call was stopped in its middle (${String(reason)}); dispose of the objects that it used`,
+    `the call was stopped in its middle (${String(reason)}); call unload() and init(), and make all objects anew`,
     null,
     0,
     reason,
@@ -148,9 +173,26 @@ function importsFor(module: WebAssembly.Module): WebAssembly.Imports {
   return imports as WebAssembly.Imports;
 }
 
-/** Lets all functions of the package use an instance of the module. */
+/** Throws unless an instance has all functions of the wrapper. */
+function requireExports(given: WebAssembly.Exports, called: Functions): void {
+  const names = [...Object.keys(called), '_initialize', 'malloc', 'free', 'stackSave', 'stackRestore'];
+  const missing = names.find((name) => typeof given[name] !== 'function');
+  if (missing === undefined && given['memory'] !== undefined) return;
+  throw new WaywrightError('unreadable', 'the module is not the waywright.wasm of this version of the package');
+}
+
+function toMemoryLimit(bytes: number): number {
+  if (typeof bytes === 'number' && bytes > 0) return bytes;
+  return refuse(`maximumMemory is ${shown(bytes)}, not a number of bytes`);
+}
+
+/** Lets all functions of the package use an instance of the module, unless they use one. */
 function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
-  exports = instance.exports as unknown as Exports;
+  if (exports !== null) return;
+  const given = instance.exports as unknown as Exports;
+  const called = guarded(given, trapped);
+  requireExports(instance.exports, called);
+  exports = given;
   refreshViews();
   exports._initialize();
   if (maximumMemory < 2 ** 32) exports.ww_js_set_memory_limit(maximumMemory);
@@ -161,14 +203,22 @@ function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
     address += size;
   }
   initialStack = exports.stackSave();
-  functions = guarded(exports, trapped);
+  functions = called;
   lib = functions;
 }
 
+/** A compiled module: WebAssembly.Module, where the libraries of the program declare it. */
+export type CompiledModule = typeof globalThis extends { WebAssembly: { Module: { prototype: infer T } } } ? T : object;
+/** The bytes of a module. */
+export type ModuleBytes = ArrayBuffer | ArrayBufferView;
+
 /** The options of {@link init}. */
 export interface InitOptions {
-  /** The module: its address, its bytes, or the compiled module. The default is the file waywright.wasm of the package. */
-  readonly module?: string | URL | BufferSource | WebAssembly.Module;
+  /**
+   * The module: its address, its bytes, or the compiled module. The default is the file waywright.wasm of the package. A
+   * relative address counts from the file of the package.
+   */
+  readonly module?: string | URL | ModuleBytes | CompiledModule;
   /** The largest size of the module's memory in bytes. The default is 4 GiB, the most that WebAssembly allows. */
   readonly maximumMemory?: number;
 }
@@ -184,23 +234,35 @@ async function bytesAt(url: URL): Promise<BufferSource> {
   return answer.arrayBuffer();
 }
 
+/** Returns whether a value is a compiled module, also one of another window. */
+function isModule(source: unknown): source is WebAssembly.Module {
+  return Object.prototype.toString.call(source) === '[object WebAssembly.Module]';
+}
+
+function toBytes(source: ModuleBytes): BufferSource {
+  const kind = Object.prototype.toString.call(source);
+  if (ArrayBuffer.isView(source) || kind === '[object ArrayBuffer]' || kind === '[object SharedArrayBuffer]') return source as BufferSource;
+  return refuse(`module is ${shown(source)}, not an address, bytes or a compiled module`);
+}
+
 async function compile(source: InitOptions['module']): Promise<WebAssembly.Module> {
-  if (source instanceof WebAssembly.Module) return source;
+  if (isModule(source)) return source;
   const given = source ?? new URL('./waywright.wasm', import.meta.url);
-  if (typeof given !== 'string' && !(given instanceof URL)) return WebAssembly.compile(given);
+  if (typeof given !== 'string' && !(given instanceof URL)) return WebAssembly.compile(toBytes(given));
   return WebAssembly.compile(await bytesAt(new URL(given, import.meta.url)));
 }
 
 let loading: Promise<void> | null = null;
 
 /**
- * Loads the WebAssembly module. Await it once before everything else. Further calls return the same promise, unless the
- * first one failed.
+ * Loads the WebAssembly module. Await it once before everything else. Further calls return the same promise and ignore
+ * their options, unless the first one failed, or the module was unloaded.
  */
 export function init(options: InitOptions = {}): Promise<void> {
   loading ??= (async () => {
+    const limit = toMemoryLimit(options.maximumMemory ?? 2 ** 32);
     const module = await compile(options.module);
-    adopt(await WebAssembly.instantiate(module, importsFor(module)), options.maximumMemory ?? 2 ** 32);
+    adopt(await WebAssembly.instantiate(module, importsFor(module)), limit);
   })().catch((reason: unknown) => {
     loading = null;
     throw reason;
@@ -209,11 +271,29 @@ export function init(options: InitOptions = {}): Promise<void> {
 }
 
 /** Does the same as {@link init} at once, without a promise. Browsers refuse this in the main thread. */
-export function initSync(module: WebAssembly.Module | BufferSource, maximumMemory = 2 ** 32): void {
+export function initSync(module: CompiledModule | ModuleBytes, maximumMemory = 2 ** 32): void {
   if (exports !== null) return;
-  const compiled = module instanceof WebAssembly.Module ? module : new WebAssembly.Module(module);
-  adopt(new WebAssembly.Instance(compiled, importsFor(compiled)), maximumMemory);
+  const limit = toMemoryLimit(maximumMemory);
+  const compiled = isModule(module) ? module : new WebAssembly.Module(toBytes(module));
+  adopt(new WebAssembly.Instance(compiled, importsFor(compiled)), limit);
   loading = Promise.resolve();
+}
+
+/**
+ * Frees the whole memory of the module, with all objects in it: they count as disposed. Afterwards {@link init} or
+ * {@link initSync} loads the module anew. Does nothing if the module is not loaded.
+ */
+export function unload(): void {
+  requireIdle();
+  if (questionsRunning > 0) refuse('the question of an attempt must not unload the module');
+  if (exports === null) return;
+  generation += 1;
+  exports = null;
+  loading = null;
+  functions = notInitialised;
+  lib = functions;
+  refreshViews();
+  for (const forget of forgetters) forget();
 }
 
 /** The size of the module's memory, and the part of it that is in use, in bytes. The memory never becomes smaller. */
@@ -224,14 +304,24 @@ export function moduleMemory(): { readonly total: number; readonly used: number 
 
 /** Returns the address of `bytes` bytes. */
 export function allocate(bytes: number): number {
+  requireIdle();
   if (exports === null) return lib.ww_version_number(); // throws
-  const address = bytes <= 0xffff0000 ? exports.malloc(bytes) >>> 0 : 0;
+  let address = 0;
+  try {
+    if (bytes <= 0xffff0000) address = exports.malloc(bytes) >>> 0;
+  } catch (reason) {
+    trapped(reason);
+  }
   if (address === 0) throw new WaywrightError('out-of-memory', `there is no memory for ${bytes} bytes`);
   return address;
 }
 
 export function release(address: number): void {
-  exports!.free(address);
+  try {
+    exports!.free(address);
+  } catch (reason) {
+    trapped(reason);
+  }
 }
 
 const decoder = new TextDecoder();
@@ -248,7 +338,7 @@ export function cTextAt(address: number): string {
 }
 
 export function encode(text: string): Uint8Array {
-  return encoder.encode(text);
+  return encoder.encode(typeof text === 'string' ? text : refuse(`a text is ${shown(text)}, not a string`));
 }
 
 /** Returns the id at an address: a number if it is one exactly, otherwise a bigint. */
@@ -274,7 +364,8 @@ function lastError(status: number): WaywrightError {
   const buffer = (stack - MESSAGE_BYTES) & ~15;
   exports!.stackRestore(buffer);
   lib.ww_last_error_message(buffer, MESSAGE_BYTES, 0);
-  const message = cTextAt(buffer);
+  // The library names one of its own functions.
+  const message = cTextAt(buffer).replace('keep_history()', 'keepHistory()');
   exports!.stackRestore(stack);
   return new WaywrightError(code, message, item === 0 ? null : item, index);
 }

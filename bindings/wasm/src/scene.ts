@@ -1,6 +1,7 @@
-import { arena, packText, type Point, readList, toSize } from './buffers.js';
+import { arena, packText, type Point, readList, toBytes, toSize } from './buffers.js';
+import { toFlag } from './errors.js';
 import * as abi from './generated/abi.js';
-import { Handle, make } from './handle.js';
+import { Address, addressOf, Handle, make, ownAddressOf } from './handle.js';
 import { ItemList } from './items.js';
 import { PATH_ALGORITHMS, type PathAlgorithm } from './path.js';
 import { check, cTextAt, encode, idAt, lib, slots, textAt, u32 } from './runtime.js';
@@ -13,8 +14,9 @@ const SCENE_FORMATS = ['script', 'movingai', 'triangle-poly', 'triangle-node', '
 
 /** Returns the format for the ending of a file name. */
 export function sceneFormat(fileName: string): SceneFormat {
+  const name = encode(fileName);
   arena.reset();
-  const { address } = packText(encode(fileName));
+  const { address } = packText(name);
   check(lib.ww_scene_format_of(address, slots.flag));
   return fromEnum(SCENE_FORMATS, get.int(slots.flag));
 }
@@ -61,16 +63,18 @@ export class Scene extends Handle {
   /** Reads a saved world: its domain and its items. */
   parseSavedWorld(bytes: Uint8Array, name = 'world'): this {
     const scene = this.change();
+    const given = toBytes(bytes);
     arena.reset();
-    const { address, count } = packText(bytes);
+    const { address, count } = packText(given);
     check(lib.ww_scene_parse_saved_world(address, count, packText(encode(name)).address, scene));
     return this;
   }
 
   /** Sets the scene to a copy of a domain and items. */
   set(domain: Box, items: ItemList, yDown = false): this {
-    const scene = this.change();
-    check(lib.ww_scene_set(scene, writeBox(slots.box, domain), items.address, yDown ? 1 : 0));
+    const [box, list] = [writeBox(slots.box, domain), addressOf(ItemList, items)];
+    const isDown = toFlag(yDown, 'yDown');
+    check(lib.ww_scene_set(this.change(), box, list, isDown ? 1 : 0));
     return this;
   }
 
@@ -97,7 +101,7 @@ export class Scene extends Handle {
   /** The items. They belong to the scene, and are valid until it changes. */
   get items(): ItemList {
     check(lib.ww_scene_items(this.address, slots.pointer));
-    return new ItemList(u32[slots.pointer >>> 2]!, this);
+    return new ItemList(new Address(u32[slots.pointer >>> 2]!, this));
   }
 
   /** The scene as a world script. */
@@ -185,13 +189,15 @@ export class Script extends Handle {
 
   /** The item of one line, in the given list or in a new one. */
   item(index: number, list: ItemList = new ItemList()): ItemList {
-    check(lib.ww_script_item(this.address, toSize(index), list.address));
+    check(lib.ww_script_item(this.address, toSize(index), ownAddressOf(ItemList, list)));
     return list;
   }
 
   /** The items that are left after all changes, in the given scene or in a new one. */
   scene(scene: Scene = new Scene()): Scene {
-    check(lib.ww_script_scene(this.address, scene.change()));
+    const [script, into] = [this.address, addressOf(Scene, scene)];
+    scene.change();
+    check(lib.ww_script_scene(script, into));
     return scene;
   }
 }

@@ -1,5 +1,5 @@
-import { arena, copyNumbers, packPoints, packSizes, type Point, pointCount, type Points, readList, toSize } from './buffers.js';
-import { refuse } from './errors.js';
+import { arena, copyList, copyNumbers, flatten, packPoints, packSizes, type Point, type Points, readList, toSize } from './buffers.js';
+import { refuse, toNumber, toObject } from './errors.js';
 import { ww_shape } from './generated/abi.js';
 import { check, lib, slots } from './runtime.js';
 import { answer, type Box, put, readBox, readPoint, toEnum, writeBox, writePoint } from './values.js';
@@ -23,19 +23,15 @@ export interface Shape {
   readonly fill?: FillRule;
 }
 
-function flat(points: Points): Float64Array {
-  const result = new Float64Array(2 * pointCount(points));
-  for (let i = 0; i < points.length; ++i) {
-    const value = points[i] as number | Point;
-    if (typeof value === 'object') result.set([value.x, value.y], 2 * i);
-    else result[i] = value;
-  }
-  return result;
+function isRings(points: Points | readonly Points[]): points is readonly Points[] {
+  const first = toObject(points, 'a list of points')[0];
+  return typeof first === 'object' && first !== null && 'length' in first;
 }
 
-function isRings(points: Points | readonly Points[]): points is readonly Points[] {
-  const first = points[0];
-  return typeof first === 'object' && 'length' in first;
+/** Refuses [[0, 0], [4, 0], [4, 4]]: this would be three rings of one corner each. */
+function refusePairs(rings: readonly Points[]): void {
+  const arePairs = rings.every((ring) => Array.isArray(ring) && ring.length === 2 && typeof ring[0] === 'number');
+  if (arePairs) refuse('a list of [x, y] would be a list of rings with one corner each: write each point as { x, y }');
 }
 
 /** Functions that make shapes. */
@@ -46,7 +42,8 @@ export const Shape = {
   /** A polygon of one ring, or of a list of rings. */
   polygon(points: Points | readonly Points[], fill: FillRule = 'even-odd'): Shape {
     if (!isRings(points)) return { kind: 'polygon', points, fill };
-    const rings = points.map(flat);
+    refusePairs(points);
+    const rings = copyList(points, 'a list of rings', flatten);
     const ringSizes = rings.map((ring) => ring.length / 2);
     const all = new Float64Array(rings.reduce((sum, ring) => sum + ring.length, 0));
     let done = 0;
@@ -58,28 +55,45 @@ export const Shape = {
   },
   /** A rectangle, counter-clockwise from its lower left corner. */
   rectangle(box: Box): Shape {
-    const list = readList(16, (buffer, capacity, count) =>
-      lib.ww_rectangle(writeBox(slots.box, box), buffer, capacity, count),
-    );
+    const given = writeBox(slots.box, box);
+    const list = readList(16, (buffer, capacity, count) => lib.ww_rectangle(given, buffer, capacity, count));
     return { kind: 'polygon', points: copyNumbers(list.address, 2 * list.count) };
   },
   /** A regular polygon of 3 corners or more, counter-clockwise from the corner to the right. */
   regularPolygon(centre: Point, radius: number, cornerCount: number): Shape {
-    const corners = toSize(cornerCount);
+    const [at, size, corners] = [writePoint(slots.a, centre), toNumber(radius, 'the radius'), toSize(cornerCount)];
     const list = readList(16, (buffer, capacity, count) =>
-      lib.ww_regular_polygon(writePoint(slots.a, centre), radius, corners, buffer, capacity, count),
+      lib.ww_regular_polygon(at, size, corners, buffer, capacity, count),
     );
     return { kind: 'polygon', points: copyNumbers(list.address, 2 * list.count) };
   },
 };
 
+/** A copy of a shape that a caller has given. */
+export interface ShapeCopy {
+  readonly kind: number;
+  readonly fill: number;
+  readonly coordinates: Float64Array;
+  readonly sizes: readonly number[] | null;
+}
+
+export function copyShape(shape: Shape): ShapeCopy {
+  const { kind, points, ringSizes, fill = 'even-odd' } = toObject(shape, 'a shape');
+  return {
+    kind: toEnum(ITEM_KINDS, kind),
+    fill: toEnum(FILL_RULES, fill),
+    coordinates: flatten(points),
+    sizes: ringSizes === undefined ? null : copyList(ringSizes, 'a list of ring sizes', toSize),
+  };
+}
+
 /** Writes a shape to a struct of the module. Its points go into the arena. */
-export function packShape(shape: Shape, struct: number = slots.struct2): number {
-  const points = packPoints(shape.points);
-  const sizes = shape.ringSizes === undefined ? { address: 0, count: 0 } : packSizes(shape.ringSizes);
+export function packCopy({ kind, fill, coordinates, sizes: given }: ShapeCopy, struct: number): number {
+  const points = packPoints(coordinates);
+  const sizes = given === null ? { address: 0, count: 0 } : packSizes(given);
   check(lib.ww_shape_init(struct, ww_shape.size_));
-  put.int(struct + ww_shape.kind, toEnum(ITEM_KINDS, shape.kind));
-  put.int(struct + ww_shape.fill, toEnum(FILL_RULES, shape.fill ?? 'even-odd'));
+  put.int(struct + ww_shape.kind, kind);
+  put.int(struct + ww_shape.fill, fill);
   put.size(struct + ww_shape.points, points.address);
   put.size(struct + ww_shape.pointCount, points.count);
   // A list of no rings is not the same as the default.
@@ -88,25 +102,33 @@ export function packShape(shape: Shape, struct: number = slots.struct2): number 
   return struct;
 }
 
+/** Starts a call, and writes its only shape to a struct of the module. */
+export function packShape(shape: Shape): number {
+  const copy = copyShape(shape);
+  arena.reset();
+  return packCopy(copy, slots.struct2);
+}
+
 /** Returns a shape, moved by (dx, dy). */
 export function translated(shape: Shape, dx: number, dy: number): Shape {
-  arena.reset();
+  const [right, up] = [toNumber(dx, 'dx'), toNumber(dy, 'dy')];
   const given = packShape(shape);
-  const list = readList(16, (buffer, capacity, count) => lib.ww_translated(given, dx, dy, buffer, capacity, count));
-  return { ...shape, points: copyNumbers(list.address, 2 * list.count) };
+  const list = readList(16, (buffer, capacity, count) => lib.ww_translated(given, right, up, buffer, capacity, count));
+  const points = copyNumbers(list.address, 2 * list.count);
+  return { ...shape, points };
 }
 
 /** Returns the centroid of a shape with a point, in plain doubles. */
 export function centroid(shape: Shape): Point {
-  arena.reset();
   check(lib.ww_centroid(packShape(shape), slots.a));
   return readPoint(slots.a);
 }
 
 /** Returns the smallest box that contains the points, one or more. */
 export function boundingBox(points: Points): Box {
+  const coordinates = flatten(points);
   arena.reset();
-  const { address, count } = packPoints(points);
+  const { address, count } = packPoints(coordinates);
   check(lib.ww_bounding_box(address, count, slots.box));
   return readBox(slots.box);
 }
@@ -119,14 +141,21 @@ export interface RaggedPoints {
 
 /** Calls `use` with the address of a struct for each of many shapes. */
 export function forEachShape(kind: ItemKind, shapes: RaggedPoints, use: (struct: number) => void): void {
-  const { points, offsets } = shapes;
-  const { address, count } = packPoints(points);
+  const { points, offsets: given } = toObject(shapes, 'the shapes');
+  const [coordinates, offsets] = [flatten(points), copyList(given, 'the offsets', toSize)];
+  const kindNumber = toEnum(ITEM_KINDS, kind);
+  arena.reset();
+  const { address, count } = packPoints(coordinates);
   const struct = answer(ww_shape, slots.struct2);
   check(lib.ww_shape_init(struct, ww_shape.size_));
-  put.int(struct + ww_shape.kind, toEnum(ITEM_KINDS, kind));
+  put.int(struct + ww_shape.kind, kindNumber);
+  offsets.forEach((to, i) => {
+    if (to > count || to < (offsets[i - 1] ?? 0)) {
+      refuse(`offset ${i} of ${offsets.length} is not between the offset before it and ${count}`);
+    }
+  });
   for (let i = 0; i + 1 < offsets.length; ++i) {
-    const [from, to] = [toSize(offsets[i]!), toSize(offsets[i + 1]!)];
-    if (from > to || to > count) refuse(`offset ${i + 1} of ${offsets.length} is not between offset ${i} and ${count}`);
+    const [from, to] = [offsets[i]!, offsets[i + 1]!];
     put.size(struct + ww_shape.points, address + 16 * from);
     put.size(struct + ww_shape.pointCount, to - from);
     use(struct);

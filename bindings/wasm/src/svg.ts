@@ -1,9 +1,10 @@
-import { arena, packPoints, packText, type Point, type Points } from './buffers.js';
+import { arena, copyList, copyPoint, flatten, packPoints, packText, type Point, type Points } from './buffers.js';
+import { toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
-import { Handle, make } from './handle.js';
-import { packQuery, type Path, PATH_STATUSES, type PathQuery, type PathStatus } from './path.js';
+import { addressOf, Handle, make } from './handle.js';
+import { packPathQuery, Path, PATH_STATUSES, type PathQuery, type PathStatus } from './path.js';
 import { check, encode, lib, slots } from './runtime.js';
-import { answer, type Box, get, packIds, put, readBox, readPoint, toEnum, writeBox, writePoint } from './values.js';
+import { answer, type Box, copyBox, get, packIds, put, readBox, readPoint, toEnum, toId, writeBox, writeEnds, writePoint } from './values.js';
 import type { Location, RayHit } from './world.js';
 
 export type SvgTheme = 'automatic' | 'light' | 'dark';
@@ -30,17 +31,23 @@ function packOptional(text: string | undefined): number {
   return text === undefined ? 0 : packText(encode(text)).address;
 }
 
-/** Writes options to a struct of the module. The title goes into the arena. */
+/** Returns a copy of options that a caller has given. */
+export function copySvgOptions(options: SvgOptions): SvgOptions {
+  const copy = { ...toObject(options, 'the options') };
+  return copy.crop === undefined ? copy : { ...copy, crop: copyBox(copy.crop) };
+}
+
+/** Writes a copy of options to a struct of the module. The title goes into the arena. */
 export function packSvgOptions(options: SvgOptions): number {
   const { ww_svg_options: layout } = abi;
   const title = packOptional(options.title);
   const struct = slots.struct2;
   check(lib.ww_svg_options_init(struct, layout.size_));
   if (options.theme !== undefined) put.int(struct + layout.theme, toEnum(SVG_THEMES, options.theme));
-  if (options.width !== undefined) put.float(struct + layout.width, options.width);
+  if (options.width !== undefined) put.float(struct + layout.width, toNumber(options.width, 'the width'));
   for (const flag of ['mesh', 'axes', 'ids', 'yDown'] as const) {
     const value = options[flag];
-    if (value !== undefined) put.flag(struct + layout[flag], value);
+    if (value !== undefined) put.flag(struct + layout[flag], toFlag(value, flag));
   }
   if (options.crop !== undefined) {
     put.flag(struct + layout.hasCrop, true);
@@ -63,10 +70,11 @@ export interface SvgFrame {
 
 export function svgFrame(domain: Box, options: SvgOptions = {}): SvgFrame {
   const { ww_svg_frame: layout } = abi;
+  const [box, copy] = [copyBox(domain), copySvgOptions(options)];
   arena.reset();
-  const given = packSvgOptions(options);
+  const given = packSvgOptions(copy);
   const struct = answer(layout);
-  check(lib.ww_svg_get_frame(writeBox(slots.box, domain), given, struct));
+  check(lib.ww_svg_get_frame(writeBox(slots.box, box), given, struct));
   return {
     yDown: get.flag(struct + layout.yDown),
     shown: readBox(struct + layout.shown),
@@ -77,23 +85,27 @@ export function svgFrame(domain: Box, options: SvgOptions = {}): SvgFrame {
 
 function packFrame(frame: SvgFrame): number {
   const { ww_svg_frame: layout } = abi;
+  const { yDown, shown: givenShown, map: givenMap, scale } = toObject(frame, 'a frame');
+  const [shown, map] = [copyBox(givenShown), copyBox(givenMap)];
   const struct = answer(layout);
-  put.flag(struct + layout.yDown, frame.yDown);
-  writeBox(struct + layout.shown, frame.shown);
-  writeBox(struct + layout.map, frame.map);
-  put.float(struct + layout.scale, frame.scale);
+  put.flag(struct + layout.yDown, toFlag(yDown, 'yDown'));
+  writeBox(struct + layout.shown, shown);
+  writeBox(struct + layout.map, map);
+  put.float(struct + layout.scale, toNumber(scale, 'the scale'));
   return struct;
 }
 
 /** Returns the pixel of a point of the world. */
 export function svgToPicture(frame: SvgFrame, point: Point): Point {
-  check(lib.ww_svg_to_picture(packFrame(frame), writePoint(slots.a, point), slots.b));
+  const [at, given] = [copyPoint(point), packFrame(frame)];
+  check(lib.ww_svg_to_picture(given, writePoint(slots.a, at), slots.b));
   return readPoint(slots.b);
 }
 
 /** Returns the point of the world at a pixel. */
 export function svgToWorld(frame: SvgFrame, pixels: Point): Point {
-  check(lib.ww_svg_to_world(packFrame(frame), writePoint(slots.a, pixels), slots.b));
+  const [at, given] = [copyPoint(pixels), packFrame(frame)];
+  check(lib.ww_svg_to_world(given, writePoint(slots.a, at), slots.b));
   return readPoint(slots.b);
 }
 
@@ -115,68 +127,77 @@ export class SvgOverlay extends Handle {
   }
 
   addPath(path: Path): this {
-    check(lib.ww_svg_add_path(this.address, path.address));
+    check(lib.ww_svg_add_path(this.address, addressOf(Path, path)));
     return this;
   }
 
   /** Adds the path of a disc and its query. */
   addDiscPath(query: PathQuery, path: Path): this {
-    check(lib.ww_svg_add_disc_path(this.address, packQuery(query, query.start, query.goal), path.address));
+    const given = packPathQuery(query);
+    check(lib.ww_svg_add_disc_path(this.address, given, addressOf(Path, path)));
     return this;
   }
 
   addFailedPath(start: Point, goal: Point, status: PathStatus): this {
-    const number = toEnum(PATH_STATUSES, status);
-    check(lib.ww_svg_add_failed_path(this.address, writePoint(slots.a, start), writePoint(slots.b, goal), number));
+    const [number, [a, b]] = [toEnum(PATH_STATUSES, status), writeEnds(start, goal)];
+    check(lib.ww_svg_add_failed_path(this.address, a, b, number));
     return this;
   }
 
   addRay(from: Point, to: Point, hit: RayHit): this {
     const { ww_ray_hit: layout } = abi;
+    const { hit: isHit, at, contact, items: ids } = toObject(hit, 'a hit');
+    const copy = { at: copyPoint(at), contact: copyPoint(contact), ids: copyList(ids, 'a list of ids', toId) };
+    const [a, b] = writeEnds(from, to);
     arena.reset();
-    const items = packIds(hit.items);
+    const items = packIds(copy.ids);
     const struct = answer(layout);
-    put.flag(struct + layout.hit, hit.hit);
-    writePoint(struct + layout.at, hit.at);
-    writePoint(struct + layout.contact, hit.contact);
-    const [a, b] = [writePoint(slots.a, from), writePoint(slots.b, to)];
+    put.flag(struct + layout.hit, toFlag(isHit, 'hit'));
+    writePoint(struct + layout.at, copy.at);
+    writePoint(struct + layout.contact, copy.contact);
     check(lib.ww_svg_add_ray(this.address, a, b, struct, items.address, items.count));
     return this;
   }
 
   addLocation(at: Point, location: Location): this {
     const { ww_location: layout } = abi;
+    const { kind, vertices: givenVertices, polygons: givenIds } = toObject(location, 'a location');
+    const vertices = copyList(givenVertices, 'a list of vertices', copyPoint).slice(0, 3);
+    const [ids, point] = [copyList(givenIds, 'a list of ids', toId), writePoint(slots.a, at)];
     arena.reset();
-    const polygons = packIds(location.polygons);
+    const polygons = packIds(ids);
     const struct = answer(layout);
-    put.int(struct + layout.kind, toEnum(LOCATIONS, location.kind));
-    put.size(struct + layout.vertexCount, Math.min(location.vertices.length, 3));
-    location.vertices.slice(0, 3).forEach((vertex, i) => writePoint(struct + layout.vertices + 16 * i, vertex));
-    const point = writePoint(slots.a, at);
+    put.int(struct + layout.kind, toEnum(LOCATIONS, kind));
+    put.size(struct + layout.vertexCount, vertices.length);
+    vertices.forEach((vertex, i) => writePoint(struct + layout.vertices + 16 * i, vertex));
     check(lib.ww_svg_add_location(this.address, point, struct, polygons.address, polygons.count));
     return this;
   }
 
   addDisc(centre: Point, radius: number, style: MarkStyle = {}): this {
+    const [copy, size, at] = [{ ...style }, toNumber(radius, 'the radius'), writePoint(slots.a, centre)];
     arena.reset();
-    const [colour, hint] = [packOptional(style.colour), packOptional(style.hint)];
-    check(lib.ww_svg_add_disc(this.address, writePoint(slots.a, centre), radius, colour, hint));
+    const [colour, hint] = [packOptional(copy.colour), packOptional(copy.hint)];
+    check(lib.ww_svg_add_disc(this.address, at, size, colour, hint));
     return this;
   }
 
   addPolyline(points: Points, width: number, style: MarkStyle & { readonly dashed?: boolean } = {}): this {
+    const [copy, size, coordinates] = [{ ...style }, toNumber(width, 'the width'), flatten(points)];
+    const isDashed = toFlag(copy.dashed ?? false, 'dashed');
     arena.reset();
-    const [colour, hint] = [packOptional(style.colour), packOptional(style.hint)];
-    const { address, count } = packPoints(points);
-    check(lib.ww_svg_add_polyline(this.address, address, count, width, style.dashed === true ? 1 : 0, colour, hint));
+    const [colour, hint] = [packOptional(copy.colour), packOptional(copy.hint)];
+    const { address, count } = packPoints(coordinates);
+    check(lib.ww_svg_add_polyline(this.address, address, count, size, isDashed ? 1 : 0, colour, hint));
     return this;
   }
 
   /** Adds a text beside `at`. The text keeps a disc of `radius` around `at` free. `size` is in pixels, 14 is usual. */
   addLabel(at: Point, text: string, radius: number, size = 14, colour?: string): this {
+    const [point, free, height] = [writePoint(slots.a, at), toNumber(radius, 'the radius'), toNumber(size, 'the size')];
     arena.reset();
     const [label, painted] = [packText(encode(text)).address, packOptional(colour)];
-    check(lib.ww_svg_add_label(this.address, writePoint(slots.a, at), label, radius, size, painted));
+    check(lib.ww_svg_add_label(this.address, point, label, free, height, painted));
     return this;
   }
 

@@ -1,5 +1,5 @@
-import { arena, type List, type Point } from './buffers.js';
-import { refuse, WaywrightError } from './errors.js';
+import { arena, copyPoint, type List, type Point } from './buffers.js';
+import { refuse, shown, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
 import { check, f64, i32, idAt, lib, slots, textAt, u32, u64, u8 } from './runtime.js';
 
@@ -15,10 +15,19 @@ export interface Box {
  */
 export type ItemId = number | bigint;
 
-/** Converts an id, or a version, to the type that the functions of the module take. */
+function isUnsigned(value: unknown): value is number | bigint {
+  return typeof value === 'bigint' ? value >= 0n && value < 2n ** 64n : Number.isSafeInteger(value) && (value as number) >= 0;
+}
+
+/** Converts an id to the type that the functions of the module take. */
 export function toId(id: ItemId): bigint {
-  if (typeof id === 'bigint' ? id >= 0n && id < 2n ** 64n : Number.isSafeInteger(id) && id >= 0) return BigInt(id);
-  throw new WaywrightError('bad-id', `${String(id)} is not an id: ids are whole numbers from 1 to 2^63 - 1`);
+  if (isUnsigned(id)) return BigInt(id);
+  throw new WaywrightError('bad-id', `${shown(id)} is not an id: ids are whole numbers from 1 to 2^63 - 1`);
+}
+
+/** Returns another number of 64 bits as the module takes it: a version, a tick or a key. */
+export function toLong(value: number | bigint, what: string): bigint {
+  return isUnsigned(value) ? BigInt(value) : refuse(`${shown(value)} is not a ${what}: it is not a whole number from 0 to 2^53 - 1`);
 }
 
 /** Copies ids of the module. */
@@ -29,25 +38,40 @@ export function readIds({ address, count }: List, stride = 8): ItemId[] {
 }
 
 /** Copies ids into the arena. */
-export function packIds(ids: ArrayLike<ItemId>): List {
+export function packIds(ids: readonly bigint[]): List {
   const address = arena.take(8 * ids.length);
-  for (let i = 0; i < ids.length; ++i) u64[(address >>> 3) + i] = toId(ids[i]!);
+  u64.set(ids, address >>> 3);
   return { address, count: ids.length };
 }
 
+/** Writes a point of a caller. Reads it before: see flatten(). */
 export function writePoint(address: number, point: Point): number {
-  f64[address >>> 3] = point.x;
-  f64[(address >>> 3) + 1] = point.y;
+  const { x, y } = copyPoint(point);
+  f64[address >>> 3] = x;
+  f64[(address >>> 3) + 1] = y;
   return address;
+}
+
+/** Writes two points of a caller to slots.a and slots.b. */
+export function writeEnds(from: Point, to: Point): readonly [number, number] {
+  const [a, b] = [copyPoint(from), copyPoint(to)];
+  return [writePoint(slots.a, a), writePoint(slots.b, b)];
 }
 
 export function readPoint(address: number): Point {
   return { x: f64[address >>> 3]!, y: f64[(address >>> 3) + 1]! };
 }
 
+/** Returns a copy of a box that a caller has given. */
+export function copyBox(box: Box): Box {
+  const { min, max } = toObject(box, 'a box');
+  return { min: copyPoint(min), max: copyPoint(max) };
+}
+
 export function writeBox(address: number, box: Box): number {
-  writePoint(address, box.min);
-  writePoint(address + 16, box.max);
+  const { min, max } = copyBox(box);
+  writePoint(address, min);
+  writePoint(address + 16, max);
   return address;
 }
 
@@ -90,7 +114,7 @@ export function answer(struct: { readonly size_: number }, address = slots.struc
 /** Returns the number of an enumerator, or throws. */
 export function toEnum<T extends string>(names: readonly T[], name: T): number {
   const index = names.indexOf(name);
-  return index >= 0 ? index : refuse(`'${String(name)}' is none of ${names.join(', ')}`);
+  return index >= 0 ? index : refuse(`${shown(name)} is none of ${names.join(', ')}`);
 }
 
 /** Returns the name of an enumerator. */
@@ -152,7 +176,7 @@ export const SMALLEST_COORDINATE = 2 ** -100;
 
 /** Returns whether a world accepts a coordinate. */
 export function isInRange(coordinate: number): boolean {
-  return lib.ww_is_in_range(coordinate) !== 0;
+  return lib.ww_is_in_range(toNumber(coordinate, 'a coordinate')) !== 0;
 }
 
 /** The version of the library: `0.1.0`. */

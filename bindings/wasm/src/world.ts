@@ -1,28 +1,22 @@
-import { arena, packPoints, packSizes, packText, type Point, type Points, readList } from './buffers.js';
-import { refuse } from './errors.js';
+import {
+  arena, copyList, copyPoint, flatten, packPoints, packSizes, packText, type Point, type Points, readList, toBytes,
+} from './buffers.js';
+import { refuse, toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
-import { contextAddress, make, type QueryContext } from './handle.js';
+import { Address, addressOf, contextAddress, make, ownAddressOf, type QueryContext } from './handle.js';
 import { Mesh } from './mesh.js';
 import {
-  type Bridge,
-  findPath,
-  packQuery,
-  Path,
-  type PathOptions,
-  type PathQuery,
-  Paths,
-  readBridges,
-  readWidest,
+  type Bridge, copyOptions, findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readBridges, readWidest,
   type WidestPath,
 } from './path.js';
 import { check, idAt, lib, slots, textAt, withProgress } from './runtime.js';
-import { packSvgOptions, type SvgOptions, type SvgOverlay } from './svg.js';
+import { copySvgOptions, packSvgOptions, type SvgOptions, SvgOverlay } from './svg.js';
 import {
-  answer, askFlag, askFloat, askLong, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, put, readBox, readIds,
-  readPoint, toId, writeBox, writePoint,
+  answer, askFlag, askFloat, askLong, askSize, askText, type Box, copyBox, fromEnum, get, type ItemId, itemsHashAt, put, readBox, readIds,
+  readPoint, toLong, writeBox, writeEnds, writePoint,
 } from './values.js';
 import { packWorldOptions, WorldHistory, type WorldOptions } from './world_history.js';
-import { type BulkOptions, packBulk } from './world_items.js';
+import { type BulkOptions, packBulk, progressOf } from './world_items.js';
 
 export type LocationKind = 'vertex' | 'edge' | 'face';
 export const LOCATION_KINDS = ['vertex', 'edge', 'face'] as const;
@@ -119,8 +113,9 @@ export interface Validation {
 }
 
 function createWorld(domain: Box, options: WorldOptions): number {
+  const box = copyBox(domain);
   const given = packWorldOptions(options);
-  return make((address) => lib.ww_world_create(writeBox(slots.box, domain), given, address));
+  return make((address) => lib.ww_world_create(writeBox(slots.box, box), given, address));
 }
 
 function readHit(call: (struct: number, buffer: number, capacity: number, count: number) => number): RayHit {
@@ -139,26 +134,27 @@ function readHit(call: (struct: number, buffer: number, capacity: number, count:
 export class World extends WorldHistory {
   constructor(domain: Box, options?: WorldOptions);
   /** @internal */
-  constructor(address: number);
-  constructor(given: Box | number, options: WorldOptions = {}) {
-    const address = typeof given === 'number' ? given : createWorld(given, options);
+  constructor(given: Address);
+  constructor(given: Box | Address, options: WorldOptions = {}) {
+    const address = given instanceof Address ? given.value : createWorld(given, options);
     super(address, (world) => lib.ww_world_destroy(world));
   }
 
   /** Makes a world from the bytes that `save` has returned. `progress` reports the construction of the mesh. */
   static load(bytes: Uint8Array, options: BulkOptions = {}): World {
+    const [given, progress] = [toBytes(bytes), progressOf(options)];
     arena.reset();
-    const { address, count } = packText(bytes);
-    const bulk = packBulk(options);
+    const { address, count } = packText(given);
+    const bulk = packBulk(progress);
     return withProgress(
-      options.progress,
-      () => new World(make((world) => lib.ww_world_load_bytes(address, count, bulk, world))),
+      progress,
+      () => new World(new Address(make((world) => lib.ww_world_load_bytes(address, count, bulk, world)))),
     );
   }
 
   /** Makes an independent copy, with the same history. Searches and path watches do not belong to the copy. */
   clone(): World {
-    return new World(make((world) => lib.ww_world_clone(this.address, world)));
+    return new World(new Address(make((world) => lib.ww_world_clone(this.address, world))));
   }
 
   /** The options with which you made the world, and its present limit of new vertices. */
@@ -181,10 +177,11 @@ export class World extends WorldHistory {
   /** Finds the vertex, edge or face at a point. */
   locate(point: Point, context?: QueryContext): Location {
     const { ww_location: layout } = abi;
+    const at = writePoint(slots.a, point);
     const [world, asked] = [this.address, contextAddress(context)];
     const struct = slots.struct;
     const polygons = readIds(
-      readList(8, (...list) => lib.ww_world_locate(world, writePoint(slots.a, point), asked, answer(layout), ...list)),
+      readList(8, (...list) => lib.ww_world_locate(world, at, asked, answer(layout), ...list)),
     );
     const count = get.size(struct + layout.vertexCount);
     return {
@@ -196,18 +193,18 @@ export class World extends WorldHistory {
 
   /** Finds the items that contain a point, ascending. */
   itemsAt(point: Point, context?: QueryContext): ItemId[] {
+    const at = writePoint(slots.a, point);
     const [world, asked] = [this.address, contextAddress(context)];
-    return readIds(
-      readList(8, (...list) => lib.ww_world_items_at(world, writePoint(slots.a, point), asked, ...list)),
-    );
+    return readIds(readList(8, (...list) => lib.ww_world_items_at(world, at, asked, ...list)));
   }
 
   /** Finds the items whose sides a segment meets, in the order from `from` to `to`. */
   itemsCrossed(from: Point, to: Point, context?: QueryContext): CrossedItem[] {
     const { ww_crossed_item: layout } = abi;
+    const [a, b] = writeEnds(from, to);
     const [world, asked] = [this.address, contextAddress(context)];
     const { address, count } = readList(layout.size_, (...list) =>
-      lib.ww_world_items_crossed(world, writePoint(slots.a, from), writePoint(slots.b, to), asked, ...list),
+      lib.ww_world_items_crossed(world, a, b, asked, ...list),
     );
     return Array.from({ length: count }, (_, i) => {
       const struct = address + i * layout.size_;
@@ -217,33 +214,31 @@ export class World extends WorldHistory {
 
   /** Finds the items that have a position in common with a closed box, ascending. */
   itemsIn(box: Box, context?: QueryContext): ItemId[] {
+    const given = writeBox(slots.box, box);
     const [world, asked] = [this.address, contextAddress(context)];
-    return readIds(readList(8, (...list) => lib.ww_world_items_in(world, writeBox(slots.box, box), asked, ...list)));
+    return readIds(readList(8, (...list) => lib.ww_world_items_in(world, given, asked, ...list)));
   }
 
   /** Finds the first wall that a segment touches. */
   ray(from: Point, to: Point, context?: QueryContext): RayHit {
+    const [a, b] = writeEnds(from, to);
     const [world, asked] = [this.address, contextAddress(context)];
-    return readHit((struct, ...list) =>
-      lib.ww_world_ray(world, writePoint(slots.a, from), writePoint(slots.b, to), asked, struct, ...list),
-    );
+    return readHit((struct, ...list) => lib.ww_world_ray(world, a, b, asked, struct, ...list));
   }
 
   /** Finds the first wall that a disc touches while its centre moves from `from` to `to`. */
   sweepDisc(from: Point, to: Point, radius: number, context?: QueryContext): RayHit {
+    const [size, [a, b]] = [toNumber(radius, 'the radius'), writeEnds(from, to)];
     const [world, asked] = [this.address, contextAddress(context)];
-    return readHit((struct, ...list) =>
-      lib.ww_world_sweep_disc(world, writePoint(slots.a, from), writePoint(slots.b, to), radius, asked, struct, ...list),
-    );
+    return readHit((struct, ...list) => lib.ww_world_sweep_disc(world, a, b, size, asked, struct, ...list));
   }
 
   /** Finds out whether a disc fits at a position. */
   fitDisc(centre: Point, radius: number, context?: QueryContext): DiscFit {
+    const [size, at] = [toNumber(radius, 'the radius'), writePoint(slots.a, centre)];
     const [world, asked] = [this.address, contextAddress(context)];
     const items = readIds(
-      readList(8, (...list) =>
-        lib.ww_world_fit_disc(world, writePoint(slots.a, centre), radius, asked, slots.flag, ...list),
-      ),
+      readList(8, (...list) => lib.ww_world_fit_disc(world, at, size, asked, slots.flag, ...list)),
     );
     return { fits: get.flag(slots.flag), items };
   }
@@ -251,15 +246,17 @@ export class World extends WorldHistory {
   /** Finds the nearest point where a disc fits. */
   nearestFit(query: NearestFitQuery, context?: QueryContext): NearestFit {
     const { ww_nearest_fit_query: layout, ww_nearest_fit: fit } = abi;
+    const { point, goal, radius = 0, limit = Infinity } = toObject(query, 'a query');
+    const [at, end] = [copyPoint(point), goal === undefined ? null : copyPoint(goal)];
     const struct = slots.struct2;
     check(lib.ww_nearest_fit_query_init(struct, layout.size_));
-    writePoint(struct + layout.point, query.point);
-    if (query.goal !== undefined) {
+    writePoint(struct + layout.point, at);
+    if (end !== null) {
       put.flag(struct + layout.hasGoal, true);
-      writePoint(struct + layout.goal, query.goal);
+      writePoint(struct + layout.goal, end);
     }
-    if (query.radius !== undefined) put.float(struct + layout.radius, query.radius);
-    if (query.limit !== undefined) put.float(struct + layout.limit, query.limit);
+    put.float(struct + layout.radius, toNumber(radius, 'the radius'));
+    put.float(struct + layout.limit, toNumber(limit, 'the limit'));
     const found = answer(fit);
     check(lib.ww_world_nearest_fit(this.address, struct, contextAddress(context), found));
     return {
@@ -271,52 +268,57 @@ export class World extends WorldHistory {
 
   /** Finds the largest disc that gets from start to goal. */
   widestPath(start: Point, goal: Point, context?: QueryContext): WidestPath {
+    const [a, b] = writeEnds(start, goal);
     const [world, asked] = [this.address, contextAddress(context)];
-    return readWidest((struct, ...lists) =>
-      lib.ww_world_widest_path(world, writePoint(slots.a, start), writePoint(slots.b, goal), asked, struct, ...lists),
-    );
+    return readWidest((struct, ...lists) => lib.ww_world_widest_path(world, a, b, asked, struct, ...lists));
   }
 
   /** Lists the bridges that meet a closed box, for example `world.domain`. */
   bridges(box: Box, context?: QueryContext): Bridge[] {
+    const given = writeBox(slots.box, box);
     const [world, asked] = [this.address, contextAddress(context)];
-    return readBridges((...lists) => lib.ww_world_bridges(world, writeBox(slots.box, box), asked, ...lists));
+    return readBridges((...lists) => lib.ww_world_bridges(world, given, asked, ...lists));
   }
 
   /** Finds a path, or finds out that there is none. The answer is `path`, or a new path. */
   findPath(query: PathQuery, path: Path = new Path(), context?: QueryContext): Path {
-    return findPath(this.address, query, path, context);
+    return findPath(this, query, path, context);
   }
 
   /** Finds a path for each pair of points in `ends`: start, goal, start, goal, ... The options are the same for all. */
   findPaths(ends: Points, options: PathOptions = {}, paths: Paths = new Paths(), context?: QueryContext): Paths {
+    const [coordinates, given] = [flatten(ends), copyOptions(options)];
+    if (coordinates.length % 4 !== 0) refuse('a list of ends has two points for each path');
+    const [world, asked, into] = [this.address, contextAddress(context), ownAddressOf(Paths, paths)];
     arena.reset();
-    const { address, count } = packPoints(ends);
-    if (count % 2 !== 0) refuse('a list of ends has two points for each path');
-    const query = packQuery(options);
+    const { address, count } = packPoints(coordinates);
+    const query = packQuery(given);
     paths.renew();
-    check(lib.ww_js_find_paths(this.address, query, address, count / 2, contextAddress(context), paths.address));
+    check(lib.ww_js_find_paths(world, query, address, count / 2, asked, into));
     return paths;
   }
 
   /** Finds the shortest path from one start to each of many goals. */
   findPathsFrom(query: ManyGoalsQuery, paths: Paths = new Paths(), context?: QueryContext): Paths {
     const { ww_many_goals_query: layout } = abi;
+    const { start, goals: given, wantsPoints = false, radius = 0, endTolerance } = toObject(query, 'a query');
+    const [coordinates, from] = [flatten(given), copyPoint(start)];
+    const [world, asked, into] = [this.address, contextAddress(context), ownAddressOf(Paths, paths)];
     arena.reset();
-    const goals = packPoints(query.goals);
+    const goals = packPoints(coordinates);
     const struct = slots.struct2;
     check(lib.ww_many_goals_query_init(struct, layout.size_));
-    writePoint(struct + layout.start, query.start);
+    writePoint(struct + layout.start, from);
     put.size(struct + layout.goals, goals.address);
     put.size(struct + layout.goalCount, goals.count);
-    put.flag(struct + layout.wantsPoints, query.wantsPoints ?? false);
-    if (query.radius !== undefined) put.float(struct + layout.radius, query.radius);
-    if (query.endTolerance !== undefined) {
+    put.flag(struct + layout.wantsPoints, toFlag(wantsPoints, 'wantsPoints'));
+    put.float(struct + layout.radius, toNumber(radius, 'the radius'));
+    if (endTolerance !== undefined) {
       put.flag(struct + layout.hasEndTolerance, true);
-      put.float(struct + layout.endTolerance, query.endTolerance);
+      put.float(struct + layout.endTolerance, toNumber(endTolerance, 'endTolerance'));
     }
     paths.renew();
-    check(lib.ww_world_find_paths_from(this.address, struct, contextAddress(context), paths.address));
+    check(lib.ww_world_find_paths_from(world, struct, asked, into));
     return paths;
   }
 
@@ -327,35 +329,37 @@ export class World extends WorldHistory {
 
   /** Whether a point agent can walk along a polyline. */
   isClear(points: Points, context?: QueryContext): boolean {
+    const coordinates = flatten(points);
     arena.reset();
-    const { address, count } = packPoints(points);
+    const { address, count } = packPoints(coordinates);
     return askFlag((flag) => lib.ww_world_is_clear(this.address, address, count, contextAddress(context), flag));
   }
 
   /** Whether a point agent can walk straight from one point to another. */
   isClearBetween(from: Point, to: Point, context?: QueryContext): boolean {
+    const [a, b] = writeEnds(from, to);
     const [world, asked] = [this.address, contextAddress(context)];
-    return askFlag((flag) =>
-      lib.ww_world_is_clear_between(world, writePoint(slots.a, from), writePoint(slots.b, to), asked, flag),
-    );
+    return askFlag((flag) => lib.ww_world_is_clear_between(world, a, b, asked, flag));
   }
 
   /** Whether an operation after version `since` has inserted or removed an item near a polyline, or near a path. */
   isAffected(line: Points | Path, since: number): boolean {
-    const version = toId(since);
+    const version = toLong(since, 'version');
     if (line instanceof Path) {
       return askFlag((flag) => lib.ww_world_is_path_affected(this.address, line.address, version, flag));
     }
+    const coordinates = flatten(line);
     arena.reset();
-    const { address, count } = packPoints(line);
+    const { address, count } = packPoints(coordinates);
     return askFlag((flag) => lib.ww_world_is_affected(this.address, address, count, version, flag));
   }
 
   /** The indices of the affected paths, ascending. */
   findAffected(paths: readonly Path[], since: number): number[] {
+    const [addresses, version] = [copyList(paths, 'a list of paths', (path) => addressOf(Path, path)), toLong(since, 'version')];
+    const world = this.address;
     arena.reset();
-    const given = packSizes(paths.map((path) => path.address));
-    const [world, version] = [this.address, toId(since)];
+    const given = packSizes(addresses);
     const { address, count } = readList(4, (...list) =>
       lib.ww_world_find_affected(world, given.address, given.count, version, ...list),
     );
@@ -365,7 +369,7 @@ export class World extends WorldHistory {
   /** The regions that operations after version `since` have changed, the oldest first; null if some are unknown. */
   changesSince(since: number): ChangedBox[] | null {
     const { ww_changed_box: layout } = abi;
-    const [world, version] = [this.address, toId(since)];
+    const [world, version] = [this.address, toLong(since, 'version')];
     const { address, count } = readList(layout.size_, (...list) =>
       lib.ww_world_changes_since(world, version, slots.flag, ...list),
     );
@@ -395,7 +399,7 @@ export class World extends WorldHistory {
 
   /** Copies the mesh in canonical order, to the given mesh or to a new one. */
   snapshot(mesh: Mesh = new Mesh(), context?: QueryContext): Mesh {
-    check(lib.ww_world_snapshot(this.address, contextAddress(context), mesh.address));
+    check(lib.ww_world_snapshot(this.address, contextAddress(context), addressOf(Mesh, mesh)));
     return mesh;
   }
 
@@ -440,9 +444,10 @@ export class World extends WorldHistory {
 
   /** Draws a picture of the world as SVG. */
   toSvg(overlay: SvgOverlay | null = null, options: SvgOptions = {}): string {
+    const [copy, marks] = [copySvgOptions(options), overlay === null ? 0 : addressOf(SvgOverlay, overlay)];
     arena.reset();
-    const given = packSvgOptions(options);
-    return askText((text) => lib.ww_world_to_svg(this.address, overlay === null ? 0 : overlay.address, given, text));
+    const given = packSvgOptions(copy);
+    return askText((text) => lib.ww_world_to_svg(this.address, marks, given, text));
   }
 }
 

@@ -1,9 +1,9 @@
-import { arena, packPoints, packText, type Points } from './buffers.js';
-import { refuse } from './errors.js';
+import { arena, flatten, packPoints, packText, type Points, toBytes } from './buffers.js';
+import { refuse, shown, toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { check, lib, slots, withQuestion } from './runtime.js';
-import { askCopy, askFlag, askId, askLong, askSize, type ItemId, put, toId } from './values.js';
-import { type Change, packChanges, WorldItems } from './world_items.js';
+import { askCopy, askFlag, askId, askLong, askSize, type ItemId, put, toId, toLong } from './values.js';
+import { type Change, copyChanges, packChanges, WorldItems } from './world_items.js';
 
 export interface WorldOptions {
   /** Whether the world maintains the path abstraction. The default is true. */
@@ -16,19 +16,23 @@ export interface WorldOptions {
 
 const NO_LIMIT = 2 ** 32 - 1;
 
-function toLimit(limit: number): number {
-  if (!(limit >= 0) || (limit !== Infinity && !Number.isInteger(limit))) refuse(`${limit} is no limit for vertices`);
+function toLimit(limit: number, what: string): number {
+  if (limit !== Infinity && !(Number.isInteger(limit) && limit >= 0)) {
+    refuse(`${shown(limit)} is no number of ${what}: it is neither Infinity nor a whole number from 0`);
+  }
   return Math.min(limit, NO_LIMIT);
 }
 
 /** Writes options to a struct of the module. */
 export function packWorldOptions(options: WorldOptions): number {
   const { ww_world_options: layout } = abi;
+  const { keepAbstraction = true, keepBridges = false, newVertexLimit = Infinity } = toObject(options, 'the options');
+  const [hasAbstraction, hasBridges] = [toFlag(keepAbstraction, 'keepAbstraction'), toFlag(keepBridges, 'keepBridges')];
   const struct = slots.struct2;
   check(lib.ww_world_options_init(struct, layout.size_));
-  if (options.keepAbstraction !== undefined) put.flag(struct + layout.keepAbstraction, options.keepAbstraction);
-  if (options.keepBridges !== undefined) put.flag(struct + layout.keepBridges, options.keepBridges);
-  if (options.newVertexLimit !== undefined) put.size(struct + layout.newVertexLimit, toLimit(options.newVertexLimit));
+  put.flag(struct + layout.keepAbstraction, hasAbstraction);
+  put.flag(struct + layout.keepBridges, hasBridges);
+  put.size(struct + layout.newVertexLimit, toLimit(newVertexLimit, 'vertices'));
   return struct;
 }
 
@@ -36,7 +40,7 @@ export function packWorldOptions(options: WorldOptions): number {
 export abstract class WorldHistory extends WorldItems {
   /** Makes the world remember its last `ticks` ticks from now on. With 0, the world drops its history. */
   keepHistory(ticks: number): void {
-    check(lib.ww_world_keep_history(this.address, toLimit(ticks)));
+    check(lib.ww_world_keep_history(this.address, toLimit(ticks, 'ticks')));
   }
 
   /** Names the current state. Returns its tick: 1 for the first call, and one more for each further call. */
@@ -46,22 +50,30 @@ export abstract class WorldHistory extends WorldItems {
 
   /** Brings back the state of the world at a tick, as one operation. The later ticks then no longer exist. */
   rewind(tick: number): void {
-    check(lib.ww_world_rewind(this.address, toId(tick)));
+    check(lib.ww_world_rewind(this.address, toLong(tick, 'tick')));
   }
 
   /**
    * Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. The question
-   * gets this world; it may make queries, but no changes.
+   * gets this world. It may make queries, but no changes, clones, searches in slices, path watches and replay logs of this
+   * world. It answers at once: a promise is refused.
    */
   attempt<T>(changes: readonly Change[], question: (changed: this) => T): T {
+    if (typeof question !== 'function') refuse(`the question is ${shown(question)}, not a function`);
+    const copies = copyChanges(changes);
     const { address } = this;
     arena.reset();
-    const list = packChanges(changes);
+    const list = packChanges(copies);
     let answer: { readonly value: T } | null = null;
-    withQuestion(
-      () => (answer = { value: question(this) }),
-      () => lib.ww_js_world_attempt(address, list, changes.length),
-    );
+    const ask = (): void => {
+      const value: unknown = question(this);
+      if (value instanceof Promise) {
+        value.catch(() => undefined);
+        refuse('the question of an attempt returned a promise: it must answer at once');
+      }
+      answer = { value: value as T };
+    };
+    this.using(() => withQuestion(ask, () => lib.ww_js_world_attempt(address, list, copies.length)));
     return (answer as { readonly value: T } | null)!.value;
   }
 
@@ -70,11 +82,12 @@ export abstract class WorldHistory extends WorldItems {
    * or it can stand at one of the points now but not after the changes. The function makes no change.
    */
   wouldDisconnect(changes: readonly Change[], points: Points, radius = 0): boolean {
+    const [copies, coordinates, size] = [copyChanges(changes), flatten(points), toNumber(radius, 'the radius')];
     arena.reset();
-    const list = packChanges(changes);
-    const { address, count } = packPoints(points);
+    const list = packChanges(copies);
+    const { address, count } = packPoints(coordinates);
     return askFlag((flag) =>
-      lib.ww_world_would_disconnect(this.address, list, changes.length, address, count, radius, flag),
+      lib.ww_world_would_disconnect(this.address, list, copies.length, address, count, size, flag),
     );
   }
 
@@ -84,7 +97,7 @@ export abstract class WorldHistory extends WorldItems {
     return limit === NO_LIMIT ? Infinity : limit;
   }
   set newVertexLimit(limit: number) {
-    check(lib.ww_world_set_new_vertex_limit(this.address, toLimit(limit)));
+    check(lib.ww_world_set_new_vertex_limit(this.address, toLimit(limit, 'vertices')));
   }
 
   /** The largest id that the world has seen, or 0. If the world chooses an id, it is this id plus 1. */
@@ -94,7 +107,8 @@ export abstract class WorldHistory extends WorldItems {
 
   /** Lets the world continue its ids after `last`, as if it had seen this id. */
   reserveIds(last: ItemId): void {
-    check(lib.ww_world_reserve_ids(this.address, toId(last)));
+    const wanted = toId(last);
+    check(lib.ww_world_reserve_ids(this.address, wanted));
   }
 
   /** The saved world: its domain, options and items. `World.load` reads it. Equal worlds give equal bytes. */
@@ -105,7 +119,8 @@ export abstract class WorldHistory extends WorldItems {
 
 /** Finds out whether bytes start like a saved world. */
 export function isSavedWorld(bytes: Uint8Array): boolean {
+  const start = toBytes(bytes).subarray(0, 1024);
   arena.reset();
-  const { address, count } = packText(bytes.subarray(0, 1024));
+  const { address, count } = packText(start);
   return askFlag((flag) => lib.ww_is_saved_world(address, count, flag));
 }

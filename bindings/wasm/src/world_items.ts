@@ -1,11 +1,11 @@
-import { arena, packPoints, type Point, type Points, readList } from './buffers.js';
-import { refuse } from './errors.js';
+import { arena, copyList, flatten, packPoints, type Point, type Points, readList } from './buffers.js';
+import { refuse, shown, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
-import { contextAddress, Handle, type QueryContext } from './handle.js';
+import { contextAddress, Handle, ownAddressOf, type QueryContext } from './handle.js';
 import { type Item, ItemList } from './items.js';
 import { check, lib, slots, withProgress } from './runtime.js';
-import { packShape, type Shape } from './shape.js';
-import { askFlag, askId, askSize, type ItemId, put, readIds, toId, writePoint } from './values.js';
+import { copyShape, packCopy, packShape, type Shape, type ShapeCopy } from './shape.js';
+import { askFlag, askId, askSize, type ItemId, put, readIds, toId, writeEnds, writePoint } from './values.js';
 
 /** One of several changes of `World.apply`. */
 export type Change =
@@ -16,19 +16,38 @@ export type Change =
 const CHANGE_KINDS = { insert: abi.WW_CHANGE_INSERT, remove: abi.WW_CHANGE_REMOVE, replace: abi.WW_CHANGE_REPLACE };
 
 export interface BulkOptions {
-  /** The library calls it from time to time, at the end with `done === total`. It must not call functions of the package. */
+  /**
+   * The library calls it from time to time, at the end with `done === total`. It must not call functions of the package. It
+   * cannot stop the call: if it throws, the call does its work, and throws this error afterwards.
+   */
   readonly progress?: (done: number, total: number) => void;
 }
 
+/** A copy of a change that a caller has given. */
+interface ChangeCopy {
+  readonly kind: number;
+  readonly id: bigint;
+  readonly shape: ShapeCopy | null;
+}
+
+function copyChange(change: Change): ChangeCopy {
+  const { kind, id = 0 } = toObject(change, 'a change');
+  if (!Object.hasOwn(CHANGE_KINDS, kind)) refuse(`${shown(kind)} is no kind of change`);
+  const shape = kind === 'remove' ? null : copyShape((change as { readonly shape: Shape }).shape);
+  return { kind: CHANGE_KINDS[kind], id: toId(id), shape };
+}
+
+export function copyChanges(changes: readonly Change[]): readonly ChangeCopy[] {
+  return copyList(changes, 'a list of changes', copyChange);
+}
+
 /** Copies changes into the arena. */
-export function packChanges(changes: readonly Change[]): number {
-  const { ww_change: layout, ww_shape: shape } = abi;
+export function packChanges(changes: readonly ChangeCopy[]): number {
+  const { ww_change: layout, ww_shape: shapeLayout } = abi;
   const address = arena.take(layout.size_ * changes.length);
-  changes.forEach((change, i) => {
+  changes.forEach(({ kind, id, shape }, i) => {
     const struct = address + layout.size_ * i;
-    const kind = CHANGE_KINDS[change.kind] ?? refuse(`'${String(change.kind)}' is no kind of change`);
-    const id = toId(change.id ?? 0);
-    const given = change.kind === 'remove' ? 0 : packShape(change.shape, arena.take(shape.size_));
+    const given = shape === null ? 0 : packCopy(shape, arena.take(shapeLayout.size_));
     put.int(struct + layout.kind, kind);
     put.long(struct + layout.id, id);
     put.size(struct + layout.shape, given);
@@ -36,10 +55,15 @@ export function packChanges(changes: readonly Change[]): number {
   return address;
 }
 
+/** Returns the progress function of options that a caller has given. */
+export function progressOf(options: BulkOptions): BulkOptions['progress'] {
+  return toObject(options, 'the options').progress;
+}
+
 /** Writes options to a struct of the module. */
-export function packBulk(options: BulkOptions): number {
+export function packBulk(progress: BulkOptions['progress']): number {
   check(lib.ww_bulk_options_init(slots.struct, abi.ww_bulk_options.size_));
-  if (options.progress !== undefined) lib.ww_js_report_progress(slots.struct);
+  if (progress !== undefined) lib.ww_js_report_progress(slots.struct);
   return slots.struct;
 }
 
@@ -47,57 +71,56 @@ export function packBulk(options: BulkOptions): number {
 export abstract class WorldItems extends Handle {
   /** Inserts a shape. If `id` is 0, the world chooses the id. Returns the id. */
   insert(shape: Shape, id: ItemId = 0): ItemId {
-    arena.reset();
-    const wanted = toId(id);
-    return askId((inserted) => lib.ww_world_insert(this.address, packShape(shape), wanted, inserted));
+    const [wanted, given] = [toId(id), packShape(shape)];
+    return askId((inserted) => lib.ww_world_insert(this.address, given, wanted, inserted));
   }
 
   insertPoint(point: Point, id: ItemId = 0): ItemId {
-    const wanted = toId(id);
-    return askId((inserted) => lib.ww_world_insert_point(this.address, writePoint(slots.a, point), wanted, inserted));
+    const [wanted, at] = [toId(id), writePoint(slots.a, point)];
+    return askId((inserted) => lib.ww_world_insert_point(this.address, at, wanted, inserted));
   }
 
   insertSegment(a: Point, b: Point, id: ItemId = 0): ItemId {
-    const wanted = toId(id);
-    return askId((inserted) =>
-      lib.ww_world_insert_segment(this.address, writePoint(slots.a, a), writePoint(slots.b, b), wanted, inserted),
-    );
+    const [wanted, [from, to]] = [toId(id), writeEnds(a, b)];
+    return askId((inserted) => lib.ww_world_insert_segment(this.address, from, to, wanted, inserted));
   }
 
   insertPolyline(points: Points, id: ItemId = 0): ItemId {
+    const [wanted, coordinates] = [toId(id), flatten(points)];
     arena.reset();
-    const wanted = toId(id);
-    const { address, count } = packPoints(points);
+    const { address, count } = packPoints(coordinates);
     return askId((inserted) => lib.ww_world_insert_polyline(this.address, address, count, wanted, inserted));
   }
 
   /** Inserts a polygon of one ring. For several rings, use `insert` and `Shape.polygon`. */
   insertPolygon(points: Points, id: ItemId = 0): ItemId {
+    const [wanted, coordinates] = [toId(id), flatten(points)];
     arena.reset();
-    const wanted = toId(id);
-    const { address, count } = packPoints(points);
+    const { address, count } = packPoints(coordinates);
     return askId((inserted) => lib.ww_world_insert_polygon(this.address, address, count, wanted, inserted));
   }
 
   remove(id: ItemId): void {
-    check(lib.ww_world_remove(this.address, toId(id)));
+    const wanted = toId(id);
+    check(lib.ww_world_remove(this.address, wanted));
   }
 
   /** Gives an item another shape. */
   replace(id: ItemId, shape: Shape): void {
-    arena.reset();
-    check(lib.ww_world_replace(this.address, toId(id), packShape(shape)));
+    const [wanted, given] = [toId(id), packShape(shape)];
+    check(lib.ww_world_replace(this.address, wanted, given));
   }
 
   /** Inserts many items as one operation. Returns their ids. */
   insertAll(items: ItemList | Iterable<Item>, options: BulkOptions = {}): ItemId[] {
-    const list = items instanceof ItemList ? items : new ItemList(items);
+    const progress = progressOf(options);
+    const list = items instanceof ItemList ? items : new ItemList(toObject(items, 'a list of items'));
     try {
       const count = list.length;
       arena.reset();
       const ids = arena.take(8 * count);
-      const bulk = packBulk(options);
-      withProgress(options.progress, () => check(lib.ww_world_insert_all(this.address, list.address, bulk, ids)));
+      const bulk = packBulk(progress);
+      withProgress(progress, () => check(lib.ww_world_insert_all(this.address, list.address, bulk, ids)));
       return readIds({ address: ids, count });
     } finally {
       if (list !== items) list.dispose();
@@ -106,22 +129,24 @@ export abstract class WorldItems extends Handle {
 
   /** Inserts many points as one operation. Their ids count up from `first`. Returns the first id. */
   insertPoints(points: Points, first: ItemId = 0, options: BulkOptions = {}): ItemId {
+    const [wanted, coordinates, progress] = [toId(first), flatten(points), progressOf(options)];
     arena.reset();
-    const wanted = toId(first);
-    const { address, count } = packPoints(points);
-    const bulk = packBulk(options);
-    return withProgress(options.progress, () =>
+    const { address, count } = packPoints(coordinates);
+    const bulk = packBulk(progress);
+    return withProgress(progress, () =>
       askId((firstId) => lib.ww_world_insert_points(this.address, address, count, wanted, bulk, firstId)),
     );
   }
 
   /** Makes several changes, one after the other, as one operation. Returns the id of each. */
   apply(changes: readonly Change[]): ItemId[] {
+    const copies = copyChanges(changes);
+    const count = copies.length;
     arena.reset();
-    const list = packChanges(changes);
-    const ids = arena.take(8 * changes.length);
-    check(lib.ww_world_apply(this.address, list, changes.length, ids));
-    return readIds({ address: ids, count: changes.length });
+    const list = packChanges(copies);
+    const ids = arena.take(8 * count);
+    check(lib.ww_world_apply(this.address, list, count, ids));
+    return readIds({ address: ids, count });
   }
 
   contains(id: ItemId): boolean {
@@ -152,7 +177,7 @@ export abstract class WorldItems extends Handle {
 
   /** All live items, ascending by id, in the given list or in a new one. */
   items(list: ItemList = new ItemList(), context?: QueryContext): ItemList {
-    check(lib.ww_world_items(this.address, contextAddress(context), list.address));
+    check(lib.ww_world_items(this.address, contextAddress(context), ownAddressOf(ItemList, list)));
     return list;
   }
 }
