@@ -28,6 +28,8 @@ namespace py = pybind11;
 template <class T>
 inline constexpr bool kIsBoundToPython = false;
 template <>
+inline constexpr bool kIsBoundToPython<BridgeList> = true;
+template <>
 inline constexpr bool kIsBoundToPython<Change> = true;
 template <>
 inline constexpr bool kIsBoundToPython<DiscFit> = true;
