@@ -78,7 +78,7 @@ class TriangleMesh {
   /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: proportional to the number of edges of the vertex with
   /// fewer edges.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
-  /// More edges than this are many.
+  /// A vertex has *many* edges if it has more edges than this.
   static constexpr std::size_t kFewEdges = 16;
   /// Whether `v` has many edges. Cost: O(1).
   [[nodiscard]] bool has_many_edges(Vertex v) const;
@@ -88,8 +88,8 @@ class TriangleMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return half_edges_.size() / 3 - free_face_count_; }
-  /// The numbers of slots of vertices and of faces, including free slots. Every index of a vertex (or face) is below
-  /// this number.
+  /// The number of slots of vertices, including free slots: the index of every vertex is below it. The next function
+  /// returns the same number for faces.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(half_edges_.size() / 3); }
   [[nodiscard]] bool is_live(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
@@ -132,10 +132,10 @@ class TriangleMesh {
   /// The result of flip(h). Let c be the apex of `h`, and d the apex of its twin, before the flip.
   struct Flipped {
     HalfEdge diagonal;  ///< the half-edge of the new edge from d to c
-    HalfEdge opposite;  ///< the half-edge from d to the old target of `h`. Like `h`, which now ends at d, it has apex c
+    HalfEdge opposite;  ///< the half-edge from d to the old target of `h`; its apex is c
   };
-  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Requires: the edge is not fixed, and the four
-  /// vertices of the quadrilateral are distinct.
+  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Afterwards `h` ends at d and has the apex c.
+  /// Requires: the edge is not fixed, and the four vertices of the quadrilateral are distinct.
   Flipped flip(HalfEdge h);
 
   /// A triangle of a polygon, counter-clockwise. `from`, `apex` and `to` are the indices of its vertices in the list of
