@@ -102,7 +102,7 @@ enum {
   WW_BAD_DISTANCE = 6,       /* a distance that is negative, not a number, or too small */
   WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where the function needs an id */
   WW_BAD_DOMAIN = 8,         /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
-  WW_EMPTY_SHAPE = 9,        /* a polyline or ring without points, a polygon without rings */
+  WW_EMPTY_SHAPE = 9,        /* a ring without points, or a number of rings or points that the kind does not allow */
   WW_TOO_LARGE = 10,         /* more than 2^27 vertices, not counting new crossings, or more than 350 million in all */
   WW_TOO_MANY_VERTICES = 11, /* an operation that would make more vertices than the new_vertex_limit of the world */
   WW_WORLD_GONE = 12,        /* the world of a search no longer exists */
@@ -889,8 +889,8 @@ WW_API ww_status ww_path_watch_count(const ww_path_watch* watch, size_t* count);
    the world for which the watch was made. The watch keeps all paths. The three functions below read the answer, until
    the next update. A path can be in two of the lists. */
 WW_API ww_status ww_path_watch_update(ww_path_watch* watch, const ww_world* world);
-/* Writes the keys of the paths of point agents that are no longer clear, ascending, as ww_world_is_clear decides
-   exactly. */
+/* Writes the keys of the paths of point agents that are no longer clear, ascending. The list contains no path that is
+   clear. */
 WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity, size_t* count);
 /* Writes the keys of the paths of discs to which an inserted item is so near that the disc may touch it, ascending. */
 WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,

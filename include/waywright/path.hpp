@@ -91,7 +91,7 @@ struct PathQuery {
   ///
   /// If the radius is above 0 and the disc does not fit at an end, the search takes the position that
   /// World::nearest_fit() finds within the tolerance. It prefers positions from which the disc gets to the other end.
-  /// The second of the two reasons does not exist for discs.
+  /// The second of the two reasons does not apply to discs.
   std::optional<double> end_tolerance{};
 };
 

@@ -20,7 +20,7 @@ class World;
 /// made longer than necessary. The keys of each list ascend. A path can be in two lists.
 struct PathChanges {
   /// The paths of point agents that are no longer clear: World::is_clear() is false for their points, and an operation
-  /// has inserted or removed an item near them. World::is_clear() decides this exactly.
+  /// has inserted or removed an item near them. The list contains no path that is clear.
   std::vector<std::uint64_t> blocked;
   /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;

@@ -30,7 +30,7 @@ struct RayHit {
   bool hit = false;  ///< whether the segment or the disc touches a wall
   /// The first position where the segment touches a wall, rounded to the nearest doubles. For a disc: the position of
   /// its centre when it first touches a wall. Let m be the larger magnitude of the x coordinate at the two ends of the
-  /// motion. The x of the centre's position then differs from the exact x by at most a few times 2^-53 m. The same is
+  /// motion. The x of the centre's position then differs from the exact x by at most a few times 2^-53 * m. The same is
   /// true for y.
   Point at;
   /// The items that the segment or the disc touches at the hit, ascending. Each has a side through `at` or, for a disc,

@@ -87,7 +87,7 @@ class WAYWRIGHT_API World {
 
   /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
-  /// Returns the options with which the world was created.
+  /// Returns the options with which the world was created, with the present new_vertex_limit().
   /// Cost: O(1).
   [[nodiscard]] WorldOptions options() const;
 

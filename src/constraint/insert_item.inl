@@ -273,8 +273,8 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   return x;
 }
 
-// After an edge is split, both halves have the same list as their label. This function gives one half a list of its
-// own.
+// After an edge is split, the labels of both halves refer to the same list of sides. This function gives one half a
+// list of its own.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::split_uses(mesh::HalfEdge half) {
   triangulation_.fix(half, uses_.copy(topology().label(half)));

@@ -49,7 +49,7 @@ void ConstrainedTriangulation<Geometry>::remove_unneeded() {
 
 // Takes the side off its edges, beginning at both ends. edge_of_side() finds the next edge at one of the two ends:
 // usually at the end with fewer edges. So a vertex with many edges inside the side does not make the function slow: it
-// reaches the other edges from the other end.
+// takes the remaining edges from the other end.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
   const mesh::TriangleMesh& mesh = topology();

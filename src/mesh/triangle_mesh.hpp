@@ -57,7 +57,7 @@ class TriangleMesh {
   /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of a half-edge.
   TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count);
 
-  // Navigation. Each function is O(1), except find().
+  // Navigation. A function costs O(1), unless its comment states another cost.
   [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{half_edges_[number(h)].twin & ~kFixed}; }
   [[nodiscard]] Vertex origin(HalfEdge h) const { return half_edges_[number(h)].origin; }
   [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
@@ -95,7 +95,7 @@ class TriangleMesh {
   [[nodiscard]] bool is_live(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
   [[nodiscard]] bool is_live(Face f) const { return origin(first(f)) != kNoVertex; }
 
-  /// Calls visit(h) for every half-edge that starts at `v`, counter-clockwise.
+  /// Calls visit(h) for every half-edge that starts at `v`, counter-clockwise. Cost: linear in their number.
   template <class Visit>
   void for_each_outgoing(Vertex v, Visit&& visit) const {
     const HalfEdge start = outgoing(v);
@@ -241,9 +241,9 @@ class TriangleMesh {
     split_edge,
     flip,
     set_label,
-    set_label_of_twin,
-    relabel,  ///< set_label for an edge that was fixed and stays fixed
-    relabel_twin,
+    set_label_of_twin,  ///< the entry of a set_label for the face of the twin; it saves no label
+    relabel,            ///< set_label for an edge that was fixed and stays fixed
+    relabel_twin,       ///< the same for relabel
     rebuild_label,
   };
   /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.

@@ -387,7 +387,8 @@ void Optimal::make_left_turn(const Node& turn) {
   }
 }
 
-/// The mirror image of make_left_turn(): `entry` ends at the vertex.
+/// The mirror image of make_left_turn(): the path turns at the target of `entry`, and goes right around the walls
+/// there.
 void Optimal::make_right_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.right, turn.root);
   if (roots_[root].length > reached(turn.right).length) return;

@@ -91,7 +91,7 @@ class Optimal {
   /// A window, or a turn whose windows have not been made yet.
   struct Node {
     Kind kind;
-    mesh::HalfEdge entry;  ///< of a window: its edge, in the face beyond it; of a turn: see note_turn()
+    mesh::HalfEdge entry;  ///< a window's edge, in the face beyond it; of a turn: the edge at whose end the path turns
     std::uint32_t root;    ///< of a window: its root; of a turn: the root before it
     mesh::Vertex left;     ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
     mesh::Vertex right;    ///< the vertex that bounds the cone on the right; of a right turn, where the path turns
