@@ -6,7 +6,7 @@
    Rules for all functions:
    - Lengths, radii and coordinates are doubles in one unit, which you choose. Angles are in radians, counter-clockwise
      from the x axis.
-   - Every function that can fail returns a ww_status: WW_OK, or the reason why the call did nothing. Then
+   - Every function that can fail returns a ww_status: WW_OK, or the reason why the call did nothing. If a call fails,
      ww_last_error() and ww_last_error_message() say more. No exception leaves the library.
    - Every function can return WW_OUT_OF_MEMORY, WW_INVALID_ARGUMENT and WW_INTERNAL_ERROR, and every function with a
      list or a text can return WW_BUFFER_TOO_SMALL. The comments name the other errors of each function.
@@ -23,13 +23,14 @@
      holds, and sets *count to the number of all elements. If the buffer is too small, the status is
      WW_BUFFER_TOO_SMALL: the answer is then complete except for the missing elements. A null buffer with capacity 0 is
      never too small, so you can ask for the count first. `count` may be null.
-   - A text is a list of characters that ends with a zero byte. The zero byte counts. A buffer that is too small also
-     ends with a zero byte. Texts are UTF-8. File names are as fopen() takes them.
+   - A text is a list of characters that ends with a zero byte. The capacity and the count include the zero byte. A
+     buffer that is too small also ends with a zero byte. Texts are UTF-8. File names are as fopen() takes them.
    - Your functions that the library calls get the user_data that you gave with them. The library calls them on the
      thread that called it, except the functions of an allocator. They must return: they must not call longjmp, nor
      throw an exception. They must not use the objects of the call that runs them, except where the comment allows it.
-     If one uses the world of this call in another way, it gets WW_INVALID_ARGUMENT. In this case ww_world_destroy and
-     ww_snapshot_destroy do nothing, and ww_last_error() gives the error.
+     If your function breaks this rule for the world of the running call, the function of the library that it calls does
+     nothing and returns WW_INVALID_ARGUMENT. ww_world_destroy and ww_snapshot_destroy return no status: they do
+     nothing, too, and ww_last_error() gives the error.
    - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use
      it. A function whose parameter is `const ww_world*` reads the world. A context serves one call at a time: make one
      for each thread. The library has no other shared data, except the allocator. */
@@ -101,7 +102,7 @@ enum {
   WW_BAD_DISTANCE = 6,       /* a distance that is negative, not a number, or too small */
   WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where the function needs an id */
   WW_BAD_DOMAIN = 8,         /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
-  WW_EMPTY_SHAPE = 9,        /* a polyline or ring without points, a polygon without rings */
+  WW_EMPTY_SHAPE = 9,        /* a ring without points, or a number of rings or points that the kind does not allow */
   WW_TOO_LARGE = 10,         /* more than 2^27 vertices, not counting new crossings, or more than 350 million in all */
   WW_TOO_MANY_VERTICES = 11, /* an operation that would make more vertices than the new_vertex_limit of the world */
   WW_WORLD_GONE = 12,        /* the world of a search no longer exists */
@@ -355,10 +356,10 @@ typedef void (*ww_job)(void* job_data, size_t index);
 typedef struct ww_job_system {
   uint32_t struct_size;
   /* Calls job(job_data, i) once for each i below `count`, on any threads, in any order, and returns when all these
-     calls have returned. No job waits for another one. run() may omit calls: the library then makes them itself. It
-     must make no call after it has returned. If it calls a job with another index, this job does nothing, and the
-     function of the library returns WW_INVALID_ARGUMENT. The library calls run() on the thread that called the
-     library. */
+     calls have returned. No job waits for another one. run() may omit calls: the library then makes them itself. As
+     soon as run() has returned, your program must not call job() any more, on any thread. If run() calls job() with
+     another index, this call does nothing, and the function of the library returns WW_INVALID_ARGUMENT. The library
+     calls run() on the thread that called the library. */
   void (*run)(size_t count, ww_job job, void* job_data, void* user_data);
   void* user_data;
 } ww_job_system;
@@ -420,9 +421,9 @@ WW_API ww_status ww_world_rewind(ww_world* world, uint64_t tick);
 
 /* A question about a changed world. `changed` is the world of the call ww_world_attempt. The question may call all
    functions that take a `const ww_world*`, except ww_world_clone, ww_search_begin, ww_path_watch_create,
-   ww_path_watch_update, ww_replay_writer_create and ww_replay_writer_tick. These and the other functions return
-   WW_INVALID_ARGUMENT for this world; it must not be destroyed. The same is true for ww_search_step with a search in
-   this world. */
+   ww_path_watch_update, ww_replay_writer_create and ww_replay_writer_tick. For this world, these six functions and all
+   functions that take a `ww_world*` return WW_INVALID_ARGUMENT. So does ww_search_step for a search in this world. The
+   question must not destroy this world. */
 typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
 /* Makes changes, asks a question about the changed world, and takes the changes back. Afterwards the world is as
    before, bit for bit; only its spare memory may be larger. The question writes its answer to user_data. The function
@@ -457,8 +458,8 @@ WW_API ww_status ww_world_new_vertex_limit(const ww_world* world, size_t* limit)
 /* ---------------------------------------------------------------------------------------------------------------------
    Reading items */
 
-/* Gives the largest id that the world has seen, or 0 if it has seen none: of all items that it has ever contained, or
-   the id given to ww_world_reserve_ids. If the world chooses an id, it is this id plus 1. */
+/* Gives the largest id that the world has seen, or 0 if it has seen none: the largest id of all items that it has ever
+   contained, or the id given to ww_world_reserve_ids. If the world chooses an id, it is this id plus 1. */
 WW_API ww_status ww_world_largest_id_seen(const ww_world* world, ww_id* id);
 /* Lets the world continue its ids after `last`, as if it had seen this id. Does nothing if the world has seen a larger
    id. The call is not an operation: it does not change the version. Errors: WW_BAD_ID. */
@@ -515,7 +516,7 @@ WW_API ww_status ww_world_items_in(const ww_world* world, ww_box box, ww_context
 typedef struct ww_ray_hit {
   uint32_t struct_size;
   ww_bool hit;      /* whether the segment or the disc touches a wall; if not, the points have no meaning */
-  ww_point at;      /* the first position of the segment, or of the disc's centre, at a touch; rounded */
+  ww_point at;      /* where the segment, or the centre of the disc, is when it first touches a wall; rounded */
   ww_point contact; /* the position on the touched walls that is nearest to `at`; for a segment, it equals `at` */
 } ww_ray_hit;
 
@@ -755,8 +756,8 @@ typedef struct ww_path_position {
 } ww_path_position;
 
 /* Gives the position at a distance from the start, along the path. A distance below 0 or a NaN gives the start, a
-   distance above the length gives the goal. Errors of these three functions: WW_INVALID_ARGUMENT, if the path is not
-   found. */
+   distance above the length gives the goal. Errors of ww_path_at, ww_path_advance and ww_path_nearest:
+   WW_INVALID_ARGUMENT, if the path is not found. */
 WW_API ww_status ww_path_at(const ww_path* path, double distance, ww_precision precision, ww_path_position* position);
 /* Moves a position of this path farther along the path by `step`: one step of a unit that walks. *position must come
    from one of these functions for this path. */
@@ -771,9 +772,9 @@ WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_poin
                                   size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
-   Searches in slices, if a whole search takes more time than one frame of your program has. Between the slices you may
-   query, change and even destroy the world. If a change touches the start, the goal or a triangle at which the search
-   has looked, the search starts again.
+   Searches in slices: each call of ww_search_step is one slice. Use them if a whole search takes more time than one
+   frame of your program has. Between the slices you may query, change and even destroy the world. If a change touches
+   the start, the goal or a triangle at which the search has looked, the search starts again.
    Threads: a search belongs to one thread at a time. ww_search_begin and ww_search_step read the world. */
 
 /* Starts a search, and cancels the search that is running. Errors: the errors of ww_world_find_path. After an error no
@@ -788,7 +789,8 @@ WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* i
 WW_API ww_status ww_search_path(const ww_search* search, const ww_path** path);
 /* Gives the number of times that the search has started again because of changes of the world. */
 WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
-/* Sets whether the searches that begin from now on record their windows. They record none by default. */
+/* Sets whether the searches that begin from now on record their windows (ww_search_window). They record none by
+   default. */
 WW_API ww_status ww_search_record_windows(ww_search* search, ww_bool wanted);
 
 /* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded,
@@ -824,11 +826,12 @@ WW_API ww_status ww_world_is_clear_between(const ww_world* world, ww_point from,
                                            ww_bool* is_clear);
 /* Finds out whether a polyline meets the bounding box of an item that an operation after version `since` has inserted
    or removed. If not, and if the polyline was clear at that version, it is still clear. The answer is 1 if the world no
-   longer has all boxes since then: it keeps at least the last 2,048. */
+   longer has all bounding boxes since then: it keeps at least the last 2,048 boxes. */
 WW_API ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count, uint64_t since,
                                       ww_bool* is_affected);
 /* Finds out the same for a path, also of a disc. The path of a disc is affected if a box is so near that the disc may
-   touch it. A path that was not found is never affected. A path that is not affected need not be the shortest one. */
+   touch it. A path that was not found is never affected. A path that is not affected need not be the shortest one any
+   more. */
 WW_API ww_status ww_world_is_path_affected(const ww_world* world, const ww_path* path, uint64_t since,
                                            ww_bool* is_affected);
 /* Writes the indices of the affected paths, ascending. */
@@ -853,7 +856,8 @@ WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, w
 
 /* A snapshot is an immutable world with the state that a world had when ww_world_publish was called. Other threads
    query it while one thread changes the world, and neither waits for the other. The first snapshot costs as much as
-   ww_world_clone; later ones cost time for the items that have changed, if the snapshots before have been destroyed.
+   ww_world_clone; a later one costs time only for the items that have changed, if the earlier snapshots have been
+   destroyed.
    Threads: each handle belongs to one thread at a time; give each thread a handle of its own by ww_snapshot_copy.
    Threads may copy and destroy their handles while another thread calls any function on the world. */
 WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
@@ -885,7 +889,8 @@ WW_API ww_status ww_path_watch_count(const ww_path_watch* watch, size_t* count);
    the world for which the watch was made. The watch keeps all paths. The three functions below read the answer, until
    the next update. A path can be in two of the lists. */
 WW_API ww_status ww_path_watch_update(ww_path_watch* watch, const ww_world* world);
-/* Writes the keys of the paths of point agents that are no longer clear, ascending. This list is exact. */
+/* Writes the keys of the paths of point agents that are no longer clear, ascending. The list contains no path that is
+   clear. */
 WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity, size_t* count);
 /* Writes the keys of the paths of discs to which an inserted item is so near that the disc may touch it, ascending. */
 WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
@@ -972,7 +977,7 @@ WW_API ww_status ww_world_shrink_to_fit(ww_world* world);
 
 /* The number of calls of one predicate, by the stage of the arithmetic that decided the call. */
 typedef struct ww_stage_counts {
-  uint64_t doubles;  /* doubles with a proven error bound; for crossings: doubles, if only one division is rounded */
+  uint64_t doubles;  /* doubles with a proven error bound; for crossings: if only the final division is rounded */
   uint64_t lattice;  /* integers of a fixed width */
   uint64_t integers; /* integers of any size */
 } ww_stage_counts;
@@ -980,7 +985,7 @@ typedef struct ww_predicate_counts {
   uint32_t struct_size;
   ww_stage_counts orientation; /* whether a point lies left of, on or right of a line */
   ww_stage_counts in_circle;   /* whether a point lies inside a circle */
-  ww_stage_counts order;       /* which of two points comes first */
+  ww_stage_counts order;       /* which of two points comes first in (x, y) order */
   ww_stage_counts crossing;    /* where two lines cross */
 } ww_predicate_counts;
 

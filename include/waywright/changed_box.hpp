@@ -33,9 +33,9 @@ namespace waywright {
 /// unless an operation has inserted an item there.
 ///
 /// World::is_affected() and PathWatch compare paths with the boxes. For a path of a disc, is_affected() can also return
-/// true if the distance from a box is a little larger than Path::radius: by up to a 32nd of the radius near an arc, and
-/// by rounding errors elsewhere. If an operation makes a gap narrower that the path does not pass, the path is not
-/// affected.
+/// true if a box is a little farther from the path than Path::radius: by up to a 32nd of the radius near an arc, and by
+/// rounding errors elsewhere. Only the distance between path and boxes counts. So if an operation narrows a gap far
+/// from the path, the path is not affected.
 ///
 /// @code{.cpp}
 /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

@@ -30,9 +30,9 @@ enum class ErrorCode : std::uint8_t {
   bad_distance,          ///< a distance that is negative, not a number, or too small
   bad_id,                ///< an id above 2^63 - 1, for example an id made from a negative number
   bad_domain,            ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
-  empty_shape,           ///< a polyline or ring without points, a polygon without rings
-  /// A change after which the mesh could have more than 2^27 vertices, not counting the crossings that the change
-  /// makes, or more than 350 million vertices in all.
+  empty_shape,           ///< a ring without points, or a number of rings or points that the kind does not allow
+  /// A change that makes the mesh too large. There are two limits: 2^27 vertices without the crossings that the change
+  /// makes, and 350 million vertices including these crossings.
   too_large,
   too_many_vertices,  ///< an operation that would make more vertices than WorldOptions::new_vertex_limit allows
   world_gone,         ///< the world of a PathSearch no longer exists

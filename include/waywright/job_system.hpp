@@ -42,11 +42,12 @@ class WAYWRIGHT_API JobSystem {
   ///
   /// Your run() may make the calls on any thread (the calling thread, too), in any order, at the same time or one after
   /// the other. No job waits for another job. Your run() may also omit calls, for example because no thread is idle.
-  /// The library then makes these calls itself after run() has returned. After run() has returned or thrown, it must
-  /// not make any further call.
+  /// The library then makes these calls itself after run() has returned. As soon as run() has returned or thrown, your
+  /// program must not call `job` any more, on any thread.
   ///
   /// The library calls run() on the thread that called the library, several times in one operation, and with a `count`
-  /// of 2 or more. If several threads use the library with the same job system at once, they call run() at once.
+  /// of 2 or more. If several threads use the library with the same job system at the same time, run() can be called on
+  /// these threads at the same time.
   ///
   /// Exceptions: `job` throws nothing. If memory runs out in a job, the function of the library that called run()
   /// throws std::bad_alloc after run() has returned. If run() throws, the same function passes the exception on and

@@ -79,8 +79,8 @@ struct PathQuery {
   /// value is 0, the search moves no end. The value must be 0 or more; infinity is allowed. If the domain is much
   /// larger than the area that the items fill, the default is too large for the items: then set the tolerance.
   ///
-  /// There are two reasons to move an end. If the search has moved an end, it sets Path::moved_start or
-  /// Path::moved_goal.
+  /// If the search has moved an end, it sets Path::moved_start or Path::moved_goal. There are two reasons to move an
+  /// end:
   /// - Polygons cover all triangles around the end, so no path can start or end there. The search then takes the
   ///   nearest free position within the tolerance. If the world keeps its abstraction, the search prefers free
   ///   positions that are connected with the other end.
@@ -91,7 +91,7 @@ struct PathQuery {
   ///
   /// If the radius is above 0 and the disc does not fit at an end, the search takes the position that
   /// World::nearest_fit() finds within the tolerance. It prefers positions from which the disc gets to the other end.
-  /// It moves no end across a wall for the second reason.
+  /// The second of the two reasons does not apply to discs.
   std::optional<double> end_tolerance{};
 };
 
@@ -267,8 +267,8 @@ struct WAYWRIGHT_API Path {
   /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows.
   /// The function leaves out each point that equals the point before it. All points lie on the path, up to rounding
   /// errors. No position on the straight segments between them is farther than `tolerance` from the path. So no wall is
-  /// nearer to them than the radius minus the tolerance. A tolerance above half the radius counts as half the radius,
-  /// so that the segments never touch a wall. If the path is not found, the result is empty.
+  /// nearer to these segments than the radius minus the tolerance. A tolerance above half the radius counts as half the
+  /// radius, so that the segments never touch a wall. If the path is not found, the result is empty.
   ///
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
@@ -297,8 +297,8 @@ struct WAYWRIGHT_API Path {
 ///
 /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the start
 /// finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest goal.
-/// Each further goal adds little. For a radius above 0, the cost of one path for each goal, whatever their number: only
-/// the tests of the start are shared.
+/// Each further goal adds little. For a radius above 0, the cost is always the cost of one path for each goal, but the
+/// function tests the start only once.
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;

@@ -16,9 +16,9 @@ namespace waywright {
 
 class World;
 
-/// A path search in slices. Use it if a whole search takes more time than one frame of your program has. The answer is
-/// the answer that World::find_path gives at the time of the last slice. The object has its own memory and keeps it
-/// from one search to the next.
+/// A path search in slices: each call of step() carries out one slice of the search. Use it if a whole search takes
+/// more time than one frame of your program has. The answer is the answer that World::find_path gives at the time of
+/// the last slice. The object has its own memory and keeps it from one search to the next.
 ///
 /// @code{.cpp}
 /// PathSearch search;
@@ -71,8 +71,8 @@ class WAYWRIGHT_API PathSearch {
   /// Cost: O(1).
   [[nodiscard]] std::size_t restarts() const;
 
-  /// Sets whether the searches that begin() starts from now on record their windows. The default is false. A search
-  /// that records its windows takes more time and memory; its answer is the same.
+  /// Sets whether the searches that begin() starts from now on record their windows (SearchWindow). The default is
+  /// false. A search that records its windows takes more time and memory; its answer is the same.
   void record_windows(bool wanted);
   /// Returns the windows that the search has followed since its last start, in order: one for each triangle that it has
   /// entered, so their number is Path::expansions. The list is valid until you call another member of this object that

@@ -20,7 +20,7 @@ class World;
 /// made longer than necessary. The keys of each list ascend. A path can be in two lists.
 struct PathChanges {
   /// The paths of point agents that are no longer clear: World::is_clear() is false for their points, and an operation
-  /// has inserted or removed an item near them. The list is exact.
+  /// has inserted or removed an item near them. The list contains no path that is clear.
   std::vector<std::uint64_t> blocked;
   /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;
@@ -87,7 +87,8 @@ class WAYWRIGHT_API PathWatch {
   ///
   /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch checks all
   /// paths.
-  /// Requires: `world` is the world for which the watch was made, or this world after a move.
+  /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
+  /// (WorldSnapshot).
   /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for each path that comes
   /// near to a box; and the answer. Allocates nothing if earlier updates had answers of this size.
   void update(const World& world, PathChanges& changes);

@@ -11,7 +11,7 @@ namespace waywright {
 
 /// The number of calls of one predicate, counted by the stage of the exact arithmetic that decided the call.
 struct StageCounts {
-  /// Doubles with a proven error bound. For crossings: doubles, if only one division is rounded.
+  /// Doubles with a proven error bound. For crossings: doubles, if no step before the final division is rounded.
   std::uint64_t doubles = 0;
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size
@@ -28,7 +28,7 @@ struct StageCounts {
 struct PredicateCounts {
   StageCounts orientation;  ///< whether a point lies left of, on or right of a line
   StageCounts in_circle;    ///< whether a point lies inside a circle
-  StageCounts order;        ///< which of two points comes first
+  StageCounts order;        ///< which of two points comes first in (x, y) order
   StageCounts crossing;     ///< where two lines cross
 
   friend bool operator==(const PredicateCounts&, const PredicateCounts&) = default;

@@ -29,14 +29,15 @@ namespace waywright {
 struct RayHit {
   bool hit = false;  ///< whether the segment or the disc touches a wall
   /// The first position where the segment touches a wall, rounded to the nearest doubles. For a disc: the position of
-  /// its centre when it first touches a wall. Each coordinate of this position then differs from the exact one by at
-  /// most a few times 2^-53 times the larger magnitude of this coordinate at the two ends of the motion.
+  /// its centre when it first touches a wall. Let m be the larger magnitude of the x coordinate at the two ends of the
+  /// motion. The x of the centre's position then differs from the exact x by at most a few times 2^-53 * m. The same is
+  /// true for y.
   Point at;
-  /// The items that the segment or the disc touches there, ascending. Each has a side through `at` or, for a disc, a
-  /// side whose distance from `at` is at most the radius. The null id is the border of the domain.
+  /// The items that the segment or the disc touches at the hit, ascending. Each has a side through `at` or, for a disc,
+  /// a side whose distance from `at` is at most the radius. The null id is the border of the domain.
   std::vector<ItemId> items;
-  /// The position on these walls that is nearest to `at`, up to rounding errors. If several positions are equally near:
-  /// the first of them in (x, y) order. For a segment, it equals `at`.
+  /// The touched position: of all positions on the touched walls, the one nearest to `at`, up to rounding errors. If
+  /// several positions are equally near: the first of them in (x, y) order. For a segment, it equals `at`.
   Point contact;
 
   friend bool operator==(const RayHit&, const RayHit&) = default;

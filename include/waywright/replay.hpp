@@ -46,7 +46,7 @@ class WAYWRIGHT_API ReplayWriter {
   ReplayWriter(std::ostream& out, const World& world, std::uint64_t ticks_per_hash = 1);
 
   /// Records a change that a world has made. The id of the change must not be null: if the world chose the id of an
-  /// insertion, set it first, or use the second function.
+  /// insertion, set Change::id to it first, or call the function below.
   /// Errors: bad_id, if the id is null or too large; unwritable.
   /// Cost: linear in the points of the shape.
   Result<void> record(const Change& change);

@@ -23,9 +23,9 @@ namespace waywright {
 /// @endcode
 ///
 /// A saved world contains four things: the domain; the options, except WorldOptions::new_vertex_limit; the items; and
-/// the largest id that the world has seen, from which the world makes the next id. The bytes are a function of these
-/// four, on every machine. A saved world contains no history, and no contexts, searches or spare memory. It does not
-/// contain World::version(), either: a loaded world counts its operations from the start.
+/// the largest id that the world has seen, from which the world makes the next id. The bytes depend only on these four
+/// things, and are the same on every machine. A saved world contains no history, and no contexts, searches or spare
+/// memory. It does not contain World::version(), either: a loaded world counts its operations from the start.
 /// @{
 
 /// Writes a world to a stream, and flushes the stream. Open the stream in binary mode. After an error, the stream may
@@ -47,7 +47,7 @@ namespace waywright {
 /// fault. BulkOptions::progress reports only the construction of the mesh, which begins after the function has read all
 /// bytes.
 /// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world;
-/// not_supported, if a later version of the format is needed.
+/// not_supported, if the bytes have a later version of the format.
 /// Cost: the cost of World::insert_all().
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
 

@@ -12,8 +12,9 @@ namespace waywright {
 /// that is visible from its *root*, through the triangles that the search has crossed. The root is the start of the
 /// path, or a corner at which the path turns.
 ///
-/// For each window, the search enters one triangle. It enters the triangle beyond the edge, except at a turn: there the
-/// root is a corner of the triangle, and the edge is the side of the triangle opposite the root.
+/// For each window, the search enters one triangle. Usually this triangle lies beyond the edge, as seen from the root.
+/// Directly after a turn, it lies between the root and the edge: the root is one of its vertices, and the edge is
+/// opposite to this vertex.
 ///
 /// The coordinates are rounded, and serve for pictures. The search itself decides exactly, and computes no end of an
 /// interval. If the search sees an edge at an angle that is too small for doubles, the interval reaches to the end of

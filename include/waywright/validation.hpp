@@ -9,8 +9,8 @@ namespace waywright {
 
 /// The answer of World::validate. The function checks the links between triangles; the orientation of each triangle;
 /// that the triangles fill the domain and do not overlap; the constrained edges against the items; the empty-circle
-/// property and the rule for ties at each free edge; and that the path abstraction and the bridges equal an abstraction
-/// and bridges that it builds anew from the mesh.
+/// property of each free edge, and which of two possible edges the mesh contains if four vertices lie on one circle;
+/// and that the path abstraction and the bridges equal an abstraction and bridges that it builds anew from the mesh.
 ///
 /// @code{.cpp}
 /// const Validation validation = world.validate();

@@ -87,7 +87,7 @@ class WAYWRIGHT_API World {
 
   /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
-  /// Returns the options with which the world was created.
+  /// Returns the options with which the world was created, with the present new_vertex_limit().
   /// Cost: O(1).
   [[nodiscard]] WorldOptions options() const;
 
@@ -103,8 +103,8 @@ class WAYWRIGHT_API World {
   /// from 0 over all rings.
   /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large, too_many_vertices.
   /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
-  /// O(log n) for each item that shares a position or an edge with this one. With the abstraction: for a polygon, also
-  /// the triangles inside it that no polygon within it covers; and if the walls divide an area, the triangles of the
+  /// O(log n) for each item that shares a position or an edge with this one. With the abstraction, also: the triangles
+  /// inside a polygon, except those inside smaller polygons in it; if walls divide an area, the triangles of the
   /// smaller piece.
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
@@ -122,7 +122,7 @@ class WAYWRIGHT_API World {
 
   /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
   /// Errors: unknown_id, bad_id.
-  /// Cost: the triangles that the item touches. It does not depend on the size of the world, except with the
+  /// Cost: the triangles that the item touches. The cost does not depend on the size of the world, except with the
   /// abstraction: if the removal connects two areas, also the triangles of the smaller one.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
@@ -204,8 +204,8 @@ class WAYWRIGHT_API World {
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
-  /// is a function that takes a `const World&` (Change has an example). If it returns a value, the result contains a
-  /// copy of the value. If it returns nothing or a Result, the result has the same type.
+  /// is a function that takes a `const World&` (Change has an example). If it returns a T, attempt() returns a
+  /// Result<T>. If it returns nothing, attempt() returns a Result<void>. If it returns a Result, so does attempt().
   ///
   /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
   /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
@@ -237,8 +237,8 @@ class WAYWRIGHT_API World {
   ///
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent gets from one point
   /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
-  /// disc does not fit there (fit_disc()), and the disc must get through all gaps. Points that are blocked or not
-  /// connected now do not matter. Change has an example.
+  /// disc does not fit there (fit_disc()), and a disc gets to another point only through gaps that are wide enough.
+  /// Points that are blocked or not connected now do not matter. Change has an example.
   /// Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
@@ -393,8 +393,8 @@ class WAYWRIGHT_API World {
   /// answer of ray().
   /// Errors: coordinate_range, out_of_domain, bad_radius.
   /// Cost: the location of `from`, and n log n in the number n of triangles that the disc meets before it touches a
-  /// wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. (A radius that
-  /// is not a multiple of 2^-152 needs integers on the heap if doubles cannot decide.)
+  /// wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. One exception:
+  /// if the radius is no multiple of 2^-152 and doubles cannot decide, exact arithmetic allocates.
   [[nodiscard]] Result<void> sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const;
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
@@ -417,7 +417,7 @@ class WAYWRIGHT_API World {
   /// Finds the largest disc that gets from `start` to `goal`, and the gap that stops every larger disc. All comparisons
   /// are exact. The disc must also fit at the two ends themselves: see fit_disc().
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
-  /// Cost: the walls nearest to both ends, and n log n in the number of gaps that are as wide as the narrowest gap of
+  /// Cost: the walls nearest to both ends, and n log n in the number of gaps at least as wide as the narrowest gap of
   /// the widest path. Allocates nothing if `context` and `widest` have been used for a query of the same size before.
   [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
   /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const

@@ -19,8 +19,8 @@ inline constexpr std::size_t kNoVertexLimit = std::numeric_limits<std::size_t>::
 struct WorldOptions {
   /// Whether the world maintains the path abstraction: data that says which triangles are connected, which polygons
   /// cover them, and which triangles lie in dead ends. Without the abstraction, an operation costs less, and a world
-  /// takes 10 bytes less for each vertex (up to 18 bytes less if walls change everywhere). But then many path queries
-  /// enter far more triangles, and the world does not support PathAlgorithm::tra.
+  /// takes 10 bytes less for each vertex (up to 18 bytes less if operations have changed walls in all parts of the
+  /// world). But then many path queries enter far more triangles, and the world does not support PathAlgorithm::tra.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
   /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need

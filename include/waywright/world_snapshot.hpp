@@ -40,10 +40,11 @@ inline constexpr char kEmptySnapshot[] =
 /// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
 /// function returns the same snapshot. The world keeps up to two copies of itself for later snapshots. When the readers
 /// have released a snapshot, a later call uses its copy again: it repeats the later changes of the world in this copy.
-/// If readers always release a snapshot after the next one has been made, these are the changes since the call before
-/// the last call. If no copy is free, the call makes one. The first call makes a copy for this reason, and so does each
-/// call at which readers hold more snapshots at once than ever before. After the first call, each operation also
-/// records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
+/// Suppose that the readers release each snapshot when the next one exists. Then the third call uses the copy of the
+/// first snapshot again and repeats the changes since the first call, the fourth call uses the copy of the second
+/// snapshot, and so on. If no copy is free, the call makes one. The first call makes a copy for this reason, and so
+/// does each call at which readers hold more snapshots at once than ever before. After the first call, each operation
+/// also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
 /// memory as a clone(). World::shrink_to_fit() frees the copies that no reader holds.
 ///
 /// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
@@ -52,7 +53,8 @@ inline constexpr char kEmptySnapshot[] =
 ///
 /// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
 /// thread at a time, like a std::shared_ptr: give each thread a copy of its own. Threads may copy, release and destroy
-/// their handles while another thread calls any member of the world. These functions wait for no other thread.
+/// their handles while another thread calls any member of the world. To copy, release or destroy a handle never waits
+/// for another thread.
 class WAYWRIGHT_API WorldSnapshot {
  public:
   /// Makes an empty snapshot, which has no world.
@@ -86,7 +88,7 @@ class WAYWRIGHT_API WorldSnapshot {
 
  private:
   friend class World;
-  /// Takes over the handle that `replica` counts already.
+  /// Makes a handle. Requires: the caller has added this handle to the count of handles in `replica`.
   explicit WorldSnapshot(detail::Replica* replica) noexcept : replica_(replica) {}
 
   detail::Replica* replica_ = nullptr;

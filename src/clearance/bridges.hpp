@@ -107,8 +107,8 @@ class Bridges {
   void link(mesh::HalfEdge wall, std::uint32_t before, std::uint32_t foot);
   void write_corner(mesh::HalfEdge h, std::uint32_t value);
 
-  memory::JournaledArray<std::uint32_t> corners_;  ///< by half-edge: kIsBridge, and 2 x (foot + 1)
-  memory::JournaledArray<std::uint32_t> walls_;    ///< by half-edge: first foot + 1
+  memory::JournaledArray<std::uint32_t> corners_;  ///< by half-edge: bit 0 is kIsBridge; the rest: foot_at() + 1, or 0
+  memory::JournaledArray<std::uint32_t> walls_;    ///< by half-edge: first_foot_on() + 1, or 0
   memory::JournaledArray<Foot> feet_;
   memory::FreeList free_feet_;  ///< linked by Foot::next
   memory::FreeList free_feet_before_;

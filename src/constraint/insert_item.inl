@@ -31,8 +31,8 @@ ItemHash::Words ConstrainedTriangulation<Geometry>::hash_of(std::uint32_t slot, 
   return hash.words();
 }
 
-/// Inserts the corners of all rings, first in their order. If this is costly, it inserts the others in scattered order.
-/// Stops if the vertices are too many.
+/// Inserts the corners of all rings, in their order. If this turns out to be costly (CostWatch), inserts the remaining
+/// corners in scattered order (append_scattered). Stops if has_too_many_vertices() becomes true.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_corners(const Rings& rings, std::uint32_t slot) {
   outline_.clear();
@@ -94,8 +94,9 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 }
 
 // Inserts a side piece by piece. A piece ends at the next vertex on the side, or at a new vertex on the first fixed
-// edge that the side crosses. To leave a vertex with many edges would take long, so the insertion of pieces then
-// continues from the other end of the side, towards this vertex. Stops if the vertices are too many.
+// edge that the side crosses. If a piece ends at a vertex with many edges, the search around this vertex for the next
+// piece would take long. So the function then continues from the other end of the side, towards this vertex. It stops
+// if has_too_many_vertices() becomes true.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   if (has_too_many_vertices()) return;
@@ -211,8 +212,9 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   return {mesh.target(h), h, mesh::kNoHalfEdge};
 }
 
-// cut() has just divided a fixed edge into two halves at this vertex. Counter-clockwise from `behind`, the first fixed
-// edge is the half on the right of the side. Clockwise, it is the half on the left. The side continues between them.
+// `behind` starts at a vertex at which cut() has just divided a fixed edge into two halves. Counter-clockwise from
+// `behind`, the first fixed edge is the half on the right of the side. Clockwise, it is the half on the left. The side
+// continues between them.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_crossing(
     mesh::HalfEdge behind, const Side& side) {
@@ -271,8 +273,8 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   return x;
 }
 
-// After an edge is split, both halves have the same list as their label. This function gives one half a list of its
-// own.
+// After an edge is split, the labels of both halves refer to the same list of sides. This function gives one half a
+// list of its own.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::split_uses(mesh::HalfEdge half) {
   triangulation_.fix(half, uses_.copy(topology().label(half)));

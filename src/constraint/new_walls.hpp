@@ -8,9 +8,9 @@
 
 namespace waywright::constraint {
 
-/// Says whether the fixed edges that an operation makes may divide a region into two. Such edges divide nothing if each
-/// connected set of them is a tree that shares at most one vertex with older fixed edges: a connected region stays
-/// connected if such a tree is removed from it.
+/// Says whether the fixed edges that an operation makes may divide a region into two. The new edges form connected
+/// sets. They divide nothing if each of these sets is a tree that shares at most one vertex with older fixed edges: a
+/// connected region stays connected if such a tree is cut out of it.
 ///
 /// The answer may be true for edges that divide nothing, for example for many edges. It is never false for edges that
 /// divide a region.
@@ -21,8 +21,8 @@ class NewWalls {
     forget();
     may_divide_ = false;
   }
-  /// Forgets which vertices the edges of the operation have. Call it before the operation removes a vertex. Later edges
-  /// at these vertices then count as edges at older ones.
+  /// Makes the edges that the operation has made so far count as older edges. Call it before the operation removes a
+  /// vertex.
   void forget() { count_ = 0; }
   /// Call it before the operation makes u - w a fixed edge. Requires: u - w is no fixed edge yet. Cost: O(1).
   void add(const mesh::TriangleMesh& mesh, mesh::Vertex u, mesh::Vertex w) {
@@ -42,8 +42,8 @@ class NewWalls {
 
   struct End {
     mesh::Vertex vertex;
-    std::uint32_t set;  ///< of the edges that are connected: the index of one of its vertices in `ends_`
-    bool is_attached;   ///< whether older fixed edges meet one of the vertices of the set; kept at the index `set`
+    std::uint32_t set;  ///< the connected set of new edges at `vertex`, as the index in `ends_` of one of its vertices
+    bool is_attached;   ///< whether an older fixed edge may meet the set; valid only in the entry with the index `set`
   };
 
   /// The index of `v` in `ends_`, or kMostVertices if there are too many vertices.

@@ -34,8 +34,8 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   remove_unneeded();
 }
 
-/// Removes the vertices in `touched_` that are not needed any more, first in their order. If this is costly, it removes
-/// the others in scattered order.
+/// Removes the vertices in `touched_` that are not needed any more, in their order. If this turns out to be costly
+/// (CostWatch), removes the remaining ones in scattered order (append_scattered).
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_unneeded() {
   CostWatch watch(kEdgesPerVertex);
@@ -47,8 +47,9 @@ void ConstrainedTriangulation<Geometry>::remove_unneeded() {
   for (const std::uint32_t late : order_) remove_if_unneeded(touched_[late]);
 }
 
-// Takes the side off its edges from both ends. A vertex with many edges inside the side stops only one of the two
-// walks.
+// Takes the side off its edges, beginning at both ends. edge_of_side() finds the next edge at one of the two ends:
+// usually at the end with fewer edges. So a vertex with many edges inside the side does not make the function slow: it
+// takes the remaining edges from the other end.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
   const mesh::TriangleMesh& mesh = topology();
@@ -78,8 +79,8 @@ void ConstrainedTriangulation<Geometry>::remove_corner_use(mesh::Vertex v, std::
 template <class Geometry>
 std::size_t ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex v) {
   if (corner_uses_[number(v)] != UseLists::kNone) return 0;
-  // All sides at a vertex without corners run straight on. Two fixed edges therefore lie on one line, and more of them
-  // mean a crossing.
+  // No item has a corner at `v`, so each side at `v` continues straight through it. If `v` has two fixed edges, they
+  // therefore lie on one line. If it has more, sides cross there, and `v` stays.
   const auto& star = triangulation_.star(v);
   if (star.fixed.size() > 2) return 0;
   if (star.fixed.size() == 2) uses_.release(topology().label(star.spokes[star.fixed[1]]));

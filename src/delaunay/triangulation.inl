@@ -16,7 +16,7 @@ using mesh::next;
 using mesh::number;
 using mesh::previous;
 
-// DivideAndConquer does not use the sectors. So a job can fill them at the same time.
+// DivideAndConquer does not use the sectors. So a job can fill the sectors while DivideAndConquer runs.
 template <class Geometry>
 Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::Label, 4>& side_labels,
                                        locate::SortedPoints&& sorted, const threads::ThreadTeam& team,
@@ -28,7 +28,7 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
   DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, half_edges).run(team, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
   sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory
-  sorted.points.insert(sorted.points.begin(), Point{});  // the point of the ghost
+  sorted.points.insert(sorted.points.begin(), Point{});  // the unused entry of the ghost
   set_positions(std::move(sorted.points));
   mesh_ = mesh::TriangleMesh(std::move(half_edges), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) domain_corners_[i] = vertex_of_rank(sorted.ranks[i]);

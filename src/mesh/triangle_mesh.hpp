@@ -57,7 +57,7 @@ class TriangleMesh {
   /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of a half-edge.
   TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count);
 
-  // Navigation. Each function is O(1), except find().
+  // Navigation. A function costs O(1), unless its comment states another cost.
   [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{half_edges_[number(h)].twin & ~kFixed}; }
   [[nodiscard]] Vertex origin(HalfEdge h) const { return half_edges_[number(h)].origin; }
   [[nodiscard]] Vertex target(HalfEdge h) const { return origin(next(h)); }
@@ -78,7 +78,7 @@ class TriangleMesh {
   /// The half-edge from `from` to `to`, or kNoHalfEdge. Cost: proportional to the number of edges of the vertex with
   /// fewer edges.
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const;
-  /// More edges than this are many.
+  /// A vertex has *many* edges if it has more edges than this.
   static constexpr std::size_t kFewEdges = 16;
   /// Whether `v` has many edges. Cost: O(1).
   [[nodiscard]] bool has_many_edges(Vertex v) const;
@@ -88,14 +88,14 @@ class TriangleMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return half_edges_.size() / 3 - free_face_count_; }
-  /// The numbers of slots of vertices and of faces, including free slots. Every index of a vertex (or face) is below
-  /// this number.
+  /// The number of slots of vertices, including free slots: the index of every vertex is below it. The next function
+  /// returns the same number for faces.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(half_edges_.size() / 3); }
   [[nodiscard]] bool is_live(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }
   [[nodiscard]] bool is_live(Face f) const { return origin(first(f)) != kNoVertex; }
 
-  /// Calls visit(h) for every half-edge that starts at `v`, counter-clockwise.
+  /// Calls visit(h) for every half-edge that starts at `v`, counter-clockwise. Cost: linear in their number.
   template <class Visit>
   void for_each_outgoing(Vertex v, Visit&& visit) const {
     const HalfEdge start = outgoing(v);
@@ -132,10 +132,10 @@ class TriangleMesh {
   /// The result of flip(h). Let c be the apex of `h`, and d the apex of its twin, before the flip.
   struct Flipped {
     HalfEdge diagonal;  ///< the half-edge of the new edge from d to c
-    HalfEdge opposite;  ///< the half-edge from d to the old target of `h`. Like `h`, which now ends at d, it has apex c
+    HalfEdge opposite;  ///< the half-edge from d to the old target of `h`; its apex is c
   };
-  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Requires: the edge is not fixed, and the four
-  /// vertices of the quadrilateral are distinct.
+  /// Replaces the edge of `h` by the other diagonal of its quadrilateral. Afterwards `h` ends at d and has the apex c.
+  /// Requires: the edge is not fixed, and the four vertices of the quadrilateral are distinct.
   Flipped flip(HalfEdge h);
 
   /// A triangle of a polygon, counter-clockwise. `from`, `apex` and `to` are the indices of its vertices in the list of
@@ -241,9 +241,9 @@ class TriangleMesh {
     split_edge,
     flip,
     set_label,
-    set_label_of_twin,
-    relabel,  ///< set_label for an edge that was fixed and stays fixed
-    relabel_twin,
+    set_label_of_twin,  ///< the entry of a set_label for the face of the twin; it saves no label
+    relabel,            ///< set_label for an edge that was fixed and stays fixed
+    relabel_twin,       ///< the same for relabel
     rebuild_label,
   };
   /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.

@@ -78,8 +78,9 @@ void Components::remove_changed_faces(std::span<const Face> changed) {
   write();
 }
 
-/// Finds the groups of new faces and their old neighbours. The edges of an old face have not changed. So if an old
-/// component lost a face, each of its pieces contains an old neighbour of a group.
+/// Finds the groups of new faces and their old neighbours. An old face is a face that has not changed, and its edges
+/// have not changed, either. So if an old component has lost faces, each of its remaining pieces has a passage to a new
+/// face: each piece contains an old neighbour of a group.
 void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   groups_.clear();
   group_sets_.clear();

@@ -24,9 +24,11 @@ namespace waywright::nav {
 /// same polygons cover all faces of a component. So the cover is stored once for each component.
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
-/// one search starts from each piece. The searches take turns until at most one of them is unfinished. If a change
-/// connects components, the smaller ones take the id of the largest. Compare ids only for equality, because the id of a
-/// component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
+/// several searches start from those faces of the component that are adjacent to new faces. Searches that meet are
+/// united. The searches take turns until at most one of them is unfinished. Then the faces of all pieces but one are
+/// known, and these are enough to give each piece its id. If a change connects components, the smaller ones take the id
+/// of the largest. Compare ids only for equality, because the id of a component depends on the history of changes.
+/// Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Id = std::uint32_t;
@@ -99,7 +101,7 @@ class Components {
     Id next = kNone;  ///< the next component with the same `cover`; unused if the cover is empty
     Id previous = kNone;
   };
-  /// A new face, and all new faces that passages connect with it through new faces alone.
+  /// New faces that passages connect with each other, through new faces alone.
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Id id = kNone;
@@ -228,7 +230,8 @@ class Components {
   std::vector<std::uint32_t> removed_;
   std::vector<std::uint32_t> added_;
 
-  /// A reference to a set in the tree of covers: a component, or a node.
+  /// Something that refers to the set `set` in the tree of covers: a component with this cover, or a node of the tree
+  /// with this parent. `index` is the component or the node.
   struct Covered {
     Set set;
     std::uint32_t index;
@@ -237,7 +240,7 @@ class Components {
   // The polygon that cover_with() handles. Another polygon is *enclosed* if it has one ring, all of it lies inside this
   // polygon, and its boundary does not touch the boundary of this polygon.
   std::uint32_t covering_ = 0;
-  Set cover_at_boundary_ = CoverTree::kEmpty;  ///< of a face inside this polygon, at its boundary
+  Set cover_at_boundary_ = CoverTree::kEmpty;  ///< the cover of a face inside this polygon, at its boundary
   std::uint32_t flood_ = 0;                    ///< the mark of the faces that the flood has visited
   std::span<const std::uint32_t> inserted_;    ///< see Changes
   bool may_enclose_ = false;                   ///< whether the flood looks for enclosed polygons

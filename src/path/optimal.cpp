@@ -19,7 +19,9 @@ constexpr int kFacesBetweenLooks = 8;
 
 }  // namespace
 
-/// The cone of a window. It decides whether a position lies left or right of each of the cone's two bounds.
+/// The cone of a window: the area between two rays from the root, its left and its right bound. (The function bound()
+/// is another thing: a lower bound of a length.) The class decides whether a position lies left or right of each of the
+/// two rays.
 class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)
@@ -296,10 +298,10 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   if (was_longest && --longest_count_ == 0) limit_lengths();
 }
 
-//          apex          The cone's left bound touches v, the entry's left end. The face's apex lies on the bound or to
-//        /    \          its left. A path that turns left at v, around the walls, can reach the area left of the bound.
-//       /      \         No wall at v lies to the right of the path, because the cone has passed there. If v has
-//   v -------- target    no walls, there is nothing to turn around.
+//          apex          The picture shows a left turn: the cone's left bound touches v, the entry's left end. The
+//        /    \          face's apex lies on the bound or to its left. A path that turns left at v, around the walls,
+//       /      \         can reach the area left of the bound. No wall at v lies to the right of the path, because the
+//   v -------- target    cone has passed there. If v has no walls, there is nothing to turn around.
 void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
@@ -385,7 +387,8 @@ void Optimal::make_left_turn(const Node& turn) {
   }
 }
 
-/// The mirror image of make_left_turn(): `entry` ends at the vertex.
+/// The mirror image of make_left_turn(): the path turns at the target of `entry`, and goes right around the walls
+/// there.
 void Optimal::make_right_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.right, turn.root);
   if (roots_[root].length > reached(turn.right).length) return;

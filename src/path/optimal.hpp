@@ -26,8 +26,8 @@ namespace waywright::path {
 /// face's apex is the vertex that is not on the edge of entry. If the apex lies inside the cone, the cone leaves across
 /// each of the two edges that an agent can cross. If the apex lies left or right of the cone, the cone leaves across
 /// one edge, if an agent can cross it. So only orientations of mesh vertices decide where a cone continues. Lengths
-/// decide only which node the search expands first, and which of two paths is shorter. Where a cone touches a vertex
-/// with walls, a path can turn around these walls. The vertex is then the root of new windows.
+/// decide only which window or turn the search expands first, and which of two paths is shorter. Where a cone touches a
+/// vertex with walls, a path can turn around these walls. The vertex is then the root of new windows.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya): the
 /// search, its bound, and the rule that drops a root if a shorter path to its vertex is known. Differences:
@@ -91,7 +91,7 @@ class Optimal {
   /// A window, or a turn whose windows have not been made yet.
   struct Node {
     Kind kind;
-    mesh::HalfEdge entry;  ///< of a window: its edge, in the face beyond; of a turn: an edge that ends at the vertex
+    mesh::HalfEdge entry;  ///< a window's edge, in the face beyond it; of a turn: the edge at whose end the path turns
     std::uint32_t root;    ///< of a window: its root; of a turn: the root before it
     mesh::Vertex left;     ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
     mesh::Vertex right;    ///< the vertex that bounds the cone on the right; of a right turn, where the path turns

@@ -80,9 +80,9 @@ void TraStar::climb_from_goal(Face goal) {
 
 /// Sets the mark kGoalOutside at those faces above the goal from which a passage up leads to the goal, too. These are
 /// the faces whose component has goal faces that do not lie below them:
-/// - a top (the last face of a chain), if its component has a second top;
-/// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face that is marked
-///   itself.
+/// - a top (the last face on the way up from a goal face), if its component has a second top;
+/// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face with the mark
+///   kGoalOutside.
 void TraStar::mark_passages_between_goals() {
   const auto component = [&](Face top) { return components_->component_of(top); };
   std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });

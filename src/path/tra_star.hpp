@@ -41,10 +41,12 @@ class TraStar {
   void write_channel(Path& path) const;
 
  private:
-  // Marks of a face in this query.
+  // Marks of a face in this query. *Up* means along TwoCore::towards_core(): towards the core or, in a component
+  // without a core, towards its root. At a face of the core, the passages to other faces of the core lead up. *Down* is
+  // the opposite direction.
   static constexpr std::uint32_t kGoal = 1;
-  static constexpr std::uint32_t kAboveGoal = 2;    ///< a goal face, or a face between a goal face and the core
-  static constexpr std::uint32_t kGoalOutside = 4;  ///< kAboveGoal, and some goal faces of its component lie elsewhere
+  static constexpr std::uint32_t kAboveGoal = 2;    ///< a goal face, or a face on the way up from one
+  static constexpr std::uint32_t kGoalOutside = 4;  ///< kAboveGoal, and the way up also leads to a goal face
   static constexpr std::uint32_t kChosen = 8;       ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 

@@ -19,8 +19,9 @@ namespace waywright {
 
 namespace {
 
-/// A long straight piece of a path has several boxes. In x or in y, the extent of each is at most this share of the
-/// domain, so that the boxes contain few positions that are far from the path.
+/// A long straight piece of a path has several boxes, so that the boxes contain few positions that are far from the
+/// path. The width of each box is at most this share of the width of the domain, or its height is at most this share of
+/// the height of the domain.
 constexpr double kLargestShare = 0x1p-6;
 
 double largest_coordinate(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
@@ -30,7 +31,8 @@ double slack_of(const Point& a, const Point& b) {
   return 0x1p-45 * std::max(largest_coordinate(a), largest_coordinate(b));
 }
 
-/// Calls visit(box) for boxes that together contain all positions that are at most `reach` away from a line.
+/// Calls visit(box) for boxes that together contain all positions that are at most `reach` away from the segment from
+/// `a` to `b`.
 template <class Visit>
 void for_each_box_of_line(const Point& a, const Point& b, double reach, const Box& domain, const Visit& visit) {
   const double wide = std::abs(b.x - a.x) / (kLargestShare * domain.width());
@@ -81,8 +83,9 @@ struct Ellipse {
 
 /// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
 /// position that is nearer to the end in the query than the moved end is. Let the search have moved the start from `s`
-/// to `t` by the distance d. If p is nearer to `s` than `t` is, then p is at most d away from `s`, and at most d + d +
-/// length away from the goal. So the length of the ellipse is the length of the path plus 3 d.
+/// to `t` by the distance d. If a position p is nearer to `s` than `t` is, then p is at most d away from `s`, and at
+/// most d + d + length away from the goal. So the sum of the two distances is at most the length of the path plus 3 d,
+/// and this is Ellipse::length.
 Ellipse ellipse_of(const Path& path) {
   const bool has_points = !path.points.empty();
   if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
@@ -165,7 +168,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   Box domain;
   std::uint64_t version;  ///< of the world at the last update
   std::uint64_t updates = 0;
-  std::uint64_t box_count = 0;  ///< of changed boxes so far
+  std::uint64_t box_count = 0;  ///< the number of changed boxes that the watch has compared with paths so far
   BoxTree paths;                ///< boxes of the pieces of paths, with the slot of the path
   BoxTree ellipses;             ///< bounding boxes of ellipses, with the slot of the path
   std::vector<Watched> watched;
@@ -211,7 +214,7 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   free_slots.push_back(slot);
 }
 
-/// Adds a path of a point agent to `changes` if it is blocked. A changed box lies near the path.
+/// Checks a path of a point agent near which a changed box may lie. Adds the path to `changes` if it is blocked.
 void PathWatch::Impl::check(std::uint32_t slot, const World& world, PathChanges& changes) {
   Watched& path = watched[slot];
   if (std::exchange(path.seen_by, updates) == updates) return;
