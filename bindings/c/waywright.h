@@ -470,8 +470,9 @@ WW_API ww_status ww_world_contains(const ww_world* world, ww_id id, ww_bool* con
 WW_API ww_status ww_world_item_count(const ww_world* world, size_t* item_count);
 /* Writes the ids of all live items, ascending. */
 WW_API ww_status ww_world_item_ids(const ww_world* world, ww_id* ids, size_t capacity, size_t* count);
-/* Sets `items` to a copy of the item with this id. Its shape is as you inserted it, without points that equal their
-   predecessor. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
+/* Sets `items` to a copy of the item with this id. Its shape is as you inserted it, with one exception: of equal
+   consecutive points (in a polygon, also of the last and the first point of a ring), the copy has only one. A segment
+   always has two points. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
 WW_API ww_status ww_world_item(const ww_world* world, ww_id id, ww_items* items);
 /* Sets `items` to copies of all live items, ascending by id. */
 WW_API ww_status ww_world_items(const ww_world* world, ww_context* context, ww_items* items);

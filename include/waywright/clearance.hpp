@@ -54,15 +54,20 @@ struct NearestFitQuery {
 /// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
 /// @endcode
 ///
-/// If the disc fits at the point of the query, this point is the answer. The coordinates of the answer are doubles, so
-/// the answer can lie a little farther away than the nearest position at which the disc fits. The distance is the
-/// smallest possible one, up to a relative error of 1e-9 or up to the rounding of coordinates. In a corner where the
-/// disc only just fits between two walls, it fits at few points whose coordinates are doubles. There the answer can lie
-/// up to about a millionth of the radius farther away than the nearest of these points. If the disc fits only at a
-/// single position, or only along a line between two walls, there is an answer only if doubles can express a position
-/// there. Of several equally near points, the first in (x, y) order is the answer.
+/// If the disc fits at the point of the query and, if the query has a goal, gets from there to the goal, this point is
+/// the answer. There is one exception: if the radius is 0 and polygons cover all triangles around the point, it is not
+/// the answer (see NearestFitQuery::radius), even if the point lies on the boundaries of these polygons.
+///
+/// The coordinates of the answer are doubles, so the answer can lie a little farther away than the nearest position at
+/// which the disc fits. The distance is the smallest possible one, up to a relative error of 1e-9 or up to the rounding
+/// of coordinates. In a corner where the disc only just fits between two walls, it fits at few points whose coordinates
+/// are doubles. There the answer can lie up to about a millionth of the radius farther away than the nearest of these
+/// points. If the disc fits only at a single position, or only along a line between two walls, there is an answer only
+/// if doubles can express a position there. Of several equally near points, the first in (x, y) order is the answer.
 struct NearestFit {
-  bool is_found = false;  ///< whether the disc fits somewhere; if not, all other members are zero
+  /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
+  /// the disc gets to the goal. If not, all other members are zero.
+  bool is_found = false;
   Point at;               ///< a point where the disc fits, as World::fit_disc decides exactly
   double distance = 0.0;  ///< from the query's point to `at`
 

@@ -28,9 +28,11 @@ enum class ErrorCode : std::uint8_t {
   unknown_id,            ///< no live item has this id
   bad_radius,            ///< a radius that is negative or not finite
   bad_distance,          ///< a distance that is negative, not a number, or too small
-  bad_id,                ///< an id above 2^63 - 1, for example an id made from a negative number
-  bad_domain,            ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
-  empty_shape,           ///< a ring without points, or a number of rings or points that the kind does not allow
+  /// An id above 2^63 - 1, for example an id made from a negative number. World::reserve_ids and ReplayWriter::record
+  /// also refuse the null id with this code.
+  bad_id,
+  bad_domain,   ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
+  empty_shape,  ///< a ring without points, or a number of rings or points that the kind does not allow
   /// A change that makes the mesh too large. There are two limits: 2^27 vertices without the crossings that the change
   /// makes, and 350 million vertices including these crossings.
   too_large,
@@ -106,7 +108,9 @@ struct Error {
   ErrorCode code = ErrorCode::malformed;
   detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
   ItemId item;               ///< the id that caused the error, or null
-  std::uint64_t index = 0;   ///< the index of the refused element in its list (from 0), or a line number (from 1)
+  /// The index of the refused element in its list (from 0), or a line number (from 1). World::rewind sets it to the
+  /// tick, and load_world sets it to a number of bytes.
+  std::uint64_t index = 0;
 
   /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.
   [[nodiscard]] WAYWRIGHT_API std::string message() const;

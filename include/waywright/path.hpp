@@ -99,10 +99,10 @@ struct PathQuery {
 enum class PathStatus : std::uint8_t {
   found,  ///< there is a path
   /// The start lies strictly inside a polygon, or a wall is nearer to the start than the radius. The search found no
-  /// free position within the tolerance.
+  /// position within the tolerance to which it could move the start.
   start_blocked,
   goal_blocked,  ///< the goal lies strictly inside a polygon or too near to a wall, as for `start_blocked`
-  no_path,       ///< neither the start nor the goal is blocked, but no path connects them
+  no_path,       ///< no path connects the start and the goal, for another reason than the two reasons above
 };
 
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.

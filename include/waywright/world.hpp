@@ -284,13 +284,13 @@ class WAYWRIGHT_API World {
   /// You need this group to save a world, to send it to another machine, or to look up a shape. Item has an example.
   /// @{
 
-  /// Returns the largest id that the world has seen, or null if it has seen none: the largest id of all items that it
-  /// has ever contained, or the id given to reserve_ids(). If the world chooses an id, it is this id plus 1.
+  /// Returns the largest id that the world has seen, in an item or in reserve_ids(), or null if it has seen none. If
+  /// the world chooses an id, it is this id plus 1. rewind() brings back the largest id seen up to the tick.
   /// Cost: O(1).
   [[nodiscard]] ItemId largest_id_seen() const;
   /// Lets the world continue its ids after `last`, as if it had seen this id. The world never chooses `last` or a
-  /// smaller id afterwards; you may still insert items under these ids. Does nothing if the world has seen a larger id.
-  /// The call is not an operation: it does not change version(). ItemId has an example.
+  /// smaller id afterwards, except after a rewind(). You may still insert items under these ids. Does nothing if the
+  /// world has seen a larger id. The call is not an operation: it does not change version(). ItemId has an example.
   /// Errors: bad_id.
   /// Cost: O(1).
   Result<void> reserve_ids(ItemId last);
@@ -306,8 +306,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] std::vector<ItemId> item_ids() const;
   /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
-  /// Returns a copy of the shape of an item as you inserted it, with one exception: the copy does not contain points
-  /// that equal their predecessor.
+  /// Returns a copy of the shape of an item as you inserted it, with one exception: of equal consecutive points (in a
+  /// polygon, also of the last and the first point of a ring), the copy has only one. A segment always has two points.
   /// Errors: unknown_id, bad_id.
   /// Cost: linear in the points of the item.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
@@ -399,9 +399,9 @@ class WAYWRIGHT_API World {
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
-  /// Finds the point nearest to NearestFitQuery::point where a disc fits, as fit_disc() defines it. With a goal, the
-  /// function finds the nearest point from which the disc gets to the goal. Both decisions are exact. NearestFit says
-  /// how precise the distance is. Error::index is 0 for the point and 1 for the goal.
+  /// Finds the point nearest to NearestFitQuery::point where a disc fits: see fit_disc() and, for the radius 0,
+  /// NearestFitQuery::radius. With a goal, it is the nearest point from which the disc gets to the goal. The decisions
+  /// are exact. NearestFit says how precise the distance is. Error::index is 0 for the point and 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
   /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep

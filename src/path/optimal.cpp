@@ -351,9 +351,11 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
-//   .  apex              The path has come to v, the entry's left end, and turns left around the walls there. From v
-//    .  |  \             it sees the piece of the face's far edge between its straight continuation (dotted) and the
-//   walls - v - target   apex. It also sees the far edges of the next faces around v, up to the walls.
+//           apex   .       The path has come to v, the entry's left end, from below, and turns left around the walls
+//            |  \ .        there. The dotted line is the straight continuation of the path beyond v. From v, the path
+//            |  . \        sees the piece of the face's far edge between this line and the apex. It also sees the far
+//            | .    \      edges of the next faces around v, up to the walls.
+//   walls -- v -- target
 void Optimal::make_left_turn(const Node& turn) {
   const std::uint32_t root = add_root(turn.left, turn.root);
   if (roots_[root].length > reached(turn.left).length) return;

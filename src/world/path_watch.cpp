@@ -99,7 +99,7 @@ Ellipse ellipse_of(const Path& path) {
   };
   if (path.moved_start) move_back(ellipse.start, *path.moved_start);
   if (path.moved_goal) move_back(ellipse.goal, *path.moved_goal);
-  // The length is a sum of rounded lengths. The second term covers the rounding of up to 4 million turns.
+  // The length is a sum of rounded lengths. The last term covers the rounding of up to 4 million turns.
   const double largest = std::max(largest_coordinate(ellipse.start), largest_coordinate(ellipse.goal));
   ellipse.length = path.length + 3.0 * moved + 0x1p-30 * (path.length + largest);
   ellipse.reach = path.radius * (1.0 + 0x1p-30);
