@@ -633,8 +633,9 @@ typedef struct ww_path_query {
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_path_query). */
 WW_API ww_status ww_path_query_init(ww_path_query* query, size_t struct_size);
 /* Finds a path, or finds out that there is none. Both are answers, not errors: ww_path_get_info says which of the two.
-   The path never passes through a wall, nor through a point where walls meet. It may touch both. The search may move a
-   blocked start or goal to a free position within the tolerance. Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN,
+   The path may touch walls and vertices, but it never passes through a wall. At a vertex with walls, it never passes
+   from one wedge between walls into another. The search may move a blocked start or goal to a free position within the
+   tolerance. Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN,
    WW_BAD_RADIUS; WW_BAD_DISTANCE, for the tolerance; WW_NOT_SUPPORTED, if the algorithm is TRA and the world does not
    keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does not keep its bridges. */
 WW_API ww_status ww_world_find_path(const ww_world* world, const ww_path_query* query, ww_context* context,
@@ -817,9 +818,9 @@ WW_API ww_status ww_search_is_running(const ww_search* search, ww_bool* is_runni
    Following changes */
 
 /* Finds out whether a point agent can walk along a polyline, for example along the points of a path. It may touch walls
-   and walk along them. It must not pass through a wall, the interior of a polygon, or a point where walls meet. The
-   decision is exact. Without points, the answer is 0. Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN. ww_error.index is
-   the index of the refused point. */
+   and walk along them. It must not pass through a wall or the interior of a polygon, nor at a vertex from one wedge
+   between walls into another. The decision is exact. Without points, the answer is 0. Errors: WW_COORDINATE_RANGE,
+   WW_OUT_OF_DOMAIN. ww_error.index is the index of the refused point. */
 WW_API ww_status ww_world_is_clear(const ww_world* world, const ww_point* points, size_t point_count,
                                    ww_context* context, ww_bool* is_clear);
 /* Finds out whether a point agent can walk straight from one point to another. Errors: as for ww_world_is_clear. */

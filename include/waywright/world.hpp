@@ -439,9 +439,9 @@ class WAYWRIGHT_API World {
   /// find_paths_from to compare many goals. PathSearch finds a path in slices. PathQuery and Path have examples.
   /// @{
 
-  /// Finds a path from start to goal. The path never passes through a wall, nor through a point where walls meet. It
-  /// may touch both. The search can move the start and the goal: PathQuery::end_tolerance says when, and to which
-  /// position. If PathQuery::radius is above 0, the answer is the path of a disc's centre, in Path::pieces.
+  /// Finds a path from start to goal. It may touch walls and vertices, but it never passes through a wall. At a vertex
+  /// with walls, it never passes from one wedge between walls into another. PathQuery::end_tolerance says when the
+  /// search moves the start and the goal. If PathQuery::radius is above 0, the disc's path is in Path::pieces.
   ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
   /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep
@@ -490,10 +490,9 @@ class WAYWRIGHT_API World {
 
   /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The agent may touch
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
-  /// or through a point where walls meet. The decision is exact. If there are no points, the result is false.
-  ///
-  /// Path::points says how the function treats a path that turns at a crossing of two walls. Error::index is the index
-  /// of the refused point in `points`.
+  /// or at a vertex from one wedge between walls into another. The decision is exact. If there are no points, the
+  /// result is false. Path::points says how the function treats a path that turns at a crossing of two walls.
+  /// Error::index is the index of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the location of the first point, and the triangles that the polyline crosses. Allocates nothing if `context`
   /// has been used for a polyline of the same length before.
