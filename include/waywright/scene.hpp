@@ -73,7 +73,7 @@ enum class SceneFormat : unsigned char {
 /// from `node_text`, the text of the `.node` file of the same name. Ids in the file count up by 1 from 0 or 1. The
 /// function reads and checks attributes, boundary markers, holes and regions, and then ignores them. The domain is the
 /// bounding box of the vertices, enlarged in each of the four directions by an eighth of its larger extent, but at
-/// least by 1. Each bound is then rounded outwards to the next number with few digits.
+/// least by 1. Each bound is then rounded outwards to a multiple of a power of two, so that it has few digits.
 /// Errors: malformed, coordinate_range.
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,

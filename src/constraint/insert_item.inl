@@ -94,9 +94,10 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 }
 
 // Inserts a side piece by piece. A piece ends at the next vertex on the side, or at a new vertex on the first fixed
-// edge that the side crosses. If a piece ends at a vertex with many edges, the search around this vertex for the next
-// piece would take long. So the function then continues from the other end of the side, towards this vertex. It stops
-// if has_too_many_vertices() becomes true.
+// edge that the side crosses. At a vertex with many edges, the search for the next piece would take long. So if many
+// items have a corner at `side.from` (is_hub()), and this vertex has many edges and more than `side.to`, the function
+// begins at `side.to`. If a piece ends at a vertex with many edges, the function continues from the other end of the
+// side, towards this vertex. It stops if has_too_many_vertices() becomes true.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   if (has_too_many_vertices()) return;
@@ -139,8 +140,9 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::guide_along(mes
   return guide;
 }
 
-// The insertion of x has rebuilt exactly the faces around x, which form a star. So the segment from u to x first
-// crosses edges that are listed in `crossed_` and have not changed, and then stays inside the star.
+// The insertion of x has rebuilt exactly the faces around x. They form a polygon that is star-shaped around x. So the
+// segment from u to x first crosses edges that are listed in `crossed_` and have not changed, and then stays inside
+// this polygon.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::step_to_crossing(mesh::Vertex u,
                                                                                                        mesh::Vertex x) {

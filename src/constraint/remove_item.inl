@@ -16,6 +16,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   const std::uint32_t slot = items_.slot(id);
   items_.outline(slot, outline_);
   // In a large world, a removal mostly waits for memory. The code prefetches data as soon as it knows the address.
+  // Some of the faces that were made together with a corner probably still have it as a vertex.
   for (const mesh::Vertex v : outline_.corners) {
     triangulation_.prefetch(v);
     triangulation_.prefetch_faces_made_with(v);
@@ -48,8 +49,8 @@ void ConstrainedTriangulation<Geometry>::remove_unneeded() {
 }
 
 // Takes the side off its edges, beginning at both ends. edge_of_side() finds the next edge at one of the two ends:
-// usually at the end with fewer edges. So a vertex with many edges inside the side does not make the function slow: it
-// takes the remaining edges from the other end.
+// usually at the end with fewer edges. So the function is not slow if the side runs through a vertex with many edges:
+// it takes the remaining edges from the other end.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
   const mesh::TriangleMesh& mesh = topology();

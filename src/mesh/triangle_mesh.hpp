@@ -147,10 +147,10 @@ class TriangleMesh {
   /// left. The hole consists of the faces of these half-edges and, if close() follows, of the face of its argument
   /// `old`. The new triangles use the slots of the faces of `border`. One edge of the hole is not in `border`: the
   /// base, from the end of the last half-edge to the start of the first. `triangles` has one entry fewer than `border`.
-  /// Its first triangle lies on the base. Each triangle comes before the triangles on its edges from - apex and
-  /// apex - to. Returns the half-edge of the base, which has no twin until link() or close() sets it. Overwrites
-  /// `border`. Requires: no two half-edges of `border` belong to one face; the other half-edges of these faces lie
-  /// inside the hole.
+  /// Its first triangle lies on the base. Each triangle comes before the triangles that share the edge `from` - `apex`
+  /// or the edge `apex` - `to` with it. Returns the half-edge of the base, which has no twin until link() or close()
+  /// sets it. Overwrites `border`. Requires: no two half-edges of `border` belong to one face; the other half-edges of
+  /// these faces lie inside the hole.
   HalfEdge refill(std::span<HalfEdge> border, std::span<const Triangle> triangles);
   /// Closes a hole after refill(), if the base of the hole is the edge of an old half-edge `old`. `base`, the result of
   /// refill(), replaces `old`. Frees the face of `old`.

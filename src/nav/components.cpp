@@ -229,8 +229,9 @@ void Components::add_piece(std::uint32_t search, Id component) {
   remainders_.push_back({component, searches_[search].group, end - begin, true, begin, end});
 }
 
-// Makes one component of each set of connected groups and the remainders that they connect. Some of these remainders
-// are the rest of an old component (Remainder). If there are any, the component takes the id of the largest rest.
+// Makes one component of each set of connected groups and the remainders that they connect. A remainder is either a
+// piece, whose faces a search has listed, or the rest of an old component after its pieces (Remainder). If the set has
+// such rests, the component takes the id of the largest of them.
 void Components::assign_components(const mesh::TriangleMesh& mesh) {
   for (const Remainder& remainder : remainders_) {
     Group& group = groups_[root_of(group_sets_, remainder.group)];

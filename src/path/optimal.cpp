@@ -179,7 +179,7 @@ bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
 void Optimal::leave_start() {
   roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
   const locate::LocatedKind kind = ends_->start_location().kind;
-  at_once_bound_ = -1.0;  // do not follow any window at once
+  at_once_bound_ = -1.0;  // no bound is negative, so push() adds no window to `at_once_`
   for (const mesh::HalfEdge h : ends_->start_faces()) {
     if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
     if (kind == locate::LocatedKind::vertex) reached(mesh_->origin(h)).length = 0.0;
