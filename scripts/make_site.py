@@ -60,8 +60,14 @@ def example_page(name):
     return name.replace(".", "_8") + "-example.html"
 
 
+def error_codes(root):
+    """The names in the enumeration ErrorCode."""
+    body = re.search(r"^enum class ErrorCode .*?^};", (root / ERRORS).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    return re.findall(r"^  (\w+)(?: = \d+)?,", body[0], re.MULTILINE)
+
+
 def filter_header(text, root=Path()):
-    codes = re.findall(r"^  (\w+), +///<", (root / ERRORS).read_text(encoding="utf-8"), re.MULTILINE)
+    codes = error_codes(root)
     code = re.compile(rf"\b({'|'.join(codes)})\b")
 
     def errors(match):

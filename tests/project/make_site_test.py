@@ -25,6 +25,11 @@ class Headers(unittest.TestCase):
         self.assertIn('@ref waywright::ErrorCode::bad_id "bad_id".', self.filtered("/// Errors: bad_id.\n"))
         self.assertNotIn("@ref", self.filtered("/// Returns bad_id.\n"))
 
+    def test_finds_every_code_of_errors(self):
+        codes = make_site.error_codes(ROOT)
+        self.assertEqual([codes[0], codes[-1]], ["coordinate_range", "unwritable"])
+        self.assertLessEqual({"bad_id", "too_large", "world_gone"}, set(codes))
+
     def test_links_pages(self):
         self.assertIn("[docs/paths.md](@ref docs_paths)", self.filtered("/// docs/paths.md says more.\n"))
 
