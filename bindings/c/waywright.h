@@ -678,7 +678,7 @@ enum {
   WW_PATH_FOUND = 0,
   WW_PATH_START_BLOCKED = 1, /* the start lies strictly inside a polygon, or a wall is nearer than the radius */
   WW_PATH_GOAL_BLOCKED = 2,  /* the same for the goal */
-  WW_PATH_NO_PATH = 3        /* no end is blocked, but no path connects them */
+  WW_PATH_NO_PATH = 3        /* no path connects start and goal, for another reason than the two above */
 };
 /* Returns the name of a status of paths: "found", "start-blocked", "goal-blocked", "no-path". */
 WW_API const char* ww_path_status_name(ww_path_status status);
@@ -1216,7 +1216,7 @@ enum {
   WW_DIFFERENCE_DOMAIN = 0, /* the domains differ */
   WW_DIFFERENCE_CHANGE = 1, /* a change differs, or one log lacks it */
   WW_DIFFERENCE_HASH = 2,   /* all changes are equal up to this tick, but its hash differs */
-  WW_DIFFERENCE_LENGTH = 3  /* one log ends after this tick, and the other one continues */
+  WW_DIFFERENCE_LENGTH = 3  /* one log ends after this tick, or the next ticks have different numbers */
 };
 
 /* The first difference between two logs. The members after is_different have no meaning if it is 0. */

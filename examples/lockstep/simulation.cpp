@@ -104,7 +104,8 @@ Tick Simulation::oldest_tick() const {
   return std::max(first_tick_, tick_ < kRememberedTicks ? 0 : tick_ - kRememberedTicks + 1);
 }
 
-/// Goes back: the world by its own history, everything else by a copy. Later ticks overwrite what they remembered.
+/// Goes back: the world by its own history, everything else by a copy. The copies of the later ticks are now wrong.
+/// When the machine plays these ticks again, it overwrites them.
 void Simulation::rewind(Tick tick) {
   if (tick == tick_) return;
   world_.rewind(first_mark_ + (tick - first_tick_)).value();

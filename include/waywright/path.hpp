@@ -225,8 +225,9 @@ struct WAYWRIGHT_API Path {
   /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
   /// disc there, see DiscFit::items. Empty unless the status is start_blocked or goal_blocked.
   std::vector<ItemId> blockers;
-  /// The radius of the largest disc that gets from start to goal. The search sets this member if the query has a radius
-  /// above 0, the status is no_path, and a smaller disc gets from start to goal.
+  /// The radius of the largest disc that gets from start to goal, and the gap that stops every larger disc. The search
+  /// sets this member if the query has a radius above 0, the status is no_path, and a smaller disc gets from start to
+  /// goal.
   std::optional<WidestPath> widest;
 
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a

@@ -114,7 +114,8 @@ struct ReplayDifference {
     domain,  ///< the domains differ
     change,  ///< a change differs, or one log lacks it
     hash,    ///< all changes are equal up to this tick, but its hash differs
-    length,  ///< one log ends after this tick, and the other one continues
+    /// One log ends after this tick and the other one continues, or their next ticks have different numbers.
+    length,
   };
   Kind kind = Kind::change;
   std::uint64_t tick = 0;        ///< the tick during which the logs begin to differ

@@ -38,7 +38,7 @@ struct SvgOptions {
   bool y_down = false;    ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;
   /// The box that the picture shows. It may extend beyond the domain. If `crop` is empty, the picture shows the domain.
-  /// The text contains nothing that lies outside the box.
+  /// The SVG text contains nothing that lies outside the box.
   std::optional<Box> crop = std::nullopt;
   std::string title = {};  ///< the text above the map; empty for no title
 };

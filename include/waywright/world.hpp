@@ -399,9 +399,10 @@ class WAYWRIGHT_API World {
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
-  /// Finds the point nearest to NearestFitQuery::point where a disc fits: see fit_disc() and, for the radius 0,
-  /// NearestFitQuery::radius. With a goal, it is the nearest point from which the disc gets to the goal. The decisions
-  /// are exact. NearestFit says how precise the distance is. Error::index is 0 for the point and 1 for the goal.
+  /// Finds the nearest point to NearestFitQuery::point, among all points where a disc fits: see fit_disc() and, for the
+  /// radius 0, NearestFitQuery::radius. With a goal, it is the nearest point from which the disc gets to the goal. The
+  /// decisions are exact. NearestFit says how precise the distance is. Error::index is 0 for the point and 1 for the
+  /// goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
   /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
