@@ -126,7 +126,9 @@ void bind_discs(Class& world) {
           },
           py::arg("point"), py::arg("radius"), py::kw_only(), py::arg("goal") = py::none(),
           py::arg("limit") = std::numeric_limits<double>::infinity(),
-          R"(Finds the point nearest to ``point`` where a disc fits; with ``goal``, and from which it gets to the goal.
+          R"(Finds the nearest point to ``point``, among all points where a disc fits.
+
+With ``goal``, finds the nearest point from which the disc gets to the goal.
 
 >>> world.nearest_fit((45, 50), 5)
 <waywright.NearestFit at (35, 50), 10.0 away>
