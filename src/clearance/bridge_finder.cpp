@@ -86,8 +86,9 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
 }
 
 // Let w be the origin of `corner`, and f the foot of a bridge from w. The disc of the bridge contains a vertex v
-// exactly if the angle at v between w and f is at least 90 degrees. v is the end of a wall, so this angle is acute: the
-// line through v that is perpendicular to the segment from w to v does not separate f from w.
+// exactly if the angle at v between w and f is at least 90 degrees. Each vertex is the end of a wall, so the disc
+// contains no vertex except w, and this angle is acute for every other vertex v: the line through v that is
+// perpendicular to the segment from w to v does not separate f from w.
 //
 // Let the bridge cross an edge from p to q, or end on it. As seen from w, f lies between p and q, and on the edge or
 // beyond. If the angle at p between w and q is not acute, then the line through p separates f from w. So the angles at

@@ -34,7 +34,7 @@ struct CellEdge {
 /// Two facts make cells the right pieces for discs:
 /// - The wall that is nearest to a position lies on the border of the position's cell: a straight line to the nearest
 ///   wall crosses no bridge. So a disc in a cell touches only walls of this cell.
-/// - If a disc is free at two positions of one cell, these positions are connected for this disc: within a cell, the
+/// - If a disc fits at two positions of one cell, these positions are connected for this disc: within a cell, the
 ///   distance to the walls has one maximum.
 ///
 /// A cell is not stored. next() follows its border, and across() leads to the cell beyond a gate. Cost of next(): the

@@ -31,10 +31,12 @@ using mesh::HalfEdge;
 //    common positions. So a search finds the face G at w in which the segment starts: it begins with the face beyond
 //    `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly inside.
 // 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from q. D contains none
-//    of the vertices xi, except xk if b is the edge from w to xk. The edge from w to xi divides D into two pieces. The
-//    piece that contains q lies inside the disc whose diameter is this edge: the circle of D meets the edge at a
-//    position p before xi, and at the other end of the diameter of D from w, the angle between w and p is acute; hence
-//    at q the angle between w and p is obtuse. So this disc contains q strictly inside. By the choice of q, no face
+//    of the vertices xi, except xk if b is the edge from w to xk. The disc whose diameter is the edge from w to xi
+//    contains q strictly inside. If this edge is b, the disc is D. Otherwise, the circle of D meets the edge at a
+//    position p before xi. Let v be the other end of b. The diameter of D leads from w to v, so the triangle w p v has
+//    a right angle at p and an acute angle at v. The line through w and p separates q from v, and q lies strictly
+//    inside D. So the angle at q between w and p is obtuse, and the disc whose diameter leads from w to p contains q
+//    strictly inside. This disc lies inside the disc of the edge from w to xi. By the choice of q, no face
 //    between G and F is touched, and no edge between them is a wall, because walls do not meet D. So the search, when
 //    it leaves a face through an edge whose disc meets `border`, continues around both ends of the edge, as long as the
 //    edges' discs meet `border`.

@@ -16,8 +16,8 @@
 
 namespace waywright::clearance {
 
-/// Finds the position nearest to a point where a disc fits. Use one object for many queries, because it keeps its
-/// memory.
+/// Among all positions where a disc fits, finds the nearest one to a given point. Use one object for many queries,
+/// because it keeps its memory.
 ///
 /// The search visits faces in the order of their distances from the point. For each wall it takes the two offset curves
 /// of the wall, and for each vertex the circle around it. clip() removes from a curve the positions that are too near
@@ -25,8 +25,8 @@ namespace waywright::clearance {
 /// positions, but they never remove one. The nearest position of each remaining interval is a candidate. The search
 /// stops when no other candidate and no other wall can give a nearer position.
 ///
-/// Exact predicates check each answer. A candidate is rounded to a point where the disc fits: first to the nearest
-/// point, then to points that lie farther and farther inside the free positions.
+/// Exact predicates check each answer. The search rounds a candidate to a point where the disc fits: it first
+/// tries the nearest point, then points at larger and larger distances from the walls.
 class NearestFit {
  public:
   using Triangulation = constraint::ExactTriangulation;

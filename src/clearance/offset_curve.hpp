@@ -9,8 +9,8 @@
 namespace waywright::clearance {
 
 /// One of two curves: the straight line of the positions at the distance r from the line through a wall, on its left;
-/// or the circle of radius r around a vertex. If a position is not free, the free position nearest to it lies on one of
-/// these curves.
+/// or the circle of radius r around a vertex. If a disc of radius r does not fit at a position, the nearest position at
+/// which it fits lies on one of these curves.
 ///
 /// A parameter says where a position lies on the curve. On a line, it is the distance from the foot of the
 /// perpendicular from the query's point. On a circle it is an angle, from 0 to 4: each of its integers is a multiple of

@@ -246,9 +246,9 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
   return std::move(late[0]);
 }
 
-/// Inserts these sides for the items whose first corner has one of the ranks [begin, end). If `leaves_all` is true, it
-/// inserts none. Appends the other sides of these items to `late`. Returns the number of items of which it has inserted
-/// all sides.
+/// The ranks [begin, end) are a region. For the items whose first corner lies in this region, inserts each side that
+/// LocalEdges can insert within the region. If `leaves_all` is true, it inserts none. Appends the other sides of these
+/// items to `late`. Returns the number of items of which it has inserted all sides.
 template <class Geometry>
 std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
                                                                    std::size_t end, bool leaves_all,

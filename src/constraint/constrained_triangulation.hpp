@@ -124,11 +124,13 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kItemsBetweenReports = 1024;
   static constexpr std::size_t kTestsPerVertex = 32;  ///< allowed edge tests for a new vertex: three times the usual
   static constexpr std::size_t kEdgesPerVertex = 18;  ///< allowed edges of a removed vertex: three times the usual
+  /// add_records() prefetches the data of the item, and of the corner, that it needs this many steps later.
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
   static constexpr std::size_t kUsualRegions = 64;      ///< of a bulk load, if this gives regions of a suitable size
   static constexpr std::size_t kSmallestRegion = 2048;  ///< vertices
   static constexpr std::size_t kLargestRegion = 65536;
+  /// If there are more points than this for each item with sides, one thread inserts all sides.
   static constexpr std::size_t kPointsPerItem = 64;
   /// The first four sides are the sides of the domain.
   static constexpr std::array<mesh::Label, 4> kSidesOfDomain = {UseLists::single(0), UseLists::single(1),
@@ -253,7 +255,7 @@ class ConstrainedTriangulation {
   std::vector<LateCorner> late_corners_;
   std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
-  std::vector<mesh::Vertex> touched_;
+  std::vector<mesh::Vertex> touched_;  ///< the vertices that the removed item used: perhaps not needed any more
   NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes
 };

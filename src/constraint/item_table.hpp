@@ -153,8 +153,8 @@ class ItemTable {
     /// For a point: its corner. For other items: the slot of their last side. For a free slot: the next free slot.
     std::uint32_t corner_or_side = kNone;
     ItemKind kind = ItemKind::point;
-    bool is_slot_id = true;
-    bool is_live = false;  ///< false for the domain, too
+    bool is_slot_id = true;  ///< whether the id of the item is the number of its slot
+    bool is_live = false;    ///< false for the domain, too
     FillRule fill = FillRule::even_odd;
   };
   struct Link {

@@ -77,7 +77,7 @@ class WorldReader {
   bool read_options();
   bool read_items();
   bool read_run(std::uint64_t remaining);
-  /// Reads the numbers of points of the run's items into `counts_` and `rings_`.
+  /// Reads the numbers of rings and of points of the run's items into `ring_counts_` and `point_counts_`.
   bool read_counts(std::uint64_t run_size, SavedKind kind);
   bool read_points_of_run(ItemId first, std::uint64_t run_size);
   bool read_shape(std::uint64_t item);

@@ -15,7 +15,8 @@ namespace waywright::locate {
 /// The Morton order of the points of a box. The box has a grid of 2^32 x 2^32 square cells. The key of a point names
 /// its cell: its bits come alternately from the cell's x and from its y, and the highest bit comes from x. If the keys
 /// of some points agree in all bits above a certain bit, the points lie in one axis-parallel rectangle, and this bit
-/// says in which half of the rectangle a point lies. Hence straight lines divide every range of sorted keys.
+/// says in which half of the rectangle a point lies. So if this bit divides a range of sorted keys into two, a straight
+/// line divides their points in the same way.
 ///
 /// Rounding is monotone: if the cells of two points differ in x, the point in the lower cell has the lower x. Source:
 /// Morton, *A computer oriented geodetic data base and a new technique in file sequencing*, 1966.

@@ -35,7 +35,7 @@ class Sectors {
 
   struct Sector {
     std::size_t index;
-    int shift;           ///< if the bits from this number upwards of two keys agree, both keys are in one sector
+    int shift;           ///< two keys are in one sector if they differ only in their lowest `shift` bits
     std::uint32_t zoom;  ///< the zoom to whose curve these keys belong, or kNoZoom
   };
   [[nodiscard]] Sector at(const Point& point) const {

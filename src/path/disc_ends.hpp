@@ -11,7 +11,7 @@ namespace waywright::path {
 /// Where the two ends of a disc's path lie on the mesh, and which dead ends a path between them does not enter.
 class DiscEnds {
  public:
-  /// Locates the ends. Requires: the disc is free at both. Cost: two point locations, and the cost of
+  /// Locates the ends. Requires: the disc fits at both. Cost: two point locations, and the cost of
   /// DeadEnds::begin().
   void begin(const DiscMap& map, const Point& start, const Point& goal);
 

@@ -47,7 +47,7 @@ class DiscLine {
   };
   /// Finds the face that contains the position at which a line touches the contact at `vertex`, which is the origin of
   /// `corner`. The straight line from the vertex to the position begins in the face of `corner`. If it meets a wall,
-  /// the position is not free.
+  /// the disc does not fit at the position.
   [[nodiscard]] static FaceAt face_at(const DiscMap& map, const Point& vertex, const Point& touching,
                                       mesh::HalfEdge corner);
 

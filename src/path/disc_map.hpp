@@ -44,7 +44,7 @@ class DiscMap {
   /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
   /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.
   Point origin;
-  double surely_short;  ///< if the squared length of an edge is smaller, no position on it is free
+  double surely_short;  ///< if the squared length of an edge is smaller, the disc fits at no position on it
   /// If the squared length of an edge is larger, a disc passes between its ends, and the exact decision is not needed.
   double surely_long;
 
@@ -94,7 +94,8 @@ class DiscMap {
             geometry.rounded(number(side.to))};
   }
 
-  static constexpr double kLeastRoundings = 4.0;
+  static constexpr double kLeastRoundings = 4.0;  ///< `radius` is at least this many times the rounding of a position
+  /// A domain is far from (0, 0) if its largest coordinate is more than this many times its extent.
   static constexpr double kFar = 4.0;
 };
 

@@ -98,7 +98,9 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
   return known_status();
 }
 
-/// Returns the status of the path if the straight line is not free and no search is necessary.
+/// Returns the status of the path if the straight line is not free and no search is necessary. An end can have no open
+/// face around it and still lie strictly inside no polygon: then it lies on the boundaries of the polygons that cover
+/// its surroundings, and the status is no_path, unless the two ends are equal.
 std::optional<PathStatus> Ends::known_status() {
   std::swap(tried_, crossed_);
   crossed_.clear();

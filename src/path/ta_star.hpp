@@ -21,7 +21,8 @@ namespace waywright::path {
 /// a lower bound for every path along the channel. The search continues until no open bound is below the length of the
 /// best path found.
 ///
-/// Channels cross passages and never vertices. So no path passes a wall or a point where walls meet.
+/// A channel leads from face to face across passages, never through a vertex. So no path passes through a wall, or at a
+/// vertex from one wedge between walls into another.
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Difference: in the paper, the bound
 /// g is the largest of several estimates from the portals' ends. This class stores the funnel of each channel. The
 /// funnel gives a tighter bound at the same cost.

@@ -26,8 +26,8 @@ namespace waywright::path {
 ///
 /// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006. Differences: one rule says through
 /// which edges the search leaves a face, while the paper distinguishes cases by where start and goal lie. The search
-/// follows a corridor face by face. This costs little and gives the exact length of the corridor for the direction in
-/// which the search entered it.
+/// follows a corridor face by face. This costs little, and the estimate of the length takes into account through
+/// which edge the search has entered the corridor.
 class TraStar {
  public:
   using Triangulation = constraint::ExactTriangulation;

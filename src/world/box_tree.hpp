@@ -15,8 +15,8 @@ namespace waywright {
 ///
 /// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
 /// cell. A box belongs to the deepest possible node whose cell is at least as wide and as high as the box. A node knows
-/// the bounding box of all boxes below it, which is at most twice as large as its cell, so a search visits few nodes
-/// without an answer. Boxes may reach beyond the domain.
+/// the bounding box of all boxes below it, which is at most twice as large as its cell. So a search visits few nodes in
+/// which no box overlaps the given box. Boxes may reach beyond the domain.
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
 class BoxTree {

@@ -70,13 +70,13 @@ bool find_straight(detail::DiscSearch& disc) {
   return true;
 }
 
-/// Starts the second stage of the search.
+/// Starts the stage `shortest`.
 void begin_shortest(detail::DiscSearch& disc) {
   disc.stage = Stage::shortest;
   disc.shortest.begin(*disc.map, disc.ends, disc.length);
 }
 
-/// Continues the stage with the channel. If it finds a string, writes its pieces.
+/// Continues the stage `channel`. If it finds a string, writes its pieces.
 void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
   if (!disc.channel.step(limit, expansions)) return;
   if (!disc.channel.is_found()) {
@@ -94,7 +94,7 @@ void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expa
   begin_shortest(disc);
 }
 
-/// Continues the stage that finds the shortest path. If it is shorter than the string, writes its pieces.
+/// Continues the stage `shortest`. If it finds a path that is shorter than the string, writes its pieces.
 void step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
   if (!disc.shortest.step(limit, expansions)) return;
   if (disc.shortest.is_found() && disc.shortest.length() < disc.length) {
@@ -145,8 +145,8 @@ bool World::Impl::free_disc_end(PathQuery& query, bool is_start, const std::opti
   return true;
 }
 
-/// Returns the position nearest to a blocked end where the disc fits. If the disc gets from some of the positions
-/// within the tolerance to `other`, returns the nearest of these.
+/// Returns the nearest position to a blocked end, among the positions within the tolerance at which the disc fits. If
+/// the disc gets from some of these positions to `other`, returns the nearest of them.
 std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Point& end,
                                                 const std::optional<Point>& other,
                                                 detail::QueryScratch& scratch) const {
@@ -160,7 +160,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
   return nearest_fit_of_disc(nearest, scratch);
 }
 
-/// Starts the search for a path, or finds the straight line. Requires: the disc is free at both ends.
+/// Starts the search for a path, or finds the straight line. Requires: the disc fits at both ends.
 void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);

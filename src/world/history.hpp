@@ -15,8 +15,8 @@
 
 namespace waywright {
 
-/// The history of a world: for each of its last ticks, the items that changed after it, and their shapes before. The
-/// mesh depends only on the live items, so the history records nothing about the mesh.
+/// The history of a world: its last ticks, and each change of an item since the oldest of them, with the shape that the
+/// item had before the change. The mesh depends only on the live items, so the history records nothing about the mesh.
 ///
 /// An operation calls begin(), records each change before it makes it, and calls commit(). If the operation fails, it
 /// does not call commit(), and the next call of another function drops the changes that the operation has recorded.
@@ -48,7 +48,7 @@ class History {
   /// An item that has changed since a tick.
   struct ChangedItem {
     ItemId id;
-    std::uint64_t entry;  ///< the index of the change, in `entries_`
+    std::uint64_t entry;  ///< the index of its first change since the tick, in `entries_`
   };
 
   /// Returns the error of a rewind to this tick, or nothing.

@@ -8,7 +8,7 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// The query for the position nearest to a point where a disc fits.
+// The query for the nearest position to a point, among all positions where a disc fits.
 
 namespace waywright {
 
