@@ -25,15 +25,15 @@ using Triangulation = constraint::ExactTriangulation;
 using Batch = constraint::ShapeBatch<Item>;
 
 /// The changes that bring back the items of a tick. An item whose shape has changed is in both lists.
-struct Return {
+struct ChangesBack {
   std::vector<ItemId> removed;
   std::vector<ItemId> inserted_ids;
   std::vector<Item> inserted;
 };
 
 /// Returns the changes from the items of the triangulation to the items of a tick. Requires: the history has the tick.
-Return changes_back_to(History& history, History::Tick tick, const Triangulation& triangulation) {
-  Return changes;
+ChangesBack changes_back_to(History& history, History::Tick tick, const Triangulation& triangulation) {
+  ChangesBack changes;
   Shape now;
   for (const History::ChangedItem& item : history.changed_since(tick)) {
     const bool is_live = triangulation.items().contains(item.id);
@@ -55,7 +55,7 @@ Return changes_back_to(History& history, History::Tick tick, const Triangulation
 
 /// Returns whether most of the mesh belongs to the removed items. A new mesh of the items that stay then costs less
 /// than the removals.
-bool is_most_removed(const Return& changes, const Triangulation& triangulation) {
+bool is_most_removed(const ChangesBack& changes, const Triangulation& triangulation) {
   std::size_t corners = 0;
   for (const ItemId id : changes.removed) {
     triangulation.items().for_each_corner(triangulation.items().slot(id), [&](mesh::Vertex, bool) { ++corners; });
@@ -64,7 +64,7 @@ bool is_most_removed(const Return& changes, const Triangulation& triangulation) 
 }
 
 /// Adds all items of the triangulation that are not removed to the inserted items.
-void add_items_that_stay(Return& changes, const Triangulation& triangulation) {
+void add_items_that_stay(ChangesBack& changes, const Triangulation& triangulation) {
   std::size_t next_removed = 0;  // both lists ascend
   for (const ItemId id : triangulation.items().ids()) {
     if (next_removed < changes.removed.size() && changes.removed[next_removed] == id) {
@@ -99,7 +99,7 @@ Result<void> World::rewind(std::uint64_t tick) {
 }
 
 void World::Impl::rewind(History::Tick tick) {
-  Return changes = changes_back_to(history, tick, triangulation);
+  ChangesBack changes = changes_back_to(history, tick, triangulation);
   // The world had these items before, so there cannot be too many vertices.
   [[maybe_unused]] std::optional<Error> error;
   if (is_most_removed(changes, triangulation)) {

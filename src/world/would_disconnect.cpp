@@ -104,8 +104,8 @@ std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, 
     if (!cell_of[first] || !areas[first].empty()) continue;
     reach.begin(cells, *cell_of[first], radius);
     for (std::size_t i = first; i < points.size(); ++i) {
-      const bool is_open = cell_of[i] && areas[i].empty();
-      if (is_open && reach.is_reached(cells, *cell_of[i])) areas[i].push_back(static_cast<std::uint32_t>(first));
+      const bool has_no_area = cell_of[i] && areas[i].empty();
+      if (has_no_area && reach.is_reached(cells, *cell_of[i])) areas[i].push_back(static_cast<std::uint32_t>(first));
     }
   }
   return areas;
