@@ -14,7 +14,8 @@ using mesh::Vertex;
 
 namespace {
 
-/// update() never rebuilds the bridges for this many changed faces or fewer, whatever their share of the mesh.
+/// If an operation has touched at most this number of faces, update() never rebuilds the bridges, even if these are
+/// most faces of the mesh.
 constexpr std::size_t kFewFaces = 1000;
 
 }  // namespace
@@ -94,7 +95,7 @@ void Bridges::update(const Triangulation& triangulation, const ChangedWalls& cha
   guard.done();
 }
 
-/// Rebuilds the bridges. If most faces changed, this costs less than an update of each changed face.
+/// Rebuilds the bridges. If most faces are touched, this costs less than an update of each touched face.
 void Bridges::rebuild(const Triangulation& triangulation) {
   auto rebuilt = std::make_unique<Bridges>(triangulation);
   swap_bridges(*rebuilt);
@@ -156,9 +157,9 @@ void Bridges::find_at_corner(const Triangulation& triangulation, BridgeFinder& f
 }
 
 void Bridges::find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge h) {
-  const bool is_one = finder.is_bridge(h);
-  set_bridge(h, is_one);
-  set_bridge(triangulation.topology().twin(h), is_one);
+  const bool is_found = finder.is_bridge(h);
+  set_bridge(h, is_found);
+  set_bridge(triangulation.topology().twin(h), is_found);
 }
 
 void Bridges::set_bridge(HalfEdge h, bool is_bridge) {

@@ -66,7 +66,7 @@ void NearWalls::flood(const Triangulation& triangulation, const Point& point, En
   }
 }
 
-bool NearWalls::is_free(const Triangulation& triangulation, const Point& point, double radius) {
+bool NearWalls::has_no_nearer_wall(const Triangulation& triangulation, const Point& point, double radius) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const Distances distances(triangulation, point);

@@ -19,7 +19,7 @@ class NearWalls {
 
   /// Returns whether no wall is nearer to `point` than `radius`. Requires: the point lies in the domain, and the radius
   /// is finite and positive. Cost: the number of faces within the radius.
-  [[nodiscard]] bool is_free(const Triangulation& triangulation, const Point& point, double radius);
+  [[nodiscard]] bool has_no_nearer_wall(const Triangulation& triangulation, const Point& point, double radius);
   /// Appends to `items` the items, by slot, that have a side nearer to `point` than `radius`. An item may be listed
   /// several times. The domain has the slot 0.
   void find_items(const Triangulation& triangulation, const Point& point, double radius,

@@ -111,7 +111,7 @@ NearestFit::Entry NearestFit::pop() {
 
 void NearestFit::enter(HalfEdge h) {
   if (std::exchange(entered_[number(mesh::face(h))], stamp_.value()) == stamp_.value()) return;
-  for (const HalfEdge side : {h, mesh::next(h), mesh::previous(h)}) look(side);
+  for (const HalfEdge edge : {h, mesh::next(h), mesh::previous(h)}) look(edge);
 }
 
 void NearestFit::look(HalfEdge h) {
@@ -315,8 +315,8 @@ double NearestFit::sharpened(const Piece& piece, double parameter) const {
   return blocked.is_blocked && moved < 0x1p-42 * (largest_ + query_.radius) ? sharp : parameter;
 }
 
-/// Returns the direction from a position of the interval into the free positions: away from the curve's wall, and at
-/// the end of the interval away from the wall that blocks the curve beyond it, too.
+/// Returns the direction from a position of the interval to positions where the disc fits: away from the curve's wall,
+/// and at the end of the interval away from the wall that blocks the curve beyond it, too.
 Point NearestFit::inward(const Piece& piece, double parameter) const {
   const Point normal = piece.curve.normal(parameter);
   const HalfEdge blocker = blocker_at(piece, parameter);
@@ -412,7 +412,7 @@ bool NearestFit::try_point(const Point& point) {
 
 bool NearestFit::fits(const Point& point) {
   if (!is_in_range(point) || !triangulation_->domain().contains(point)) return false;
-  return near_walls_->is_free(*triangulation_, point, query_.radius) &&
+  return near_walls_->has_no_nearer_wall(*triangulation_, point, query_.radius) &&
          !cover_->is_strictly_inside(*triangulation_, triangulation_->triangulation().locate(point));
 }
 

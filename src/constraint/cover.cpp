@@ -94,8 +94,8 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
     add(mesh.twin(left));
   } else {
     mesh::HalfEdge h = location.h;
-    for (const mesh::HalfEdge side : {mesh::next(location.h), mesh::previous(location.h)}) {
-      if (delaunay.comes_before(mesh.origin(side), mesh.origin(h))) h = side;
+    for (const mesh::HalfEdge other : {mesh::next(location.h), mesh::previous(location.h)}) {
+      if (delaunay.comes_before(mesh.origin(other), mesh.origin(h))) h = other;
     }
     add(h);
   }

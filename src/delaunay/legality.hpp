@@ -53,7 +53,7 @@ void legalise(const Geometry& geometry, Mesh& mesh, std::vector<mesh::HalfEdge>&
     if (mesh.is_fixed(h) || is_legal(geometry, mesh, h)) continue;
     const mesh::HalfEdge t = mesh.twin(h);
     mesh.flip(h);
-    for (const mesh::HalfEdge side : {h, previous(h), t, previous(t)}) freed.push_back(side);
+    for (const mesh::HalfEdge edge : {h, previous(h), t, previous(t)}) freed.push_back(edge);
   }
 }
 

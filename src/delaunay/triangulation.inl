@@ -213,9 +213,9 @@ void Triangulation<Geometry>::legalise_around_apex() {
     if (i + 1 < in_doubt_.size()) prefetch_apex_beyond(in_doubt_[i + 1]);
     if (mesh_.is_fixed(h) || delaunay::is_legal(geometry_, mesh_, h, apex)) continue;
     const auto flipped = mesh_.flip(h);
-    for (const mesh::HalfEdge side : {h, flipped.opposite}) {
-      prefetch_face_beyond(side);
-      in_doubt_.push_back(side);
+    for (const mesh::HalfEdge edge : {h, flipped.opposite}) {
+      prefetch_face_beyond(edge);
+      in_doubt_.push_back(edge);
     }
   }
 }

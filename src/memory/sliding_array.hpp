@@ -27,14 +27,14 @@ class SlidingArray {
   [[nodiscard]] Value& operator[](Index i) { return values_[static_cast<std::size_t>(i - base_)]; }
 
   void push_back(const Value& value) { values_.push_back(value); }
-  /// Removes the elements from index `end` on. Requires: begin() <= end <= end().
-  void truncate(Index end) { values_.erase(values_.begin() + static_cast<std::ptrdiff_t>(end - base_), values_.end()); }
-  /// Drops the elements before index `begin`. Requires: begin() <= begin <= end().
-  void drop_before(Index begin) {
-    dropped_ = static_cast<std::size_t>(begin - base_);
+  /// Removes the elements from index `i` on. Requires: begin() <= i <= end().
+  void truncate(Index i) { values_.erase(values_.begin() + static_cast<std::ptrdiff_t>(i - base_), values_.end()); }
+  /// Drops the elements before index `i`. Requires: begin() <= i <= end().
+  void drop_before(Index i) {
+    dropped_ = static_cast<std::size_t>(i - base_);
     if (2 * dropped_ < values_.size() || dropped_ == 0) return;
     values_.erase(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(dropped_));
-    base_ = begin;
+    base_ = i;
     dropped_ = 0;
   }
 

@@ -79,7 +79,7 @@ void TriangleMesh::undo_split_edge(HalfEdge h) {
   take_over(next(h), next(vb));
   take_over(next(t), next(va));
   link(h, t, edge_label);
-  for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
+  for (const HalfEdge edge : {h, t, previous(h), previous(t)}) set_outgoing(origin(edge), edge);
 }
 
 // Turns h = a -> d, which d -> c follows, back into a -> b: see flip.
@@ -90,7 +90,7 @@ void TriangleMesh::undo_flip(HalfEdge h) {
   set_origin(next(h), origin(t));
   set_origin(next(t), origin(h));
   link(h, t, 0);
-  for (const HalfEdge side : {h, t, previous(h), previous(t)}) set_outgoing(origin(side), side);
+  for (const HalfEdge edge : {h, t, previous(h), previous(t)}) set_outgoing(origin(edge), edge);
 }
 
 // Also sets the twins of the neighbours that are live. A neighbour that is restored later sets its twins itself. A

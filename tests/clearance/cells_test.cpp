@@ -39,7 +39,9 @@ class Map {
     bridges_.emplace(mesh_);
   }
 
-  [[nodiscard]] bool is_free(const Point& point, double radius) { return near_.is_free(mesh_, point, radius); }
+  [[nodiscard]] bool is_free(const Point& point, double radius) {
+    return near_.has_no_nearer_wall(mesh_, point, radius);
+  }
   [[nodiscard]] std::optional<CellEdge> cell_at(const Point& point) { return near_.find_cell(mesh_, *bridges_, point); }
   [[nodiscard]] clearance::Narrowest narrowest(const CellEdge& start, const CellEdge& goal) {
     return widest_.find(cells(), start, goal);
