@@ -1032,7 +1032,7 @@ WW_API ww_status ww_world_save_bytes(const ww_world* world, ww_text* bytes);
    bytes, their checksum, and the hash of the items. `options` may be null; progress reports the construction of the
    mesh, after all bytes have been read. Errors: WW_UNREADABLE, if the input fails; WW_MALFORMED, if the bytes are not a
    complete, unaltered saved world; WW_NOT_SUPPORTED, if they need a later version of the library. ww_error.index is the
-   number of bytes before the fault. */
+   number of bytes before the fault, or 0 if a world refuses the domain or an item. */
 WW_API ww_status ww_world_load(const ww_input* input, const ww_bulk_options* options, ww_world** world);
 /* Makes a world from a file, which must contain nothing else. Errors: the errors of ww_world_load. */
 WW_API ww_status ww_world_load_file(const char* file_name, const ww_bulk_options* options, ww_world** world);
