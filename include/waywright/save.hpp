@@ -45,8 +45,9 @@ namespace waywright {
 /// The function trusts no byte of the stream: it checks the form, the checksum, and the hash of the items. It
 /// allocates memory only for the bytes that the stream really has. Error::index is the number of bytes before the
 /// fault, or 0 if a world refuses the domain or an item. BulkOptions::progress reports only the construction of the
-/// mesh, which begins after the function has read all bytes. Errors: unreadable, if the stream fails; malformed, if the
-/// bytes are not a complete, unaltered saved world; not_supported, if the bytes have a later version of the format.
+/// mesh, which begins after the function has read all bytes.
+/// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world;
+/// not_supported, if the bytes have a later version of the format.
 /// Cost: the cost of World::insert_all().
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
 
