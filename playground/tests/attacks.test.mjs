@@ -448,3 +448,35 @@ test('damaged links open the first example and say why', async () => {
     assert.deepEqual(page.errors.map(String), []);
   }
 });
+
+test('a world that no link can hold says why, and stays', async () => {
+  await empty();
+  // A link cannot hold this coordinate: it is not 0, and its size is below 2^-100.
+  await page.evaluate(() => (window.waywright.session.ends.start = { x: 1e-32, y: 5 }));
+  await page.locator('header').getByRole('button', { name: 'Share' }).click();
+  await toast('no link').waitFor();
+  assert.match(await toast('no link').textContent(), /1e-32.*Save the world as \.wws/);
+  await page.evaluate(() => (window.waywright.session.ends.start = { x: 5, y: 5 }));
+  await isAlive();
+  assert.deepEqual(page.errors.map(String), []);
+});
+
+/** The buttons of the page that people cannot hit: something covers their middle, or they reach beyond the window. */
+const hiddenButtons = () => page.evaluate(() =>
+  [...document.querySelectorAll('header.top button, nav button, .tabs button, footer button')]
+    .filter((button) => button.getClientRects().length > 0)
+    .filter((button) => {
+      const { left, top, right, bottom } = button.getBoundingClientRect();
+      const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight || !button.contains(hit);
+    })
+    .map((button) => button.getAttribute('aria-label') ?? button.textContent));
+
+test('in a window of any size, people can hit every button', async () => {
+  await fresh();
+  const sizes = [[1280, 800], [1280, 500], [900, 600], [844, 390], [640, 400], [667, 375], [568, 320], [390, 844], [320, 480]];
+  for (const [width, height] of sizes) {
+    await page.setViewportSize({ width, height });
+    assert.deepEqual(await hiddenButtons(), [], `${width} x ${height}`);
+  }
+});

@@ -155,7 +155,11 @@ export class Files {
 
   async share(): Promise<string | null> {
     const { x, y, scale } = this.view.camera;
-    const text = await linkOf(this.session, { x, y, scale });
+    const text = await linkOf(this.session, { x, y, scale }).catch((reason: Error) => reason);
+    if (text instanceof Error) {
+      this.messages.toast(`The page can make no link: ${text.message} Save the world as .wws, and send the file.`);
+      return null;
+    }
     if (text.length > LARGEST_LINK) {
       this.messages.toast('This world is too large for a link. Save it as .wws, and send the file.');
       return null;
