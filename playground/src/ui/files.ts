@@ -1,9 +1,10 @@
 // Opens files, examples and links, and saves.
-import { parseFile, refuseSize } from '../io/formats';
+import { refuseSize } from '../io/formats';
 import { decodeShare } from '../io/share';
 import { examples, type Example } from '../io/shelf';
 import type { RefusedLine } from '../io/types';
 import { linkOf, type Opened, openParsed, openShared, scriptOf } from '../model/convert';
+import { readFile } from '../model/read_file';
 import type { Session } from '../model/session';
 import type { View } from '../view/view';
 import { h, icon } from './dom';
@@ -120,7 +121,7 @@ export class Files {
   async openFile(file: File): Promise<boolean> {
     return this.open(file.name, async () => {
       refuseSize(file.size);
-      return openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name);
+      return readFile(file.name, await file.arrayBuffer());
     });
   }
 
