@@ -67,11 +67,13 @@ async function record(page, act) {
   });
 }
 
-/** Records the work of each frame while `act` runs. The trace itself costs time, so this is another run than record(). */
-async function recordWork(page, act) {
+/** Prints the work of each frame while `act` runs. The trace itself costs time, so this is another run than record(). */
+async function summariseWork(name, page, act) {
   await browser.startTracing(page, { categories: TRACED });
   await act();
-  return frameWork(JSON.parse((await browser.stopTracing()).toString()));
+  const { time, processor } = frameWork(JSON.parse((await browser.stopTracing()).toString()));
+  summarise(`${name}, work of a frame`, time);
+  summarise(`${name}, processor time of a frame`, processor);
 }
 
 async function dragObstacle(page) {
@@ -117,7 +119,7 @@ try {
   const crowd = await record(page, () => page.waitForTimeout(5000));
   summarise('1,000 units, between frames', crowd.frames);
   summarise('1,000 units, drawing of a frame', crowd.draws);
-  summarise('1,000 units, work of a frame', await recordWork(page, () => page.waitForTimeout(3000)));
+  await summariseWork('1,000 units', page, () => page.waitForTimeout(3000));
   console.log(`1,000 units, p95 of a tick: ${await page.locator('dt:text("95th") + dd').textContent()}`);
   await page.getByRole('button', { name: 'Stop' }).click();
   await page.getByRole('tab', { name: 'Path' }).click();
@@ -131,7 +133,7 @@ try {
     summarise(`${name}, change and path, until the page has them`, drag.trips);
     summarise(`${name}, change`, drag.changes);
     summarise(`${name}, path`, drag.searches);
-    summarise(`${name}, work of a frame`, await recordWork(page, () => dragObstacle(page)));
+    await summariseWork(name, page, () => dragObstacle(page));
   }
   const pan = await record(page, () => panAndZoom(page));
   summarise('10,000 obstacles, pan and zoom, between frames', pan.frames);
