@@ -356,6 +356,7 @@ test('several files at once: the page opens the first and names the others', asy
   await drop([['one.wws', SCRIPT], ['two.wws', SCRIPT], ['three.wws', SCRIPT]]);
   await toast('one.wws').waitFor();
   assert.match(await toast('one.wws').textContent(), /one file at a time.*two\.wws, three\.wws/);
+  await page.waitForFunction(() => window.waywright.session.document.title === 'one.wws', null, { timeout: 10_000 });
   await settle(page);
   assert.equal(await page.evaluate(() => window.waywright.session.document.title), 'one.wws');
 });
@@ -383,6 +384,32 @@ test('a file of 100 MB is refused before the page reads it, and does not stop th
   await toast('large.wws').waitFor();
   assert.match(await toast('large.wws').textContent(), /100000000 bytes, and the largest size is 50000000/);
   await isAlive();
+});
+
+test('the page answers while it reads a file of 20 MB', { timeout: 180_000 }, async () => {
+  await fresh();
+  await page.evaluate(() => {
+    const polygon = (i) => {
+      const [x, y] = [5 + 990 * Math.abs(Math.sin(i)), 5 + 990 * Math.abs(Math.cos(7 * i))];
+      const corners = Array.from({ length: 8 }, (_, k) => `${x + 0.1 * Math.cos((k * Math.PI) / 4)} ${y + 0.1 * Math.sin((k * Math.PI) / 4)}`);
+      return `polygon ${i + 1} 8 ${corners.join(' ')}\n`;
+    };
+    const text = `waywright 1\ndomain -1 -1 1001 1001\n${Array.from({ length: 65_000 }, (_, i) => polygon(i)).join('')}`;
+    const file = new File([text], 'many.wws');
+    window.longest = 0;
+    let last = performance.now();
+    const look = () => {
+      window.longest = Math.max(window.longest, performance.now() - last);
+      last = performance.now();
+      setTimeout(look);
+    };
+    look();
+    void window.waywright.files.openFile(file);
+  });
+  await page.waitForFunction(() => window.waywright.session.document.title === 'many.wws', null, { timeout: 170_000 });
+  const longest = await page.evaluate(() => window.longest);
+  assert.ok(longest < 500, `the page did not answer for ${longest.toFixed(0)} ms`);
+  assert.equal(await page.evaluate(() => window.waywright.session.document.items.size), 65_000);
 });
 
 test('a file that vanishes while the page reads it', async () => {
@@ -446,5 +473,37 @@ test('damaged links open the first example and say why', async () => {
     assert.match(await page.locator('.toasts').textContent(), /The link.*(damaged|version|no example)/, broken.slice(0, 20));
     assert.ok((await itemCount()) > 100);
     assert.deepEqual(page.errors.map(String), []);
+  }
+});
+
+test('a world that no link can hold says why, and stays', async () => {
+  await empty();
+  // A link cannot hold this coordinate: it is not 0, and its size is below 2^-100.
+  await page.evaluate(() => (window.waywright.session.ends.start = { x: 1e-32, y: 5 }));
+  await page.locator('header').getByRole('button', { name: 'Share' }).click();
+  await toast('no link').waitFor();
+  assert.match(await toast('no link').textContent(), /1e-32.*Save the world as \.wws/);
+  await page.evaluate(() => (window.waywright.session.ends.start = { x: 5, y: 5 }));
+  await isAlive();
+  assert.deepEqual(page.errors.map(String), []);
+});
+
+/** The buttons of the page that people cannot hit: something covers their middle, or they reach beyond the window. */
+const hiddenButtons = () => page.evaluate(() =>
+  [...document.querySelectorAll('header.top button, nav button, .tabs button, footer button')]
+    .filter((button) => button.getClientRects().length > 0)
+    .filter((button) => {
+      const { left, top, right, bottom } = button.getBoundingClientRect();
+      const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight || !button.contains(hit);
+    })
+    .map((button) => button.getAttribute('aria-label') ?? button.textContent));
+
+test('in a window of any size, people can hit every button', async () => {
+  await fresh();
+  const sizes = [[1280, 800], [1280, 500], [900, 600], [844, 390], [640, 400], [667, 375], [568, 320], [390, 844], [320, 480]];
+  for (const [width, height] of sizes) {
+    await page.setViewportSize({ width, height });
+    assert.deepEqual(await hiddenButtons(), [], `${width} x ${height}`);
   }
 });

@@ -67,9 +67,14 @@ test(`${EDITS} edits on the page end with the native hashes, and the link gives 
     const length = await page.evaluate(() => window.waywright.session.routes.routes[0].length);
     assert.equal(length, lines.find(({ op }) => op === 'path').length ?? 0);
     const address = await page.evaluate(() => window.waywright.files.share());
-    const again = await openPage(browser, address ?? base);
+    assert.notEqual(address, null, 'the world fits into a link');
+    const again = await openPage(browser, address);
     await settle(again);
-    if (address !== null) assert.equal((await hashes(again)).mesh, native.mesh);
+    assert.deepEqual([(await hashes(again)).items, (await hashes(again)).mesh], [native.items, native.mesh]);
+    await again.reload();
+    await again.waitForSelector('html[data-ready]', { timeout: 60_000 });
+    await settle(again);
+    assert.equal((await hashes(again)).mesh, native.mesh, 'reloaded');
     const { log } = await again.evaluate(() => ({ log: window.waywright.session.document.log.length }));
     t.diagnostic(`hashes ${native.items} ${native.mesh}; link of ${address?.length} characters; ${log} steps`);
     assert.deepEqual(page.errors.map(String), []);

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 /** WAYWRIGHT_PAGE names the folder of another build. */
-const ROOT = process.env.WAYWRIGHT_PAGE ?? fileURLToPath(new URL('../dist', import.meta.url));
+export const ROOT = process.env.WAYWRIGHT_PAGE ?? fileURLToPath(new URL('../dist', import.meta.url));
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 const CHROMIUM = process.env.WAYWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
 

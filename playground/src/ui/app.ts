@@ -23,6 +23,7 @@ import { Toolbar } from './toolbar';
 import { WorldPanel } from './world_panel';
 
 const PHONE = window.matchMedia('(max-width: 760px)');
+const LOW = window.matchMedia('(max-height: 599px)');
 /** If more items than this have changed, it is faster to draw everything again. */
 const MOST_REPAINTS = 200;
 /** After so many stops of the engine, one after the other, the page does not start it again. */
@@ -31,7 +32,7 @@ const MOST_RESTARTS = 5;
 function insets(): Insets {
   return PHONE.matches
     ? { left: 12, right: 12, top: 64, bottom: 176 }
-    : { left: 72, right: 360, top: 68, bottom: 94 };
+    : { left: LOW.matches ? 116 : 72, right: 360, top: 68, bottom: 94 };
 }
 
 function makeTools(bench: Bench): Tool[] {

@@ -1,9 +1,10 @@
 // Opens files, examples and links, and saves.
-import { parseFile, refuseSize } from '../io/formats';
+import { refuseSize } from '../io/formats';
 import { decodeShare } from '../io/share';
 import { examples, type Example } from '../io/shelf';
 import type { RefusedLine } from '../io/types';
 import { linkOf, type Opened, openParsed, openShared, scriptOf } from '../model/convert';
+import { readFile } from '../model/read_file';
 import type { Session } from '../model/session';
 import type { View } from '../view/view';
 import { h, icon } from './dom';
@@ -120,7 +121,7 @@ export class Files {
   async openFile(file: File): Promise<boolean> {
     return this.open(file.name, async () => {
       refuseSize(file.size);
-      return openParsed(parseFile(file.name, new Uint8Array(await file.arrayBuffer())), file.name);
+      return readFile(file.name, await file.arrayBuffer());
     });
   }
 
@@ -155,7 +156,11 @@ export class Files {
 
   async share(): Promise<string | null> {
     const { x, y, scale } = this.view.camera;
-    const text = await linkOf(this.session, { x, y, scale });
+    const text = await linkOf(this.session, { x, y, scale }).catch((reason: Error) => reason);
+    if (text instanceof Error) {
+      this.messages.toast(`The page can make no link: ${text.message} Save the world as .wws, and send the file.`);
+      return null;
+    }
     if (text.length > LARGEST_LINK) {
       this.messages.toast('This world is too large for a link. Save it as .wws, and send the file.');
       return null;

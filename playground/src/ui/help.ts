@@ -3,11 +3,11 @@ import type { Tool } from '../tools/tool';
 import { h, icon } from './dom';
 
 const KEYS: readonly (readonly [string, string])[] = [
-  ['Arrows', 'move the cursor'], ['Shift + arrows', 'move it far'], ['Space', 'press, or release'],
-  ['Enter', 'end a chain or a polygon'], ['Esc', 'give up, or select nothing'], ['Delete', 'remove the selected items'],
-  ['Alt + arrows', 'move the selected items'], ['Ctrl + D', 'copy the selected items'], ['Ctrl + A', 'select everything'],
-  ['Ctrl + Z', 'undo'], ['Ctrl + Shift + Z', 'redo'], ['S', 'put the start here'], ['T', 'put the goal here'],
-  ['N', 'snap to a grid'], ['[ and ]', 'size of the brush'], ['+ and -', 'zoom'], ['0', 'show what matters, then everything'], ['?', 'this list'],
+  ['Arrows', 'Move the cursor'], ['Shift + arrows', 'Move it far'], ['Space', 'Press, or release'],
+  ['Enter', 'End a chain or a polygon'], ['Esc', 'Give up, or select nothing'], ['Delete', 'Remove the selected items'],
+  ['Alt + arrows', 'Move the selected items'], ['Ctrl + D', 'Copy the selected items'], ['Ctrl + A', 'Select everything'],
+  ['Ctrl + Z', 'Undo'], ['Ctrl + Shift + Z', 'Redo'], ['S', 'Put the start here'], ['T', 'Put the goal here'],
+  ['N', 'Snap to a grid'], ['[ and ]', 'Size of the brush'], ['+ and -', 'Zoom'], ['0', 'Show what matters, then everything'], ['?', 'This list'],
 ];
 
 export function makeHelp(tools: readonly Tool[]): HTMLDialogElement {

@@ -72,8 +72,8 @@ export function drawRoutes(context: Context, camera: Camera, session: Session, t
     drawBand(context, camera, first.line, routes.radius, theme['accent-soft']);
   }
   for (const { channel } of routes.routes) if (channel !== null) drawChannel(context, camera, channel, theme);
-  const styled = [...routes.routes].reverse();
-  for (const route of styled) {
+  // The dashes of the other two lie on the line of `optimal`, so that all three show where they are the same.
+  for (const route of routes.routes) {
     const style = session.wishes.compares ? styleOf(route.algorithm, theme) : styleOf('optimal', theme);
     drawLine(context, camera, route.line, style);
   }
