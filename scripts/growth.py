@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
 """Measures how the cost of hard inputs grows with their size.
 
-usage: growth.py PROGRAM [--only TEXT] [--scale F] [--limit SECONDS] [--instructions]
+usage: growth.py PROGRAM [--only TEXT] [--scale F] [--limit SECONDS] [--instructions] [--plot FILE]
 
 Runs each input of bench/growth/inputs.cpp with n, 2 n and 4 n, each in a process of its own, and prints a Markdown table:
-the processor time of the measured part, the exponent between the last two sizes (1: linear), and the peak memory of the
-process with the largest size.
+the processor time of the measured part, its exponent between the smallest and the largest size (1: linear), and the peak
+memory of the process with the largest size.
 
   --only TEXT       only the inputs whose names contain TEXT
   --scale F         multiplies every n by F
   --limit SECONDS   leaves out a size if the size before took longer than this (10)
-  --instructions    counts the instructions of the whole process with `perf stat` or, where the processor has no
+  --instructions    also counts the instructions of the measured part, with `perf stat` or, where the processor has no
                     counters, with valgrind; counts do not depend on other work of the machine
+  --plot FILE       draws the exponents of the instructions into FILE, an SVG picture; needs --instructions
 """
 
 import argparse
@@ -22,9 +23,15 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from pathlib import Path
 
 SIZES = (1, 2, 4)
 LEAST = 0.002  # seconds: the exponent of shorter times is noise
+AIM = 1.15  # the largest exponent of an input whose cost is n log n, at these sizes
+ONE_OPERATION = 0.15  # the same for one operation whose cost is log n
+
+WIDTH, ROW, LEFT, RIGHT, TOP, BOTTOM = 1000, 20, 470, 20, 40, 36
+WITHIN, ABOVE = "#0072b2", "#d55e00"  # of Okabe and Ito
 
 
 def list_inputs(program):
@@ -52,7 +59,7 @@ def has_counters():
     return re.search(r"^\d+,", result.stderr, re.MULTILINE) is not None
 
 
-def instructions(command, uses_perf):
+def count(command, uses_perf):
     if uses_perf:
         result = subprocess.run(["perf", "stat", "-x,", "-e", "instructions:u", *command], check=True, capture_output=True,
                                 text=True)
@@ -60,6 +67,11 @@ def instructions(command, uses_perf):
     result = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *command], check=True,
                             capture_output=True, text=True)
     return int(re.search(r"Collected : (\d+)", result.stderr)[1])
+
+
+def instructions(command, uses_perf):
+    """Counts the instructions of the measured part: those until its end less those until its start."""
+    return count([*command, "stop"], uses_perf) - count([*command, "start"], uses_perf)
 
 
 class Progress:
@@ -73,27 +85,64 @@ class Progress:
             print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
 
 
-def measure(program, name, size, options, uses_perf):
-    """Returns the cost (seconds or instructions), the processor time and the peak memory."""
-    command = [program, name, str(size)]
-    if options.instructions:
-        count = instructions(command, uses_perf)
-        return count, count / 1e9, 0
-    output, memory = run(command)
-    seconds = float(output)
-    return seconds, seconds, memory
-
-
-def exponent(costs, least):
+def exponent(costs, least=0):
+    """Returns the exponent between the first and the last cost, or None."""
     if len(costs) < 2 or costs[-2] < least:
-        return "–"
-    return f"{math.log2(costs[-1] / costs[-2]):.1f}"
+        return None
+    return math.log(costs[-1] / costs[0]) / math.log(SIZES[len(costs) - 1] / SIZES[0])
 
 
-def number(cost, options):
-    if options.instructions:
-        return f"{cost / 1e6:,.0f}"
-    return f"{cost * 1000:.3g}" if cost < 1 else f"{cost * 1000:,.0f}"
+def cells(costs, text, growth):
+    values = [text(cost) for cost in costs] + ["–"] * (len(SIZES) - len(costs))
+    return [*values, "–" if growth is None else f"{growth:.2f}"]
+
+
+def milliseconds(seconds):
+    return f"{seconds * 1000:.3g}" if seconds < 1 else f"{seconds * 1000:,.0f}"
+
+
+def millions(number):
+    return f"{number / 1e6:,.3g}" if number < 1e8 else f"{number / 1e6:,.0f}"
+
+
+def text(x, y, words, anchor="middle"):
+    words = words.replace("&", "&amp;").replace("<", "&lt;")
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{words}</text>'
+
+
+def draw(rows, file):
+    """Draws a bar for each input: its exponent. Two lines show the largest exponents of n log n and of log n."""
+    highest = max([2.0, *(growth for _, _, growth in rows)])
+    width, bottom = WIDTH - LEFT - RIGHT, TOP + ROW * len(rows)
+
+    def place(growth):
+        return LEFT + max(growth, 0.0) / highest * width
+
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{bottom + BOTTOM}"'
+        f' viewBox="0 0 {WIDTH} {bottom + BOTTOM}" font-family="sans-serif" font-size="11">',
+        f'<rect width="{WIDTH}" height="{bottom + BOTTOM}" fill="white"/>',
+        text(14, 19, "exponent of the instructions between n and 4 n", "start"),
+    ]
+    for i in range(int(highest * 4) + 1):
+        x = place(i / 4)
+        out.append(f'<path d="M{x:.1f} {TOP}V{bottom}" stroke="#dddddd"/>')
+        out.append(text(x, bottom + 15, f"{i / 4:g}"))
+    for i, (what, is_operation, growth) in enumerate(rows):
+        aim, y = ONE_OPERATION if is_operation else AIM, TOP + ROW * i
+        colour = WITHIN if growth <= aim else ABOVE
+        out.append(text(LEFT - 8, y + 14, what, "end"))
+        out.append(f'<rect x="{LEFT}" y="{y + 4}" width="{place(growth) - LEFT:.1f}" height="12" fill="{colour}"/>')
+        out.append(f'<path d="M{place(aim):.1f} {y}v{ROW}" stroke="black" stroke-width="1.5"/>')
+    note = "black lines: the largest exponents of n log n and, for one operation, of log n"
+    out.append(text(LEFT + width / 2, bottom + 30, note))
+    file.write_text("\n".join([*out, "</svg>", ""]), encoding="utf-8")
+
+
+def headings(counts):
+    columns = ["ms at n", "at 2 n", "at 4 n", "exponent"]
+    columns += ["10^6 instructions at n", "at 2 n", "at 4 n", "exponent"] if counts else []
+    return ["input", "n", *columns, "MB"]
 
 
 def main():
@@ -103,30 +152,38 @@ def main():
     parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--limit", type=float, default=10.0)
     parser.add_argument("--instructions", action="store_true")
+    parser.add_argument("--plot", type=Path)
     options = parser.parse_args()
     uses_perf = options.instructions and has_counters()
-    least = 0 if options.instructions else LEAST
     progress = Progress()
-    unit = "10^6 instructions" if options.instructions else "ms"
-    print(f"| input | n | {unit} at n | at 2 n | at 4 n | exponent | peak memory, MB |")
-    print("| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
+    names = headings(options.instructions)
+    print(f"| {' | '.join(names)} |")
+    print(f"| --- |{' ---: |' * (len(names) - 1)}")
+    rows = []
     for name, smallest, kind, what in list_inputs(options.program):
         if options.only not in name:
             continue
         size = max(4, round(smallest * options.scale))
-        costs, memory, seconds = [], 0, 0.0
+        times, counts, memory = [], [], 0
         for factor in SIZES:
-            if seconds > options.limit:
+            if times and times[-1] > options.limit:
                 break
             progress.show(f"{name} {factor * size:,}")
-            cost, seconds, memory = measure(options.program, name, factor * size, options, uses_perf)
-            costs.append(cost)
+            command = [options.program, name, str(factor * size)]
+            output, memory = run(command)
+            times.append(float(output))
+            if options.instructions:
+                counts.append(instructions(command, uses_perf))
         progress.show("")
-        cells = [number(cost, options) for cost in costs] + ["–"] * (len(SIZES) - len(costs))
-        target = " (0 is best)" if kind == "operation" else ""
-        peak = "–" if options.instructions else f"{memory / 1e6:,.0f}"
-        print(f"| {what} (`{name}`) | {size:,} | {' | '.join(cells)} | {exponent(costs, least)}{target} | {peak} |",
-              flush=True)
+        row = cells(times, milliseconds, exponent(times, LEAST))
+        if options.instructions:
+            row += cells(counts, millions, exponent(counts))
+            if len(counts) > 1:
+                rows.append((what, kind == "operation", exponent(counts)))
+        target = " (best: 0)" if kind == "operation" else ""
+        print(f"| {what} (`{name}`){target} | {size:,} | {' | '.join(row)} | {memory / 1e6:,.0f} |", flush=True)
+    if options.plot and rows:
+        draw(rows, options.plot)
 
 
 if __name__ == "__main__":

@@ -9,11 +9,16 @@ namespace waywright::bench {
 /// Measures the time of a run from start() to stop(). Everything before start() makes the world.
 class Meter {
  public:
+  /// Where the process ends.
+  enum class End { after_run, at_start, at_stop };
+
+  explicit Meter(End end) : end_(end) {}
   void start();
   void stop();
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
+  End end_;
   double started_ = 0.0;
   double seconds_ = 0.0;
 };

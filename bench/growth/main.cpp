@@ -6,7 +6,10 @@
 
 // usage: waywright_growth              prints a line for each input: its name, smallest n, kind and description
 //        waywright_growth NAME N       runs an input and prints the processor time of its measured part in seconds
+//        waywright_growth NAME N start runs an input until its measured part starts, and prints nothing
+//        waywright_growth NAME N stop  runs an input until its measured part stops, and prints nothing
 int main(int argc, char** argv) {
+  using End = waywright::bench::Meter::End;
   if (argc == 1) {
     for (const auto& input : waywright::bench::growth_inputs()) {
       std::printf("%.*s\t%zu\t%s\t%.*s\n", static_cast<int>(input.name.size()), input.name.data(), input.size,
@@ -15,12 +18,13 @@ int main(int argc, char** argv) {
     return 0;
   }
   for (const auto& input : waywright::bench::growth_inputs()) {
-    if (argc != 3 || input.name != std::string_view(argv[1])) continue;
-    waywright::bench::Meter meter;
+    if (argc < 3 || input.name != std::string_view(argv[1])) continue;
+    const std::string_view end = argc == 4 ? argv[3] : "";
+    waywright::bench::Meter meter(end == "start" ? End::at_start : end == "stop" ? End::at_stop : End::after_run);
     input.run(static_cast<std::size_t>(std::strtoull(argv[2], nullptr, 10)), meter);
     std::printf("%.9f\n", meter.seconds());
     return 0;
   }
-  std::fputs("usage: waywright_growth [NAME N]\n", stderr);
+  std::fputs("usage: waywright_growth [NAME N [start|stop]]\n", stderr);
   return 2;
 }

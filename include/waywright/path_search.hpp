@@ -74,9 +74,9 @@ class WAYWRIGHT_API PathSearch {
   /// Sets whether the searches that begin() starts from now on record their windows (SearchWindow). The default is
   /// false. A search that records its windows takes more time and memory; its answer is the same.
   void record_windows(bool wanted);
-  /// Returns the windows that the search has followed since its last start, in order: one for each triangle that it has
-  /// entered, so their number is Path::expansions. The list is valid until you call another member of this object that
-  /// is not const.
+  /// Returns the windows that the search has followed since its last start, in order: one or more for each triangle
+  /// that it has entered, so their number is at least Path::expansions. The list is valid until you call another member
+  /// of this object that is not const.
   ///
   /// The list is empty if record_windows() was not called before begin(); if the algorithm is not
   /// PathAlgorithm::optimal; if PathQuery::radius is above 0; and if no wall lies between the start and the goal,

@@ -12,7 +12,9 @@ namespace waywright {
 /// that is visible from its *root*, through the triangles that the search has crossed. The root is the start of the
 /// path, or a corner at which the path turns.
 ///
-/// For each window, the search enters one triangle. Usually this triangle lies beyond the edge, as seen from the root.
+/// For each window, the search enters one triangle. If windows lie beside each other on one edge, and their roots are
+/// consecutive turns of one path, the search may enter the triangle with all of them in one step. The windows of such a
+/// step follow each other in the list. Usually the triangle lies beyond the edge, as seen from the root.
 /// Directly after a turn, it lies between the root and the edge: the root is one of its vertices, and the edge is
 /// opposite to this vertex.
 ///

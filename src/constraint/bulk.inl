@@ -8,6 +8,7 @@
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/ring_corners.hpp"
 #include "constraint/scattered_order.hpp"
+#include "memory/count.hpp"
 
 // Inserts many items at once. First it inserts the corners along a curve, so that each is near the previous corner, and
 // its neighbours are near it in memory. Then it inserts the sides, whose ends are known, in the order of their items'
@@ -93,6 +94,7 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
     });
     return;
   }
+  corner_uses_.reserve(memory::with_spare(sorted.points.size() + 1));
   corner_uses_.grow_to(sorted.points.size() + 1, UseLists::kNone);
   std::vector<RankedItem> with_sides;
   ItemHash::Words hash{};

@@ -99,7 +99,10 @@ class ItemTable {
   void reserve(std::size_t count, IdOf&& id_of) {
     std::size_t index_entries = 0;
     for (std::size_t i = 0; i < count; ++i) index_entries += id_of(i).value != items_.size() + i ? 1 : 0;
-    items_.reserve(items_.size() + count);
+    const std::size_t needed = items_.size() + count;
+    // Many small batches must not copy the array each time: so a capacity that is too small grows by at least half.
+    if (needed > items_.capacity())
+      items_.reserve(std::max(memory::with_spare(needed), items_.capacity() + items_.capacity() / 2));
     make_room_in_index(index_entries);
   }
   /// Prefetches the bucket at which the search for an id will start. The id will soon be added.

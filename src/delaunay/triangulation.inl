@@ -22,9 +22,11 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
                                        locate::SortedPoints&& sorted, const threads::ThreadTeam& team,
                                        std::span<const threads::Job> jobs)
     : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
-  std::vector<mesh::TriangleMesh::HalfEdgeRecord> half_edges(6 * sorted.points.size() - 6);
+  std::vector<mesh::TriangleMesh::HalfEdgeRecord> half_edges;
+  half_edges.reserve(memory::with_spare(6 * sorted.points.size() - 6));
+  half_edges.resize(6 * sorted.points.size() - 6);
   std::vector<threads::Job> all_jobs(jobs.begin(), jobs.end());
-  all_jobs.emplace_back([&] { sectors_.fill(sorted.keys, number(vertex_of_rank(0))); });
+  all_jobs.emplace_back([&] { sectors_.fill(sorted.points, sorted.keys, number(vertex_of_rank(0))); });
   DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, half_edges).run(team, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
   sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory

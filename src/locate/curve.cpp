@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/compiler.hpp"
+#include "memory/count.hpp"
 
 namespace waywright::locate {
 
@@ -101,7 +102,7 @@ SortedPoints sort_along_curve(const Box& box, std::span<const Point> points, con
   });
   for (std::size_t t = 0; t < team.threads(); ++t) distinct[t + 1] += distinct[t];
   SortedPoints sorted;
-  sorted.points.reserve(distinct.back() + 1);
+  sorted.points.reserve(memory::with_spare(distinct.back() + 1));
   sorted.points.resize(distinct.back());
   sorted.keys.resize(distinct.back());
   sorted.ranks.resize(points.size());

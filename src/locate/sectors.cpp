@@ -2,8 +2,20 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace waywright::locate {
+
+namespace {
+
+/// Returns the end of the elements from `begin` on for which `is_in` returns true.
+template <class Elements, class IsIn>
+std::size_t end_of_range(const Elements& elements, std::size_t begin, IsIn&& is_in) {
+  while (begin < elements.size() && is_in(elements[begin])) ++begin;
+  return begin;
+}
+
+}  // namespace
 
 /// The sector of a point in a zoomed sector, or in a zoom within this zoom, and so on.
 Sectors::Sector Sectors::find_in_zoom(const Point& point, std::size_t index) const {
@@ -92,35 +104,87 @@ void Sectors::grow() {
   whole_shift_ -= 2;
 }
 
-void Sectors::fill(std::span<const Curve::Key> keys, std::uint32_t first) {
+void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> keys, std::uint32_t first) {
   int shift = kKeyBits - 2;
   while (shift > 2 && keys.size() > kVerticesPerSector << (kKeyBits - shift)) shift -= 2;
   whole_shift_ = shift;
   sectors_.assign(whole_count(), kNone);
-  auto begin = keys.begin();
+  zooms_.clear();
+  std::size_t begin = 0;
   for (std::size_t i = 0; i < whole_count(); ++i) {
-    const auto end = std::find_if(begin, keys.end(), [&](Curve::Key key) { return key >> shift != i; });
-    const auto passed = static_cast<std::size_t>(begin - keys.begin());
-    fill_sector(i, shift, {begin, end}, first + static_cast<std::uint32_t>(passed));
+    const std::size_t end = end_of_range(keys, begin, [&](Curve::Key key) { return key >> shift == i; });
+    const std::size_t count = end - begin;
+    const auto first_here = first + static_cast<std::uint32_t>(begin);
+    fill_sector(i, shift, points.subspan(begin, count), keys.subspan(begin, count), first_here);
     begin = end;
   }
 }
 
 // An empty sector remembers the last vertex before it along the curve.
-void Sectors::fill_sector(std::size_t index, int shift, std::span<const Curve::Key> keys, std::uint32_t first) {
+void Sectors::fill_sector(std::size_t index, int shift, std::span<const Point> points, std::span<const Curve::Key> keys,
+                          std::uint32_t first) {
   if (keys.size() <= kCrowd || shift == 0) {
     sectors_[index] = first + static_cast<Cell>(keys.size() / 2) - (keys.empty() ? 1 : 0);
-    return;
+    if (keys.size() <= kCrowd) return;
+    std::vector<Entry> entries(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) entries[i].vertex = first + static_cast<std::uint32_t>(i);
+    return fill_zoom({index, shift, kNoZoom}, points, first, entries);
   }
   const std::size_t quarters = sectors_.size();
   sectors_.resize(quarters + 4);
   sectors_[index] = static_cast<Cell>(quarters) | kDivided;
-  auto begin = keys.begin();
+  std::size_t begin = 0;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-    const auto end =
-        std::find_if(begin, keys.end(), [&](Curve::Key key) { return (key >> (shift - 2) & 3) != quarter; });
-    const auto passed = static_cast<std::size_t>(begin - keys.begin());
-    fill_sector(quarters + quarter, shift - 2, {begin, end}, first + static_cast<std::uint32_t>(passed));
+    const std::size_t end =
+        end_of_range(keys, begin, [&](Curve::Key key) { return (key >> (shift - 2) & 3) == quarter; });
+    const std::size_t count = end - begin;
+    const auto first_here = first + static_cast<std::uint32_t>(begin);
+    fill_sector(quarters + quarter, shift - 2, points.subspan(begin, count), keys.subspan(begin, count), first_here);
+    begin = end;
+  }
+}
+
+/// Gives a crowded cell of a curve a zoom, and divides the sectors of the zoom. `points` are the positions of the
+/// vertices from `first`; `entries` are the vertices in the cell, without keys.
+void Sectors::fill_zoom(const Sector& sector, std::span<const Point> points, std::uint32_t first,
+                        std::span<Entry> entries) {
+  const std::size_t zooms = zooms_.size();
+  add_zoom(points[entries.front().vertex - first], sector);
+  if (zooms_.size() == zooms) return;  // the cell is as small as doubles allow
+  const std::size_t quarters = zooms_.back().first;
+  const Curve curve = zooms_.back().curve;
+  for (Entry& entry : entries) entry.key = curve.nearest_key(points[entry.vertex - first]);
+  const auto comes_before = [](const Entry& p, const Entry& q) {
+    return p.key != q.key ? p.key < q.key : p.vertex < q.vertex;
+  };
+  std::sort(entries.begin(), entries.end(), comes_before);
+  constexpr int kShift = kKeyBits - 2;
+  std::size_t begin = 0;
+  for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+    const std::size_t end =
+        end_of_range(entries, begin, [&](const Entry& entry) { return entry.key >> kShift == quarter; });
+    fill_quarter({quarters + quarter, kShift, static_cast<std::uint32_t>(zooms)}, points, first,
+                 entries.subspan(begin, end - begin));
+    begin = end;
+  }
+}
+
+/// Divides a sector of a zoom, whose vertices are `entries`. An empty sector keeps the vertex of the sector around it.
+void Sectors::fill_quarter(const Sector& sector, std::span<const Point> points, std::uint32_t first,
+                           std::span<Entry> entries) {
+  if (entries.empty()) return;
+  sectors_[sector.index] = entries[entries.size() / 2].vertex;
+  if (entries.size() <= kCrowd) return;
+  if (sector.shift == 0) return fill_zoom(sector, points, first, entries);
+  const std::size_t quarters = sectors_.size();
+  sectors_.insert(sectors_.end(), 4, sectors_[sector.index]);
+  sectors_[sector.index] = static_cast<Cell>(quarters) | kDivided;
+  const int shift = sector.shift - 2;
+  std::size_t begin = 0;
+  for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+    const std::size_t end =
+        end_of_range(entries, begin, [&](const Entry& entry) { return (entry.key >> shift & 3) == quarter; });
+    fill_quarter({quarters + quarter, shift, sector.zoom}, points, first, entries.subspan(begin, end - begin));
     begin = end;
   }
 }

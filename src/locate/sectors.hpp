@@ -65,9 +65,10 @@ class Sectors {
   /// Whether both points lie in one sector.
   [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const { return at(p).index == at(q).index; }
 
-  /// Makes all sectors anew, for vertices that are sorted along the curve: `keys` are the keys of the vertices `first`,
-  /// `first` + 1, and so on. Cost: linear.
-  void fill(std::span<const Curve::Key> keys, std::uint32_t first);
+  /// Makes all sectors anew, for vertices that are sorted along the curve: `points` and `keys` are the positions and
+  /// the keys of the vertices `first`, `first` + 1, and so on. Cost: linear, plus n log n for n vertices in crowded
+  /// cells of the curve.
+  void fill(std::span<const Point> points, std::span<const Curve::Key> keys, std::uint32_t first);
   /// The sector of `point` then remembers `v`, which lies at that point. `vertex_count` is the number of vertices in
   /// the world. Cost: O(1), amortised.
   void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
@@ -132,7 +133,15 @@ class Sectors {
   }
   [[nodiscard]] Cell any_vertex(Cell cell) const;
   void grow();
-  void fill_sector(std::size_t index, int shift, std::span<const Curve::Key> keys, std::uint32_t first);
+  /// A point of a crowded cell: its vertex, and its key on the curve of a zoom.
+  struct Entry {
+    Curve::Key key;
+    std::uint32_t vertex;
+  };
+  void fill_sector(std::size_t index, int shift, std::span<const Point> points, std::span<const Curve::Key> keys,
+                   std::uint32_t first);
+  void fill_zoom(const Sector& sector, std::span<const Point> points, std::uint32_t first, std::span<Entry> entries);
+  void fill_quarter(const Sector& sector, std::span<const Point> points, std::uint32_t first, std::span<Entry> entries);
 
   Curve curve_;
   int whole_shift_ = kKeyBits - 2;

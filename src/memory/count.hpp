@@ -20,6 +20,10 @@ void count_spare(MemoryUse& use, const Vectors&... vectors) {
   use.spare += ((vectors.capacity() * sizeof(typename Vectors::value_type)) + ...);
 }
 
+/// Returns the capacity for an array that a bulk load fills with `count` elements. The spare share (1/64) lets the next
+/// operations add elements without a copy of the whole array.
+[[nodiscard]] constexpr std::size_t with_spare(std::size_t count) { return count + count / 64; }
+
 /// Frees the unused capacity of vectors. If there is no memory for a smaller array, the vector does not change.
 template <class... Vectors>
 void shrink(Vectors&... vectors) {

@@ -34,6 +34,9 @@ class JournaledArray {
   }
   void append(const Value& value) { values_.push_back(value); }
 
+  /// Makes room for `count` elements.
+  void reserve(std::size_t count) { values_.reserve(count); }
+
   // The next two functions make changes that roll_back() does not take back.
 
   /// Makes the array at least `size` long. New elements are copies of `value`.
@@ -64,6 +67,8 @@ class JournaledArray {
     count(use, part, values_);
     journal_.count_memory(use);
   }
+  /// Frees the memory of the records. Requires: nothing has changed since begin().
+  void release_records() { journal_.release(); }
   /// Frees spare memory and the memory of the records. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     shrink(values_);

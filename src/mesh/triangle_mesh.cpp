@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "memory/count.hpp"
+
 namespace waywright::mesh {
 
 namespace {
@@ -17,7 +19,9 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 }  // namespace
 
 TriangleMesh::TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count)
-    : half_edges_(std::move(half_edges)), outgoing_(vertex_count) {
+    : half_edges_(std::move(half_edges)) {
+  outgoing_.reserve(memory::with_spare(vertex_count));
+  outgoing_.resize(vertex_count);
   labels_.grow_to(half_edges_.size());
   for (std::uint32_t h = 0; h < half_edges_.size(); ++h) outgoing_[number(half_edges_[h].origin)] = h;
 }

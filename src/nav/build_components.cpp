@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "constraint/turns.hpp"
+#include "memory/count.hpp"
 #include "nav/components.hpp"
 #include "nav/point_agent.hpp"
 
@@ -73,7 +74,9 @@ Components::Components(const Triangulation& triangulation) {
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
 std::vector<Components::Id> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  std::vector<Id> trees(mesh.face_slots(), kNone);
+  std::vector<Id> trees;
+  trees.reserve(memory::with_spare(mesh.face_slots()));
+  trees.resize(mesh.face_slots(), kNone);
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!triangulation.triangulation().is_in_domain(Face{f})) continue;
     trees[f] = f;

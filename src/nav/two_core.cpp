@@ -1,5 +1,6 @@
 #include "nav/two_core.hpp"
 
+#include "memory/count.hpp"
 #include "nav/point_agent.hpp"
 
 namespace waywright::nav {
@@ -9,6 +10,7 @@ using mesh::HalfEdge;
 
 TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
+  states_.reserve(memory::with_spare(mesh.face_slots()));
   states_.grow_to(mesh.face_slots(), kAbsent);
   for (std::uint32_t f = 0; f < states_.size(); ++f) {
     if (!triangulation.triangulation().is_in_domain(Face{f})) continue;
@@ -23,7 +25,7 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
     peel_from(mesh, Face{f});
     begin();  // empties the log: there is no earlier state to go back to
   }
-  states_.shrink_to_fit();
+  states_.release_records();
 }
 
 // update() starts with a set of faces that surely contains the core. It peels the set: it removes faces with fewer than

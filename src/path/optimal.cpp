@@ -1,10 +1,10 @@
 #include "path/optimal.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "nav/point_agent.hpp"
 #include "path/distance.hpp"
+#include "path/optimal_cone.hpp"
 
 namespace waywright::path {
 
@@ -18,42 +18,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFacesBetweenLooks = 8;
 
 }  // namespace
-
-/// The cone of a window: the area between two rays from the root, its left and its right bound. (The function bound()
-/// is another thing: a lower bound of a length.) The class decides whether a position lies left or right of each of the
-/// two rays.
-class Optimal::Cone {
- public:
-  Cone(const Optimal& search, const Node& window)
-      : geometry_(*search.geometry_), root_(search.view(search.roots_[window.root])) {
-    const auto bound = [&](mesh::Vertex v) {
-      return v == kContinuation ? Geometry::Line(search.view(search.roots_[search.roots_[window.root].before]), root_)
-                                : Geometry::Line(root_, geometry_.view(number(v)));
-    };
-    left_ = bound(window.left);
-    right_ = bound(window.right);
-  }
-
-  /// The orientation of `p`: positive if it lies left of the cone's left bound, negative if right of it.
-  [[nodiscard]] Sign from_left(const Geometry::View& p) const { return geometry_.orientation(left_, p); }
-  /// The orientation of `p`: positive if it lies left of the cone's right bound, negative if right of it.
-  [[nodiscard]] Sign from_right(const Geometry::View& p) const { return geometry_.orientation(right_, p); }
-
-  void set_left(mesh::Vertex v) { left_ = Geometry::Line(root_, geometry_.view(number(v))); }
-  void set_right(mesh::Vertex v) { right_ = Geometry::Line(root_, geometry_.view(number(v))); }
-
-  [[nodiscard]] Point root() const { return {root_.x, root_.y}; }
-  /// The directions from the root along the bounds.
-  [[nodiscard]] Point left_direction() const { return {left_.dx, left_.dy}; }
-  [[nodiscard]] Point right_direction() const { return {right_.dx, right_.dy}; }
-
- private:
-  const Geometry& geometry_;
-  Geometry::View root_;
-  // The lines on which the bounds lie. Each runs through the root, in the direction of a path along the bound.
-  Geometry::Line left_;
-  Geometry::Line right_;
-};
 
 void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
                     bool wants_channel, LookedAt* looked_at) {
@@ -177,7 +141,7 @@ bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
 
 // All edges of the start's faces are visible from the start, except the edges on which it lies.
 void Optimal::leave_start() {
-  roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0});
+  roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0, 0, 0});
   const locate::LocatedKind kind = ends_->start_location().kind;
   at_once_bound_ = -1.0;  // no bound is negative, so push() adds no window to `at_once_`
   for (const mesh::HalfEdge h : ends_->start_faces()) {
@@ -188,7 +152,7 @@ void Optimal::leave_start() {
       if (exit == mesh::previous(h) && kind == locate::LocatedKind::vertex) continue;
       if (is_excluded(exit)) continue;
       const mesh::HalfEdge entry = mesh_->twin(exit);
-      push({Kind::window, entry, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
+      push({Kind::window, false, entry, 0, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
     }
   }
 }
@@ -235,22 +199,22 @@ void Optimal::follow_window(Node window) {
     const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
     if (const Sign left = cone.from_left(position); left != Sign::negative) {
-      if (window.left == mesh_->origin(window.entry)) note_turn(window, cone, Kind::left_turn, left == Sign::positive);
+      const bool sees_apex = left == Sign::positive;
+      if (window.left == mesh_->origin(window.entry) && note_turn(window, cone, Kind::left_turn, sees_apex)) return;
       exit = mesh::next(window.entry);
-      if (left == Sign::zero) cone.set_left(window.left = apex);
+      if (left == Sign::zero) narrow_left(window, cone, apex, window.left_root);
     } else if (const Sign right = cone.from_right(position); right != Sign::positive) {
-      if (window.right == mesh_->target(window.entry)) {
-        note_turn(window, cone, Kind::right_turn, right == Sign::negative);
-      }
+      const bool sees_apex = right == Sign::negative;
+      if (window.right == mesh_->target(window.entry) && note_turn(window, cone, Kind::right_turn, sees_apex)) return;
       exit = mesh::previous(window.entry);
-      if (right == Sign::zero) cone.set_right(window.right = apex);
+      if (right == Sign::zero) narrow_right(window, cone, apex, window.right_root);
     } else {
       exit = mesh::next(window.entry);
       if (is_excluded(f, exit)) {
         exit = mesh::previous(window.entry);
-        cone.set_right(window.right = apex);
+        narrow_right(window, cone, apex, root_that_sees(window, position));
       } else if (is_excluded(f, mesh::previous(window.entry))) {
-        cone.set_left(window.left = apex);
+        narrow_left(window, cone, apex, root_that_sees(window, position));
       } else {
         return divide(window, cone, apex);
       }
@@ -265,15 +229,30 @@ void Optimal::follow_window(Node window) {
   }
 }
 
+void Optimal::narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
+  window.left_root = root;
+  window.left = apex;
+  cone.set_left(Cone::bound(*this, root, apex));
+}
+
+void Optimal::narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
+  window.right_root = root;
+  window.right = apex;
+  cone.set_right(Cone::bound(*this, root, apex));
+}
+
 void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
-  const Point to_apex{position_of(apex).x - cone.root().x, position_of(apex).y - cone.root().y};
+  const std::uint32_t root = root_that_sees(window, geometry_->view(number(apex)));
+  const Point to_apex = position_of(apex) - roots_[root].point;
   Node right = window;
   right.entry = mesh_->twin(mesh::next(window.entry));
   right.trace = traced(right.entry, window.trace);
+  right.left_root = root;
   right.left = apex;
   Node left = window;
   left.entry = mesh_->twin(mesh::previous(window.entry));
   left.trace = traced(left.entry, window.trace);
+  left.right_root = root;
   left.right = apex;
   push(left, cone.left_direction(), to_apex);
   push(right, to_apex, cone.right_direction());
@@ -283,7 +262,7 @@ void Optimal::reach_goals(const Node& window, const Cone& cone) {
   for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
     const Geometry::View position = Geometry::view(goals_[goal].point);
     if (cone.from_left(position) == Sign::positive || cone.from_right(position) == Sign::negative) return;
-    end_at(goal, window.root, window.trace);
+    end_at(goal, root_that_sees(window, position), window.trace);
   });
 }
 
@@ -302,28 +281,55 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 //        /    \          face's apex lies on the bound or to its left. A path that turns left at v, around the walls,
 //       /      \         can reach the area left of the bound. No wall at v lies to the right of the path, because the
 //   v -------- target    cone has passed there. If v has no walls, there is nothing to turn around.
-void Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
+//
+// Returns whether the window waits in the new node until the search makes the turn. Beyond the far edge, the window and
+// the new root's window lie beside each other, and then move on as one bundle.
+bool Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const mesh::HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool can_continue = !is_excluded(near_edge) || (sees_apex && !is_excluded(far_edge));
-  if (!can_continue) {
+  const bool sees_passage = sees_apex && !is_excluded(far_edge);
+  if (!sees_passage && is_excluded(near_edge)) {
     bool is_at_goal = false;
     for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
-    if (!is_at_goal) return;
+    if (!is_at_goal) return false;
   }
   const mesh::Vertex v = is_left ? window.left : window.right;
   const Point& at = position_of(v);
-  const double length = roots_[window.root].length + distance(cone.root(), at);
+  const Root& root = roots_[is_left ? window.left_root : window.right_root];
+  const double length = root.length + distance(root.point, at);
   const double least = length + bound_from(at);
-  if (least >= longest_) return;
+  if (least >= longest_) return false;
   Reached& reached_before = reached(v);
-  if (length >= reached_before.length) return;
+  if (length >= reached_before.length) return false;
   reached_before.length = length;
   reached_before.spoke = is_left ? window.entry : mesh_->twin(window.entry);
   nodes_.push_back(window);
   nodes_.back().kind = kind;
+  nodes_.back().has_window = sees_passage && can_wait(window, cone, kind, least);
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
+  return nodes_.back().has_window;
+}
+
+/// Returns whether the window may wait for the turn whose bound is `least`: the window's own bound at the far edge is
+/// not smaller, and its roots and the new root are turns in one direction.
+bool Optimal::can_wait(const Node& window, const Cone& cone, Kind kind, double least) const {
+  const bool is_left = kind == Kind::left_turn;
+  if (is_left ? window.left_root < window.right_root : window.right_root < window.left_root) return false;
+  Node beyond = window;
+  beyond.entry = mesh_->twin(is_left ? mesh::next(window.entry) : mesh::previous(window.entry));
+  return bound(beyond, cone.left_direction(), cone.right_direction()) >= least;
+}
+
+/// Moves the window that waits in a turn, without the turn.
+void Optimal::push_waiting(const Node& turn) {
+  if (!turn.has_window) return;
+  Node window = turn;
+  window.entry = mesh_->twin(turn.kind == Kind::left_turn ? mesh::next(turn.entry) : mesh::previous(turn.entry));
+  window.kind = Kind::window;
+  window.has_window = false;
+  window.trace = traced(window.entry, turn.trace);
+  push(window);
 }
 
 /// Returns the entry of `v`. It contains the length of the shortest path to `v` so far: infinity if there is none yet,
@@ -347,7 +353,12 @@ bool Optimal::has_walls(mesh::Vertex v) const {
 
 std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   const Point& at = position_of(v);
-  roots_.push_back({at, v, before, roots_[before].length + distance(roots_[before].point, at)});
+  const Root& last = roots_[before];
+  const Root& middle = roots_[last.jump];
+  // Equal jumps one after the other join to one long jump: so a chain of n roots needs about log n jumps.
+  const bool joins = last.depth - middle.depth == middle.depth - roots_[middle.jump].depth;
+  const std::uint32_t jump = joins ? middle.jump : before;
+  roots_.push_back({at, v, before, last.length + distance(last.point, at), last.depth + 1, jump});
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
@@ -357,11 +368,12 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
 //            | .    \      edges of the next faces around v, up to the walls.
 //   walls -- v -- target
 void Optimal::make_left_turn(const Node& turn) {
-  const std::uint32_t root = add_root(turn.left, turn.root);
-  if (roots_[root].length > reached(turn.left).length) return;
+  const std::uint32_t root = add_root(turn.left, turn.left_root);
+  if (roots_[root].length > reached(turn.left).length) return push_waiting(turn);
   ++expansions_;
   const mesh::HalfEdge far_edge = mesh::next(turn.entry);
-  Node window{Kind::window, mesh_->twin(far_edge), root, mesh_->apex(turn.entry), kContinuation, turn.trace};
+  const mesh::HalfEdge beyond_far = mesh_->twin(far_edge);
+  Node window{Kind::window, false, beyond_far, root, root, mesh_->apex(turn.entry), kContinuation, turn.trace};
   enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
   const bool sees_apex = cone.from_right(geometry_->view(number(window.left))) == Sign::positive;
@@ -371,7 +383,11 @@ void Optimal::make_left_turn(const Node& turn) {
   });
   if (sees_apex && !is_excluded(far_edge)) {
     window.trace = traced(window.entry, turn.trace);
-    push(window, cone.left_direction(), cone.right_direction());
+    if (turn.has_window) {
+      window.right_root = turn.right_root;
+      window.right = turn.right;
+    }
+    push(window);
   }
   std::uint32_t trace = turn.trace;
   for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::previous(h));) {
@@ -380,7 +396,7 @@ void Optimal::make_left_turn(const Node& turn) {
     ++expansions_;
     const mesh::HalfEdge exit = mesh::next(h);
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    Node beyond{Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), kNone};
+    Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
     enter(mesh::face(h), beyond);
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     if (is_excluded(exit)) continue;
@@ -392,11 +408,12 @@ void Optimal::make_left_turn(const Node& turn) {
 /// The mirror image of make_left_turn(): the path turns at the target of `entry`, and goes right around the walls
 /// there.
 void Optimal::make_right_turn(const Node& turn) {
-  const std::uint32_t root = add_root(turn.right, turn.root);
-  if (roots_[root].length > reached(turn.right).length) return;
+  const std::uint32_t root = add_root(turn.right, turn.right_root);
+  if (roots_[root].length > reached(turn.right).length) return push_waiting(turn);
   ++expansions_;
   const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
-  Node window{Kind::window, mesh_->twin(far_edge), root, kContinuation, mesh_->apex(turn.entry), turn.trace};
+  const mesh::HalfEdge beyond_far = mesh_->twin(far_edge);
+  Node window{Kind::window, false, beyond_far, root, root, kContinuation, mesh_->apex(turn.entry), turn.trace};
   enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
   const bool sees_apex = cone.from_left(geometry_->view(number(window.right))) == Sign::negative;
@@ -406,7 +423,11 @@ void Optimal::make_right_turn(const Node& turn) {
   });
   if (sees_apex && !is_excluded(far_edge)) {
     window.trace = traced(window.entry, turn.trace);
-    push(window, cone.left_direction(), cone.right_direction());
+    if (turn.has_window) {
+      window.left_root = turn.left_root;
+      window.left = turn.left;
+    }
+    push(window);
   }
   std::uint32_t trace = turn.trace;
   for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::next(h));) {
@@ -415,7 +436,7 @@ void Optimal::make_right_turn(const Node& turn) {
     ++expansions_;
     const mesh::HalfEdge exit = mesh::previous(h);
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    Node beyond{Kind::window, entry, root, mesh_->origin(entry), mesh_->target(entry), kNone};
+    Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
     enter(mesh::face(h), beyond);
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     if (is_excluded(exit)) continue;
@@ -439,80 +460,6 @@ void Optimal::push(const Node& window, const Point& left, const Point& right) {
   }
   nodes_.push_back(window);
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
-}
-
-/// Let E be the origin of `from_end`, which is one of the two half-edges of the window's edge. Returns whether the
-/// known path to E, continued along the edge, reaches the other end of the edge sooner than the straight line from the
-/// root. By the triangle inequality it then also reaches every position of the edge sooner, so no shortest path comes
-/// through the window. "Sooner" means that the difference is larger than the rounding error of a sum of lengths. So of
-/// two equally long paths, neither excludes the other.
-bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::HalfEdge from_end) const {
-  constexpr double kRoundingMargin = 1.0 + 0x1p-40;
-  const mesh::Vertex end = mesh_->origin(from_end);
-  const Point& other_end = position_of(mesh_->target(from_end));
-  const Root& root = roots_[window.root];
-  const bool is_sooner = (known.length + distance(position_of(end), other_end)) * kRoundingMargin <
-                         root.length + distance(root.point, other_end);
-  return is_sooner && are_in_one_wedge(from_end, known.spoke);
-}
-
-/// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` without crossing a
-/// wall. Requires: both are passages and start at a vertex that has walls.
-bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
-  for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->next_around(at)) {
-    if (at == h) return true;
-  }
-  for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->previous_around(at)) {
-    if (at == h) return true;
-  }
-  return false;
-}
-
-/// No path from `p` to a goal is shorter than this.
-double Optimal::bound_from(const Point& p) const {
-  return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
-}
-
-/// Returns a lower bound, up to rounding, of the length of the paths through the window: with one goal, the length of
-/// the path through the window to the goal; with several goals, the length of the path to the window. All numbers are
-/// doubles: no decision about left and right depends on the result. If the angle between a bound of the cone and the
-/// edge is very small, doubles cannot express where they meet. The function then assumes the least length: with one
-/// goal, that the window is the whole edge; with several goals, that the path from the root to the window has length
-/// zero.
-double Optimal::bound(const Node& window, const Point& left, const Point& right) const {
-  const Point& a = position_of(mesh_->origin(window.entry));
-  const Point& b = position_of(mesh_->target(window.entry));
-  const Point& p = roots_[window.root].point;
-  const Point edge{b.x - a.x, b.y - a.y};
-  const double length = roots_[window.root].length;
-  const bool has_one_goal = goals_.size() == 1;
-  const Point q = has_one_goal ? on_left(a, edge, goals_.front().point) : foot(p, a, edge);
-  const Point to_q{q.x - p.x, q.y - p.y};
-  const bool passes_left = cross(left, to_q) > 0.0;
-  if (!passes_left && !(cross(right, to_q) < 0.0)) return length + distance(p, q);
-  const std::optional<Point> end = meeting(p, passes_left ? left : right, a, edge);
-  if (has_one_goal) return length + (end ? distance_via_point(p, *end, q) : distance_via_segment(p, a, b, q));
-  return end ? length + distance(p, *end) : length;
-}
-
-/// Records that the search has looked at the face and, if the query wants the windows, records the window.
-void Optimal::record(mesh::Face f, const Node& window) {
-  looked_at_->look(f);
-  if (windows_ == nullptr) return;
-  const Cone cone(*this, window);
-  const Root& root = roots_[window.root];
-  const mesh::Vertex left = mesh_->origin(window.entry);
-  const mesh::Vertex right = mesh_->target(window.entry);
-  const Portal edge{position_of(left), position_of(right)};
-  const auto end_of = [&](mesh::Vertex bound, mesh::Vertex end, const Point& direction) {
-    const Point along{edge.right.x - edge.left.x, edge.right.y - edge.left.y};
-    return bound == end ? position_of(end)
-                        : meeting(root.point, direction, edge.left, along).value_or(position_of(end));
-  };
-  const Portal interval{end_of(window.left, left, cone.left_direction()),
-                        end_of(window.right, right, cone.right_direction())};
-  const double least = bound(window, cone.left_direction(), cone.right_direction());
-  windows_->push_back({root.point, edge, interval, root.length, least});
 }
 
 Optimal::Geometry::View Optimal::view(const Root& root) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -37,6 +38,7 @@ namespace waywright::path {
 ///   once, without the open list.
 /// - It drops a window if a known path through an end of its edge reaches all positions of the window sooner (Xin and
 ///   Wang, *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
+/// - Windows that lie beside each other on one edge, with roots along one convex chain of turns, move as one *bundle*.
 class Optimal {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -46,8 +48,8 @@ class Optimal {
   /// the start in `ends`, the triangulation and the abstraction (if there is one) do not change during the search.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// Makes the search that has begun append each window that it follows to `windows`: one for each triangle that it
-  /// enters. Requires: the search records the faces at which it looks.
+  /// Makes the search that has begun append each window that it follows to `windows`: one or more for each triangle
+  /// that it enters. Requires: the search records the faces at which it looks.
   void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
   /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: the goal does not lie at
   /// a face of the start.
@@ -83,19 +85,33 @@ class Optimal {
     Point point;
     mesh::Vertex vertex;  ///< kNoVertex for the start
     std::uint32_t before;
-    double length;  ///< of the path from the start to this root
+    double length;        ///< of the path from the start to this root
+    std::uint32_t depth;  ///< number of roots before this one on the path
+    std::uint32_t jump;   ///< a root before this one, so that few jumps lead to any root before it; the start: itself
   };
 
   enum class Kind : std::uint8_t { window, left_turn, right_turn };
 
-  /// A window, or a turn whose windows have not been made yet.
+  /// A window, a bundle of windows, or a turn whose windows have not been made yet.
+  ///
+  /// A bundle consists of the windows of two or more roots on one edge. Its roots are consecutive turns of one path,
+  /// all to the left or all to the right. So each of these windows ends where the next one begins: on the continuation
+  /// of the path beyond the later root. Of right turns, the first root has the leftmost window, the last root the
+  /// rightmost.
   struct Node {
     Kind kind;
+    bool has_window;       ///< of a turn: the window that noted it waits here, at the far edge of the turn's face
     mesh::HalfEdge entry;  ///< a window's edge, in the face beyond it; of a turn: the edge at whose end the path turns
-    std::uint32_t root;    ///< of a window: its root; of a turn: the root before it
-    mesh::Vertex left;     ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
-    mesh::Vertex right;    ///< the vertex that bounds the cone on the right; of a right turn, where the path turns
-    std::uint32_t trace;   ///< index in `traces_` of the last edge that the search has crossed, or kNone
+    std::uint32_t left_root;   ///< the root of the leftmost window; of a left turn: the root before it
+    std::uint32_t right_root;  ///< the root of the rightmost window; of a right turn: the root before it
+    mesh::Vertex left;         ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
+    mesh::Vertex right;        ///< the vertex that bounds the cone on the right; of a right turn, where the path turns
+    std::uint32_t trace;       ///< index in `traces_` of the last edge that the search has crossed, or kNone
+
+    [[nodiscard]] bool is_bundle() const { return left_root != right_root; }
+    /// A root has a smaller index than the roots after it.
+    [[nodiscard]] std::uint32_t first_root() const { return std::min(left_root, right_root); }
+    [[nodiscard]] std::uint32_t last_root() const { return std::max(left_root, right_root); }
   };
 
   /// A goal and the best path to it so far.
@@ -154,14 +170,21 @@ class Optimal {
   void record(mesh::Face f, const Node& window);
   void follow(Node node);
   void follow_window(Node window);
+  void narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const;
+  void narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const;
   void divide(const Node& window, const Cone& cone, mesh::Vertex apex);
   void reach_goals(const Node& window, const Cone& cone);
-  void note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
+  bool note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
+  [[nodiscard]] bool can_wait(const Node& window, const Cone& cone, Kind kind, double least) const;
+  void push_waiting(const Node& turn);
   void make_left_turn(const Node& turn);
   void make_right_turn(const Node& turn);
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
   void push(const Node& window, const Point& left, const Point& right);
   void push(const Node& window);
+  template <class IsBeyond>
+  [[nodiscard]] std::uint32_t find_root(const Node& window, IsBeyond&& is_beyond) const;
+  [[nodiscard]] std::uint32_t root_that_sees(const Node& window, const Geometry::View& p) const;
   [[nodiscard]] bool is_dominated(const Node& window, mesh::HalfEdge from_end) const {
     const Reached& known = reached_[number(mesh_->origin(from_end))];
     return known.query == stamp_.value() && known.spoke != mesh::kNoHalfEdge &&
@@ -196,6 +219,8 @@ class Optimal {
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
   [[nodiscard]] Geometry::View view(const Root& root) const;
   [[nodiscard]] double bound(const Node& window, const Point& left, const Point& right) const;
+  [[nodiscard]] double bound_of_bundle(const Node& window, const Point& left, const Point& right) const;
+  void record_window(const Node& window);
   [[nodiscard]] double bound_from(const Point& p) const;
 
   const Ends* ends_ = nullptr;

@@ -266,7 +266,7 @@ void test_search_windows(void) {
   CHECK_OK(ww_search_windows(search, windows, 64, &count));
   CHECK_OK(ww_search_path(search, &path));
   CHECK_OK(ww_path_get_info(path, &info));
-  CHECK(count > 0 && count == info.expansions);
+  CHECK(info.expansions > 0 && count >= info.expansions);
   CHECK(is_at(windows[0].root, 10, 55) && windows[0].length == 0);
   for (size_t i = 0; i < count; ++i) {
     if (!is_at(windows[i].root, 40, 60)) continue; /* the path turns here */

@@ -1,12 +1,15 @@
 #include "locate/sectors.hpp"
 
 #include <array>
+#include <cstdint>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "delaunay/triangulation.hpp"
 #include "exact/geometry.hpp"
+#include "locate/curve.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {
@@ -53,6 +56,30 @@ TEST(Sectors, QuartersRememberWhatTheirSectorDid) {
   EXPECT_EQ(near(sectors, {0.1, 0.1}), Vertex{1});
   EXPECT_EQ(near(sectors, {0.4, 0.4}), Vertex{2});
   EXPECT_EQ(near(sectors, {0.3, 0.1}), Vertex{1});
+}
+
+// All points lie in one cell of the curve of the domain, or in a few cells beside each other.
+TEST(Sectors, FillingDividesACrowdedCell) {
+  const Box domain{{-1e15, -1e15}, {1e15, 1e15}};
+  for (const double width : {1e3, 1e-12}) {
+    Random random(1);
+    std::vector<Point> points;
+    for (int i = 0; i < 2000; ++i) {
+      const double x = 5.0 + width * static_cast<double>(random.below(1U << 20U)) * 0x1p-20;
+      points.push_back({x, width * static_cast<double>(random.below(1U << 20U)) * 0x1p-20});
+    }
+    const locate::SortedPoints sorted = locate::sort_along_curve(domain, points);
+    Sectors sectors(domain);
+    sectors.fill(sorted.points, sorted.keys, 1);
+    std::set<std::uint32_t> remembered;
+    for (const Point& point : sorted.points) {
+      const Vertex v = near(sectors, point);
+      ASSERT_NE(v, kNoVertex);
+      EXPECT_TRUE(sectors.are_in_one(point, sorted.points[number(v) - 1]));
+      remembered.insert(number(v));
+    }
+    EXPECT_GE(remembered.size(), sorted.points.size() / 8) << width;
+  }
 }
 
 // Divides sectors to several depths, then increases the number of vertices. Each sector must still remember its vertex.

@@ -79,6 +79,13 @@ double share_of(const Portal& portal, const Point& p) {
   return dot(p - portal.left, along) / squared_length(along);
 }
 
+/// Returns the number of steps, if each sequence of windows on one edge is one step.
+std::size_t steps_of(const Windows& windows) {
+  std::size_t steps = windows.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < windows.size(); ++i) steps += windows[i].edge == windows[i - 1].edge ? 0 : 1;
+  return steps;
+}
+
 Point middle_of(const Portal& portal) { return lerp(portal.left, portal.right, 0.5); }
 
 /// Returns the length of the shortest path, or infinity.
@@ -116,8 +123,9 @@ TEST(SearchWindows, LieOnEdgesThatTheRootSees) {
   EXPECT_GT(seen, 1000U);
 }
 
-TEST(SearchWindows, HaveOneForEachTriangleAndChangeNoAnswer) {
+TEST(SearchWindows, HaveOneOrMoreForEachTriangleAndChangeNoAnswer) {
   std::size_t turns = 0;
+  std::size_t joined = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const World world = scattered_world(100 + seed, 6, {.keep_abstraction = seed % 2 == 0});
     Random random(seed);
@@ -131,13 +139,17 @@ TEST(SearchWindows, HaveOneForEachTriangleAndChangeNoAnswer) {
       EXPECT_EQ(list_of(searched(world, query, 1)), list_of(search)) << "in slices";
       if (path.points.size() > 2) {
         ++turns;
-        ASSERT_EQ(search.windows().size(), path.expansions);
+        const Windows windows = list_of(search);
+        ASSERT_LE(steps_of(windows), path.expansions);
+        ASSERT_GE(windows.size(), path.expansions);
+        joined += windows.size() - path.expansions;
         EXPECT_EQ(search.windows().front().root, path.points.front());
         EXPECT_EQ(search.windows().front().length, 0.0);
       }
     }
   }
   EXPECT_GT(turns, 50U);
+  EXPECT_GT(joined, 0U);
 }
 
 TEST(SearchWindows, BoundTheLengthsOfPathsThroughThem) {
@@ -232,9 +244,9 @@ TEST(SearchWindows, BeginAgainWithTheSearch) {
   search.record_windows(true);
   ASSERT_TRUE(search.begin(world, query).ok());
   ASSERT_FALSE(search.step(20).value());
-  EXPECT_EQ(search.windows().size(), search.path().expansions);
+  EXPECT_GE(search.windows().size(), search.path().expansions);
   world.insert_segment({0.25, 0.75}, {0.75, 0.75}).value();  // beside the start
-  while (!search.step(20).value()) EXPECT_EQ(search.windows().size(), search.path().expansions);
+  while (!search.step(20).value()) EXPECT_GE(search.windows().size(), search.path().expansions);
   EXPECT_EQ(search.restarts(), 1U);
   const Windows windows = list_of(search);
   EXPECT_EQ(windows, list_of(searched(world, query)));

@@ -219,7 +219,8 @@ def test_windows_of_a_search(world):
         search.begin(world, (10, 45), (90, 45))
         while not search.step(1):
             pass
-        assert len(search.windows) == (search.path.expansions if wanted else 0)
+        assert not wanted or len(search.windows) >= search.path.expansions > 0
+        assert wanted or len(search.windows) == 0
     windows = search.windows
     assert windows.dtype == waywright.WINDOW_DTYPE and search.path.points.tolist()[1] == [40, 40]
     assert windows["root"][0].tolist() == [10, 45] and windows["length"][0] == 0

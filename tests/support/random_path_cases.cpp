@@ -1,6 +1,8 @@
 #include "support/random_path_cases.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 #include <utility>
 
 #include "waywright/id.hpp"
@@ -26,7 +28,10 @@ class PathSceneMaker {
     Scene scene;
     scene.domain = {{0.0, 0.0}, point(size_, size_)};
     const std::size_t count = 10 + random_.below(51);
-    for (std::size_t i = 0; i < count; ++i) scene.items.push_back({ItemId{i + 1}, shape(obstacles_)});
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_round = obstacles_ == Obstacles::rounds && (i == 0 || random_.chance(8));
+      scene.items.push_back({ItemId{i + 1}, is_round ? round_polygon() : shape(obstacles_)});
+    }
     return scene;
   }
 
@@ -46,9 +51,10 @@ class PathSceneMaker {
       case Obstacles::cells:
         return {ItemKind::polygon, {random_.chance(15) ? pinched_cells() : run_of_cells()}};
       case Obstacles::mixture:
+      case Obstacles::rounds:
         break;
     }
-    return shape(kObstacles[random_.below(kObstacles.size() - 1)]);
+    return shape(kObstacles[random_.below(4)]);
   }
 
   /// Returns a position within reach of (x, y), a third of the time along an axis.
@@ -68,6 +74,36 @@ class PathSceneMaker {
       ring.push_back(point(x, y));
     }
     return ring;
+  }
+
+  /// Returns a convex polygon with up to 32 corners. Its edges come in opposite pairs and have different directions.
+  Shape round_polygon() {
+    const std::int64_t largest = random_.between(size_ / 4, size_ / 2);
+    const std::int64_t unit = std::max<std::int64_t>(largest / 18, 1);
+    Ring edges;
+    std::int64_t left = 0;
+    std::int64_t right = 0;
+    std::int64_t height = 0;
+    for (std::int64_t length = 1; length <= 3; ++length) {
+      for (std::int64_t y = 0; y <= length; ++y) {
+        for (std::int64_t x = -length; x <= length; ++x) {
+          const bool is_upper = y > 0 || x > 0;
+          if (!is_upper || std::max(std::abs(x), y) != length || std::gcd(x, y) != 1) continue;
+          const bool fits = left + right + std::abs(x) * unit <= largest && height + y * unit <= largest;
+          if (!fits || random_.chance(20)) continue;
+          edges.push_back(point(x * unit, y * unit));
+          (x < 0 ? left : right) += std::abs(x) * unit;
+          height += y * unit;
+        }
+      }
+    }
+    std::sort(edges.begin(), edges.end(), [](const Point& p, const Point& q) { return cross(p, q) > 0.0; });
+    const std::size_t half = edges.size();
+    for (std::size_t i = 0; i < half; ++i) edges.push_back(-edges[i]);
+    const std::int64_t x = random_.between(left, size_ - right);
+    Ring ring{point(x, random_.between(0, size_ - height))};
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) ring.push_back(ring.back() + edges[i]);
+    return {ItemKind::polygon, {std::move(ring)}};
   }
 
   Ring upright_box() {
@@ -143,6 +179,8 @@ std::string_view to_string(Obstacles obstacles) {
       return "cells";
     case Obstacles::mixture:
       return "mixture";
+    case Obstacles::rounds:
+      return "rounds";
   }
   return {};
 }
@@ -155,7 +193,8 @@ std::optional<Obstacles> obstacles_of(std::string_view name) {
 }
 
 PathCase random_path_case(Obstacles obstacles, std::uint64_t seed, std::size_t query_count) {
-  Random random(seed * kObstacles.size() + static_cast<std::uint64_t>(obstacles));
+  constexpr std::uint64_t kKinds = 5;  // before there were round polygons: the scenes of the other kinds stay the same
+  Random random(seed * kKinds + static_cast<std::uint64_t>(obstacles));
   PathCase result{PathSceneMaker(obstacles, random).make(), {}};
   const auto size = static_cast<std::int64_t>(result.scene.domain.max.x);
   // Sometimes multiples of a half: in the middle of cells, and not on lattice points.

@@ -105,7 +105,7 @@ True
           "record_windows", [](SearchHandle& self, bool wanted) { self.search.record_windows(wanted); },
           py::arg("wanted") = true, "Sets whether the searches that begin from now on record their windows.")
       .def_property_readonly("windows", &windows_of, R"(
-The windows that the search has followed, one for each triangle that it has entered: an array of WINDOW_DTYPE.
+The windows that the search has followed, one or more for each triangle that it has entered: an array of WINDOW_DTYPE.
 
 A window is the piece of an edge that is visible from its root: the start of the path, or a corner at which the path
 turns. The fields are ``root``, ``edge`` and ``interval`` (the left and the right end of each), ``length`` (of the path
@@ -118,7 +118,7 @@ ends.
 >>> search.begin(world, (10, 45), (90, 45))
 >>> while not search.step(100):
 ...     pass
->>> len(search.windows) == search.path.expansions
+>>> len(search.windows) >= search.path.expansions
 True
 >>> search.windows["root"][0].tolist()
 [10.0, 45.0]

@@ -54,9 +54,9 @@ export class PathSearch extends Handle {
   }
 
   /**
-   * The windows that the search has followed since its last start, one for each triangle that it has entered: 12 numbers for
-   * each. These are x, y of five points: the root, the left and the right end of the edge, the left and the right end of
-   * the interval; then the length of the path to the root, and the bound.
+   * The windows that the search has followed since its last start, one or more for each triangle that it has entered: 12
+   * numbers for each. These are x, y of five points: the root, the left and the right end of the edge, the left and the
+   * right end of the interval; then the length of the path to the root, and the bound.
    */
   windows(into?: Float64Array): Float64Array {
     const { address } = this;
