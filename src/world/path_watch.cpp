@@ -7,13 +7,17 @@
 #include <unordered_map>
 #include <utility>
 
-#include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
+#include "nav/kept_cover.hpp"
 #include "path/pieces.hpp"
+#include "path/polyline_walk.hpp"
 #include "world/box_tree.hpp"
+#include "world/key_sort.hpp"
+#include "world/point_error.hpp"
+#include "world/world_impl.hpp"
 
 namespace waywright {
 
@@ -114,15 +118,21 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
     std::vector<Point> points;
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
-    Ellipse ellipse;
     std::vector<BoxTree::Handle> boxes;  ///< handles in `paths`
     BoxTree::Handle ellipse_box = 0;     ///< a handle in `ellipses`
     bool has_ellipse_box = false;
-    bool is_blocked = false;        ///< whether the last check found it blocked; only for a point agent
-    std::uint64_t seen_by = 0;      ///< the last update that has found a change on the path
-    std::uint64_t tested_for = 0;   ///< the last changed box that was compared with the path
+    bool is_in_domain = false;     ///< whether all points are points of the domain
+    bool is_blocked = false;       ///< whether the last check found it blocked; only for a point agent
+    std::uint64_t seen_by = 0;     ///< the last update that has found a change on the path
+    std::uint64_t tested_for = 0;  ///< the last changed box that was compared with the path
+  };
+  /// What the search for paths that may be too long reads of a path. It reads thousands of them in one update.
+  struct Reach {
+    Ellipse ellipse;
+    std::uint64_t key = 0;
     std::uint64_t too_long_by = 0;  ///< the last update that has found that the path may be too long
   };
+  using Boxes = std::span<const ChangedBox>;
 
   explicit Impl(const World& world)
       : domain(world.domain()), version(world.version()), paths(domain), ellipses(domain) {}
@@ -136,6 +146,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
         // Room for all slots, so that drop() allocates nothing.
         const std::size_t needed = impl_.watched.size() + 1;
         if (impl_.free_slots.capacity() < needed) impl_.free_slots.reserve(2 * needed);
+        if (impl_.reaches.size() < needed) impl_.reaches.resize(needed);
         impl_.watched.emplace_back();
         impl_.free_slots.push_back(static_cast<std::uint32_t>(impl_.watched.size() - 1));
       }
@@ -160,9 +171,11 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   void add_boxes(std::uint32_t slot);
   void add_box(std::uint32_t slot, const Box& box);
   void drop(std::uint32_t slot) noexcept;
-  void check(std::uint32_t slot, const World& world, PathChanges& changes);
+  void check(std::uint32_t slot, const World& world, Boxes boxes, PathChanges& changes);
   [[nodiscard]] static bool may_change(const Watched& path, const ChangedBox& changed);
-  void check_box(const ChangedBox& changed, const World& world, PathChanges& changes);
+  [[nodiscard]] static bool has_easy_pieces(const Watched& path, Boxes boxes);
+  [[nodiscard]] bool is_clear(const Watched& path, const World& world, Boxes boxes);
+  void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
 
   Box domain;
@@ -172,9 +185,12 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   BoxTree paths;                ///< boxes of the pieces of paths, with the slot of the path
   BoxTree ellipses;             ///< bounding boxes of ellipses, with the slot of the path
   std::vector<Watched> watched;
+  std::vector<Reach> reaches;  ///< by slot
   std::vector<std::uint32_t> free_slots;
   std::unordered_map<std::uint64_t, std::uint32_t> slots;  ///< by key
-  QueryContext context;
+  nav::KeptCover cover;
+  path::PolylineWalk walk;
+  std::vector<std::uint64_t> sort_scratch;
 };
 
 void PathWatch::Impl::add_box(std::uint32_t slot, const Box& box) {
@@ -198,7 +214,7 @@ void PathWatch::Impl::add_boxes(std::uint32_t slot) {
       for_each_box_of_line(piece.centre, piece.centre, reach + piece.radius * (1.0 + 0x1p-40), domain, add);
     }
   }
-  watched[slot].ellipse_box = ellipses.insert(path.ellipse.bounds(), slot);
+  watched[slot].ellipse_box = ellipses.insert(reaches[slot].ellipse.bounds(), slot);
   watched[slot].has_ellipse_box = true;
 }
 
@@ -215,12 +231,48 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
 }
 
 /// Checks a path of a point agent near which a changed box may lie. Adds the path to `changes` if it is blocked.
-void PathWatch::Impl::check(std::uint32_t slot, const World& world, PathChanges& changes) {
+/// `boxes` are all boxes that have changed, or empty if they are not known.
+void PathWatch::Impl::check(std::uint32_t slot, const World& world, Boxes boxes, PathChanges& changes) {
   Watched& path = watched[slot];
   if (std::exchange(path.seen_by, updates) == updates) return;
-  const Result<bool> is_clear = world.is_clear(path.points, context);
-  path.is_blocked = !is_clear || !*is_clear;
+  path.is_blocked = !path.is_in_domain || !is_clear(path, world, boxes);
   if (path.is_blocked) changes.blocked.push_back(path.key);
+}
+
+/// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. A
+/// removed item at a point of the path is not allowed, because the point may have stood for a crossing that no longer
+/// exists.
+bool PathWatch::Impl::has_easy_pieces(const Watched& path, Boxes boxes) {
+  constexpr std::size_t kMostBoxes = 8;
+  if (path.is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
+  return std::none_of(boxes.begin(), boxes.end(), [&](const ChangedBox& changed) {
+    return changed.is_removal && std::any_of(path.points.begin(), path.points.end(), [&](const Point& p) {
+             return changed.box.expanded(slack_of(p, p)).contains(p);
+           });
+  });
+}
+
+/// Returns whether the path is clear. If it was clear before, it is enough to look at the pieces that a box touches.
+bool PathWatch::Impl::is_clear(const Watched& path, const World& world, Boxes boxes) {
+  using PieceState = path::PolylineWalk::PieceState;
+  const constraint::ExactTriangulation& triangulation = world.impl_->triangulation;
+  const std::span<const Point> points = path.points;
+  cover.use(world.impl_->kept_abstraction());
+  const auto is_touched = [&](std::size_t i) {
+    const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
+    return std::any_of(boxes.begin(), boxes.end(), touches);
+  };
+  bool is_sure = has_easy_pieces(path, boxes);
+  for (std::size_t first = 0; is_sure && first + 1 < points.size(); ++first) {
+    if (!is_touched(first)) continue;
+    std::size_t last = first + 1;
+    while (last + 1 < points.size() && is_touched(last)) ++last;
+    const PieceState state = walk.find_piece_state(triangulation, cover, points, first, last);
+    if (state == PieceState::blocked) return false;
+    is_sure = state == PieceState::clear;
+    first = last;  // the segment after the piece is not touched
+  }
+  return is_sure || walk.is_clear(triangulation, cover, points);
 }
 
 /// Returns whether an operation that has changed this box may block or clear the path of a point agent. A removal
@@ -233,13 +285,13 @@ bool PathWatch::Impl::may_change(const Watched& path, const ChangedBox& changed)
 }
 
 // The removal of an item never blocks a disc.
-void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, PathChanges& changes) {
+void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes) {
   ++box_count;
   paths.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
     Watched& path = watched[slot];
     if (path.seen_by == updates || std::exchange(path.tested_for, box_count) == box_count) return;
     if (path.pieces.empty()) {
-      if (may_change(path, changed)) check(slot, world, changes);
+      if (may_change(path, changed)) check(slot, world, boxes, changes);
       return;
     }
     if (!changed.is_insertion || !path::may_touch(path.pieces, path.radius, changed.box)) return;
@@ -248,10 +300,10 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, P
   });
   if (!changed.is_removal) return;
   ellipses.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
-    Watched& path = watched[slot];
-    if (path.too_long_by == updates || !path.ellipse.may_meet(changed.box)) return;
-    path.too_long_by = updates;
-    changes.may_be_too_long.push_back(path.key);
+    Reach& reach = reaches[slot];
+    if (reach.too_long_by == updates || !reach.ellipse.may_meet(changed.box)) return;
+    reach.too_long_by = updates;
+    changes.may_be_too_long.push_back(reach.key);
   });
 }
 
@@ -261,7 +313,7 @@ void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
     if (!watched[slot].pieces.empty()) {
       changes.may_be_blocked.push_back(key);
     } else if (!watched[slot].points.empty()) {
-      check(slot, world, changes);
+      check(slot, world, {}, changes);
     }
   }
 }
@@ -279,9 +331,11 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   added.points = path.points;
   added.pieces = path.pieces;
   added.radius = path.radius;
-  added.ellipse = ellipse_of(path);
-  added.seen_by = added.too_long_by = 0;
+  added.seen_by = 0;
+  added.is_in_domain = std::all_of(path.points.begin(), path.points.end(),
+                                   [&](const Point& p) { return is_point_of(impl_->domain, p); });
   added.is_blocked = false;
+  impl_->reaches[addition.slot()] = {ellipse_of(path), key, 0};
   impl_->add_boxes(addition.slot());
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.
@@ -308,13 +362,13 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   changes.may_be_too_long.clear();
   ++impl_->updates;
   if (const auto boxes = world.changes_since(impl_->version)) {
-    for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, changes);
+    for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, *boxes, changes);
   } else {
     impl_->check_all(world, changes);
   }
-  std::sort(changes.blocked.begin(), changes.blocked.end());
-  std::sort(changes.may_be_blocked.begin(), changes.may_be_blocked.end());
-  std::sort(changes.may_be_too_long.begin(), changes.may_be_too_long.end());
+  sort_keys(changes.blocked, impl_->sort_scratch);
+  sort_keys(changes.may_be_blocked, impl_->sort_scratch);
+  sort_keys(changes.may_be_too_long, impl_->sort_scratch);
   impl_->version = world.version();
 }
 
