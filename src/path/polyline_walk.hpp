@@ -47,7 +47,7 @@ class PolylineWalk {
   /// rounded coordinates of a crossing.
   ///
   /// Requires: the piece has at least two points. No operation has changed anything at its first and its last point,
-  /// except at the ends of the polyline, and none has removed an item at one of its points.
+  /// except at the ends of the polyline, and none has removed an item where the polyline turns.
   /// Cost: the cost of is_clear() for the piece.
   [[nodiscard]] PieceState find_piece_state(const Triangulation& triangulation, constraint::Cover& cover,
                                             std::span<const Point> points, std::size_t first, std::size_t last);
