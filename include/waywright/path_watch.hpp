@@ -89,8 +89,9 @@ class WAYWRIGHT_API PathWatch {
   /// paths.
   /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
   /// (WorldSnapshot).
-  /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for each path that comes
-  /// near to a box; and the answer. Allocates nothing if earlier updates had answers of this size.
+  /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for the pieces of paths
+  /// that come near to a box, and for a whole path if such a piece runs along a wall or if there are more than 8 boxes;
+  /// and the answer. Allocates nothing if earlier updates had answers of this size.
   void update(const World& world, PathChanges& changes);
 
  private:

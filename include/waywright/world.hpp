@@ -37,6 +37,12 @@
 
 namespace waywright {
 
+namespace detail {
+
+struct LoadedPoints;  // of load_world()
+
+}  // namespace detail
+
 /// @addtogroup world
 /// @{
 
@@ -583,7 +589,9 @@ class WAYWRIGHT_API World {
 
  private:
   friend class PathSearch;
+  friend class PathWatch;
   friend class detail::AttemptGuard<World>;
+  friend struct detail::LoadedPoints;
   friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;
@@ -591,6 +599,9 @@ class WAYWRIGHT_API World {
   explicit World(std::unique_ptr<Impl> impl);
   [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);  // leaves the operation open
   void end_attempt() noexcept;                                                // takes the changes back
+  /// insert_points() with ids that ascend: ids[i] is the id of points[i]. Requires: the lists are equally long.
+  [[nodiscard]] Result<void> insert_points_as(PointSpan points, std::span<const ItemId> ids,
+                                              const BulkOptions& options);
 
   detail::Owned<Impl, detail::kMovedWorld> impl_;
 };

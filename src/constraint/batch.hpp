@@ -26,13 +26,15 @@ struct ShapeBatch {
   [[nodiscard]] const Rings& rings(std::size_t i) const { return elements[i].shape.rings; }
 };
 
-/// A batch of points, each of them an item. Their ids count up from `first`.
+/// A batch of points, each of them an item. Their ids count up from `first`, or are the elements of `ids` if this list
+/// is not empty.
 struct PointBatch {
   std::span<const Point> points;
   ItemId first;
+  std::span<const ItemId> ids = {};
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
-  [[nodiscard]] ItemId id(std::size_t i) const { return {first.value + i}; }
+  [[nodiscard]] ItemId id(std::size_t i) const { return ids.empty() ? ItemId{first.value + i} : ids[i]; }
   [[nodiscard]] static ItemKind kind(std::size_t /*i*/) { return ItemKind::point; }
   [[nodiscard]] static FillRule fill(std::size_t /*i*/) { return FillRule::even_odd; }
   [[nodiscard]] std::array<std::span<const Point>, 1> rings(std::size_t i) const { return {points.subspan(i, 1)}; }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <istream>
 #include <optional>
 #include <string>
@@ -17,6 +18,31 @@
 #include "text/text.hpp"
 
 namespace waywright {
+
+/// Points and their ids, which ascend. As long as the ids count up, the object contains only the first of them.
+struct detail::LoadedPoints {
+  std::vector<Point> points;
+  ItemId first;             ///< the id of the first point
+  std::vector<ItemId> ids;  ///< empty as long as the ids count up
+
+  /// Adds the ids of the next `size` points, which count up from `run`.
+  void add_ids(ItemId run, std::uint64_t size) {
+    if (points.empty()) first = run;
+    if (ids.empty() && run.value == first.value + points.size()) return;
+    while (ids.size() < points.size()) ids.push_back({first.value + ids.size()});
+    for (std::uint64_t i = 0; i < size; ++i) ids.push_back({run.value + i});
+  }
+  [[nodiscard]] ItemId id(std::size_t i) const { return ids.empty() ? ItemId{first.value + i} : ids[i]; }
+  [[nodiscard]] std::optional<Error> insert_into(World& world, const BulkOptions& options) const {
+    if (ids.empty()) {
+      const Result<ItemId> done = world.insert_points(points, first, options);
+      return done.ok() ? std::nullopt : std::optional(done.error());
+    }
+    const Result<void> done = world.insert_points_as(points, ids, options);
+    return done.ok() ? std::nullopt : std::optional(done.error());
+  }
+};
+
 namespace {
 
 using io::SavedKind;
@@ -33,27 +59,22 @@ Point point_at(const char* bytes) {
   return {base::bit_cast<double>(fixed_at(bytes, 8)), base::bit_cast<double>(fixed_at(bytes + 8, 8))};
 }
 
-/// The items of a file. As long as all items are points whose ids count up, only `points` contains them, which takes
-/// less memory and lets World::insert_points make them.
+/// The items of a file. As long as all items are points, only `points` contains them, which takes less memory.
 struct LoadedItems {
-  std::vector<Point> points;
-  ItemId first;  ///< the id of the first element of `points`
+  detail::LoadedPoints points;
   std::vector<Item> items;
 
-  [[nodiscard]] std::size_t size() const { return points.size() + items.size(); }
-  /// Whether `points` may contain a point with this id as its next element.
-  [[nodiscard]] bool continues(ItemId id) const {
-    return items.empty() && (points.empty() || id.value == first.value + points.size());
-  }
   /// Adds an item to `items`.
   void add(ItemId id, Shape shape) {
-    if (!points.empty()) move_points();
+    if (!points.points.empty()) move_points();
     items.push_back({id, std::move(shape)});
   }
   /// Moves `points` to `items`.
   void move_points() {
-    items.reserve(items.size() + points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) items.push_back({{first.value + i}, Shape::point(points[i])});
+    items.reserve(items.size() + points.points.size());
+    for (std::size_t i = 0; i < points.points.size(); ++i) {
+      items.push_back({points.id(i), Shape::point(points.points[i])});
+    }
     points = {};
   }
 };
@@ -84,7 +105,16 @@ class WorldReader {
   bool read_checksum();
   bool fill(World& world, const BulkOptions& options);
 
-  bool read_bytes(char* bytes, std::size_t size);
+  bool read_bytes(char* bytes, std::size_t size) {
+    if (size > filled_ - used_) return read_more(bytes, size);
+    std::memcpy(bytes, buffer_.data() + used_, size);
+    used_ += size;
+    offset_ += size;
+    return true;
+  }
+  bool read_more(char* bytes, std::size_t size);
+  /// Reads bytes from the stream. Returns how many it has read.
+  std::size_t read_stream(char* bytes, std::size_t size);
   bool read_fixed(std::uint64_t& value, std::size_t size);
   bool read_varint(std::uint64_t& value);
   bool read_count(std::uint64_t& value);
@@ -106,8 +136,14 @@ class WorldReader {
     return {ErrorCode::malformed, "the saved world is not valid: " + error.message(), error.item, 0};
   }
 
+  static constexpr std::size_t kPointSize = 16;
+
   std::istream& in_;
-  std::uint64_t offset_ = 0;  ///< the number of bytes that were read
+  std::uint64_t offset_ = 0;         ///< the number of bytes that were read, without those in `buffer_`
+  std::array<char, 4096> buffer_{};  ///< bytes from `used_` to `filled_` were read in advance
+  std::size_t used_ = 0;
+  std::size_t filled_ = 0;
+  std::uint64_t unread_items_ = 0;  ///< the number of items whose points the reader has not begun
   io::Crc32c checksum_;
   Error error_;
 
@@ -126,12 +162,31 @@ class WorldReader {
   std::size_t next_ring_ = 0;
 };
 
-bool WorldReader::read_bytes(char* bytes, std::size_t size) {
+std::size_t WorldReader::read_stream(char* bytes, std::size_t size) {
   in_.read(bytes, static_cast<std::streamsize>(size));
   const auto count = static_cast<std::size_t>(in_.gcount());
   checksum_.add({bytes, count});
-  offset_ += count;
-  if (count == size) return true;
+  return count;
+}
+
+// A stream reads one byte as slowly as many. So the function reads bytes in advance, but never a byte after the items:
+// each item that the reader has not begun takes 16 bytes or more.
+bool WorldReader::read_more(char* bytes, std::size_t size) {
+  const std::size_t kept = filled_ - used_;
+  std::memcpy(bytes, buffer_.data() + used_, kept);
+  used_ = filled_ = 0;
+  const std::size_t missing = size - kept;
+  std::size_t count = 0;
+  if (missing >= buffer_.size()) {
+    count = read_stream(bytes + kept, missing);
+  } else {
+    const auto sure = static_cast<std::size_t>(std::min<std::uint64_t>(unread_items_, buffer_.size() / kPointSize));
+    filled_ = read_stream(buffer_.data(), std::max(missing, kPointSize * sure));
+    count = used_ = std::min(missing, filled_);
+    std::memcpy(bytes + kept, buffer_.data(), count);
+  }
+  offset_ += kept + count;
+  if (count == missing) return true;
   if (in_.bad()) return fail(ErrorCode::unreadable, "the stream cannot be read any further");
   return fail("expected more bytes of the saved world, found the end");
 }
@@ -169,7 +224,6 @@ bool WorldReader::read_point(Point& point) {
 // Reads in small pieces, so that a wrong count takes no memory.
 template <class Visit>
 bool WorldReader::read_points(std::uint64_t count, Visit&& visit) {
-  constexpr std::size_t kPointSize = 16;
   std::array<char, 4096> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init): read_bytes fills it
   while (count > 0) {
     const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(count, bytes.size() / kPointSize));
@@ -208,10 +262,9 @@ bool WorldReader::read_options() {
 
 bool WorldReader::read_items() {
   if (largest_id_seen_ > ItemId::kLargest) return fail("the largest id is above 2^63 - 1");
-  std::uint64_t remaining = item_count_;
-  while (remaining > 0) {
-    if (!read_run(remaining)) return false;
-    remaining = item_count_ - items_.size();
+  unread_items_ = item_count_;
+  while (unread_items_ > 0) {
+    if (!read_run(unread_items_)) return false;
   }
   return true;
 }
@@ -256,11 +309,14 @@ bool WorldReader::read_counts(std::uint64_t run_size, SavedKind kind) {
 }
 
 bool WorldReader::read_points_of_run(ItemId first, std::uint64_t run_size) {
-  if (shape_.kind == ItemKind::point && items_.continues(first)) {
-    if (items_.points.empty()) items_.first = first;
-    return read_points(run_size, [&](const Point& p) { items_.points.push_back(p); });
+  if (shape_.kind == ItemKind::point && items_.items.empty()) {
+    unread_items_ -= run_size;
+    std::vector<Point>& points = items_.points.points;
+    items_.points.add_ids(first, run_size);
+    return read_points(run_size, [&](const Point& p) { points.push_back(p); });
   }
   for (std::uint64_t item = 0; item < run_size; ++item) {
+    --unread_items_;
     if (!read_shape(item)) return false;
     items_.add({first.value + item}, std::move(shape_));
   }
@@ -295,9 +351,8 @@ bool WorldReader::read_checksum() {
 
 bool WorldReader::fill(World& world, const BulkOptions& options) {
   std::optional<Error> error;
-  if (!items_.points.empty()) {
-    const Result<ItemId> done = world.insert_points(items_.points, items_.first, options);
-    if (!done.ok()) error = done.error();
+  if (!items_.points.points.empty()) {
+    error = items_.points.insert_into(world, options);
   } else if (!items_.items.empty()) {
     const Result<std::vector<ItemId>> done = world.insert_all(items_.items, options);
     if (!done.ok()) error = done.error();

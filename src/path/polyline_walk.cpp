@@ -18,27 +18,62 @@ using mesh::HalfEdge;
 bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cover& cover,
                             std::span<const Point> points) {
   if (points.empty()) return false;
-  triangulation_ = &triangulation;
-  mesh_ = &triangulation.topology();
-  const locate::Located start = triangulation.triangulation().locate(points.front());
-  arrived_.clear();
-  for (const HalfEdge h : cover.open_faces(triangulation, start)) {
-    const HalfEdge canonical = start.kind == LocatedKind::vertex ? first_of_wedge(h) : h;
-    add_arrived({start.kind, canonical, exact::Geometry::view(points.front())});
-  }
-  std::swap(states_, arrived_);
+  use(triangulation);
+  const locate::Located start = start_at(cover, points.front());
   if (states_.empty()) {
     const bool stays = std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points.front(); });
     return stays && !cover.is_strictly_inside(triangulation, start);
   }
-  for (std::size_t i = 1; i < points.size() && !states_.empty(); ++i) {
-    possible_ends_.assign(1, exact::Geometry::view(points[i]));
-    if (i + 1 < points.size()) collect_crossings_at(points[i]);
-    arrived_.clear();
-    for (const View& end : possible_ends_) walk_piece(end);
-    std::swap(states_, arrived_);
-  }
+  for (std::size_t i = 1; i < points.size() && !states_.empty(); ++i) walk_to(points, i);
   return !states_.empty();
+}
+
+// The agent reaches the first point of the piece in the same wedges as before, but this function does not know in
+// which. So it starts in all of them. If the agent cannot pass from any of them, the piece is blocked. Otherwise it can
+// pass from the one wedge into which the segment leads: only a segment along a wall leads into two wedges. For the same
+// reason it reaches the last point in the same wedge as before, and the rest of the polyline is as it was.
+PolylineWalk::PieceState PolylineWalk::find_piece_state(const Triangulation& triangulation, constraint::Cover& cover,
+                                                        std::span<const Point> points, std::size_t first,
+                                                        std::size_t last) {
+  use(triangulation);
+  if (first > 0) {
+    possible_ends_.clear();
+    collect_crossings_at(points[first]);
+    if (!possible_ends_.empty()) return PieceState::unsure;
+  }
+  static_cast<void>(start_at(cover, points[first]));
+  if (states_.empty()) return PieceState::unsure;
+  for (std::size_t i = first + 1; i <= last && !states_.empty(); ++i) walk_to(points, i);
+  if (states_.empty()) return PieceState::blocked;
+  return is_unsure_ ? PieceState::unsure : PieceState::clear;
+}
+
+void PolylineWalk::use(const Triangulation& triangulation) {
+  triangulation_ = &triangulation;
+  mesh_ = &triangulation.topology();
+  is_unsure_ = false;
+}
+
+/// Sets `states_` to all faces in which an agent at `point` can be. Returns where the point is.
+locate::Located PolylineWalk::start_at(constraint::Cover& cover, const Point& point) {
+  const locate::Located start = triangulation_->triangulation().locate(point);
+  arrived_.clear();
+  for (const HalfEdge h : cover.open_faces(*triangulation_, start)) {
+    const HalfEdge canonical = start.kind == LocatedKind::vertex ? first_of_wedge(h) : h;
+    add_arrived({start.kind, canonical, exact::Geometry::view(point)});
+  }
+  std::swap(states_, arrived_);
+  return start;
+}
+
+/// Walks from points[i - 1] to points[i].
+void PolylineWalk::walk_to(std::span<const Point> points, std::size_t i) {
+  possible_ends_.assign(1, exact::Geometry::view(points[i]));
+  if (i + 1 < points.size()) collect_crossings_at(points[i]);
+  if (possible_ends_.size() > 1) is_unsure_ = true;
+  arrived_.clear();
+  for (const View& end : possible_ends_) walk_piece(end);
+  std::swap(states_, arrived_);
 }
 
 namespace {
@@ -194,6 +229,7 @@ void PolylineWalk::leave_face(HalfEdge h) {
 /// Follows `edge`, in its face, to a vertex or to the end of the segment. `at_end` is the half-edge of the same face
 /// that starts at that vertex.
 void PolylineWalk::run_along(HalfEdge edge, HalfEdge at_end) {
+  if (!nav::PointAgent::can_cross(*mesh_, edge)) is_unsure_ = true;
   if (ends_before(mesh_->origin(at_end))) return arrive(LocatedKind::edge, edge);
   reach_vertex(at_end);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,24 @@ class PolylineWalk {
   [[nodiscard]] bool is_clear(const Triangulation& triangulation, constraint::Cover& cover,
                               std::span<const Point> points);
 
+  /// What find_piece_state() knows about a piece of a polyline.
+  enum class PieceState : std::uint8_t {
+    clear,    ///< the agent can pass it, in the same wedges as before
+    blocked,  ///< the agent cannot pass it
+    unsure    ///< the agent may have to pass it on another side of a wall than before
+  };
+
+  /// Looks at the piece from points[first] to points[last] of a polyline that was clear before some operations. If the
+  /// pieces that these operations touch are all clear, is_clear() is true for the whole polyline. If one of them is
+  /// blocked, is_clear() is false. The result is `unsure` if the piece runs along a wall, or has a point with the
+  /// rounded coordinates of a crossing.
+  ///
+  /// Requires: the piece has at least two points. No operation has changed anything at its first and its last point,
+  /// except at the ends of the polyline, and none has removed an item where the polyline turns.
+  /// Cost: the cost of is_clear() for the piece.
+  [[nodiscard]] PieceState find_piece_state(const Triangulation& triangulation, constraint::Cover& cover,
+                                            std::span<const Point> points, std::size_t first, std::size_t last);
+
  private:
   using View = exact::Geometry::View;
 
@@ -50,6 +70,9 @@ class PolylineWalk {
   [[nodiscard]] bool is_ahead(const View& p, const View& q) const;
   [[nodiscard]] bool ends_before(mesh::Vertex v) const;
 
+  void use(const Triangulation& triangulation);
+  locate::Located start_at(constraint::Cover& cover, const Point& point);
+  void walk_to(std::span<const Point> points, std::size_t i);
   void collect_crossings_at(const Point& point);
   void walk_piece(const View& target);
   void leave(const State& state);
@@ -69,6 +92,7 @@ class PolylineWalk {
   const mesh::TriangleMesh* mesh_ = nullptr;
   exact::Geometry::Line line_;          ///< of the segment that the agent walks along
   bool ascends_ = false;                ///< whether the segment's end comes after its start in (x, y) order
+  bool is_unsure_ = false;              ///< for find_piece_state()
   std::vector<View> possible_ends_;     ///< exact positions: the segment's end may be any of them
   std::vector<State> states_;           ///< at the start of the segment
   std::vector<State> arrived_;          ///< at the end of the segment

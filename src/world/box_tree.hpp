@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -7,31 +8,34 @@
 
 #include "waywright/point.hpp"
 
+#include "base/ieee.hpp"
 #include "memory/free_list.hpp"
 
 namespace waywright {
 
-/// A set of boxes, each with a number. The set finds its boxes that overlap a given box.
+/// A set of boxes, each with a value. The set finds its boxes that overlap a given box.
 ///
 /// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
 /// cell. A box belongs to the deepest possible node whose cell is at least as wide and as high as the box. A node knows
 /// the bounding box of all boxes below it, which is at most twice as large as its cell. So a search visits few nodes in
-/// which no box overlaps the given box. Boxes may reach beyond the domain.
+/// which no box overlaps the given box. Boxes may reach beyond the domain. Each node stores its boxes and their values
+/// one after the other, because a search may visit thousands of them.
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
+template <class Value>
 class BoxTree {
  public:
   using Handle = std::uint32_t;
 
   explicit BoxTree(const Box& domain) : domain_(domain) {}
 
-  /// Adds a box with a number. Returns a handle for remove(). If memory runs out, the set does not change. Cost: the
+  /// Adds a box with a value. Returns a handle for remove(). If memory runs out, the set does not change. Cost: the
   /// depth of the tree, at most 12.
-  Handle insert(const Box& box, std::uint32_t number);
+  Handle insert(const Box& box, const Value& value);
   /// Removes a box. Allocates nothing. Cost: the depth of the tree.
   void remove(Handle handle);
 
-  /// Calls visit(number) for each box that overlaps `box`. Boxes overlap if they have a point in common. Allocates
+  /// Calls visit(value) for each box that overlaps `box`. Boxes overlap if they have a point in common. Allocates
   /// nothing. `visit` must not change the set.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
@@ -44,23 +48,26 @@ class BoxTree {
 
   struct Entry {
     Box box;
-    std::uint32_t number;
-    std::uint32_t node;
-    std::uint32_t previous;  ///< in the list of the node
-    std::uint32_t next;      ///< in the list of the node; of a free entry: the next free one
+    Value value;
+    Handle handle;
   };
   struct Node {
     std::array<std::uint32_t, 4> children{kNone, kNone, kNone, kNone};
     std::uint32_t parent = kNone;  ///< of a free node: the next free one
-    std::uint32_t first = kNone;   ///< the first entry of its list
     std::size_t count = 0;         ///< the number of entries here and below
     Box bounds;                    ///< contains all boxes here and below
+    std::vector<Entry> entries;
+  };
+  /// Where the entry of a handle is.
+  struct Place {
+    std::uint32_t node;
+    std::uint32_t index;  ///< in Node::entries; of a free handle: the next free one
   };
 
   template <class Visit>
   void visit_below(std::uint32_t node, const Box& box, const Visit& visit) const {
-    for (std::uint32_t i = nodes_[node].first; i != kNone; i = entries_[i].next) {
-      if (entries_[i].box.overlaps(box)) visit(entries_[i].number);
+    for (const Entry& entry : nodes_[node].entries) {
+      if (entry.box.overlaps(box)) visit(entry.value);
     }
     for (const std::uint32_t child : nodes_[node].children) {
       if (child != kNone && nodes_[child].count != 0 && nodes_[child].bounds.overlaps(box)) {
@@ -74,9 +81,94 @@ class BoxTree {
 
   Box domain_;
   std::vector<Node> nodes_;  ///< the first is the root
-  std::vector<Entry> entries_;
+  std::vector<Place> places_;
   memory::FreeList free_nodes_;    ///< linked by Node::parent
-  memory::FreeList free_entries_;  ///< linked by Entry::next
+  memory::FreeList free_handles_;  ///< linked by Place::index
 };
+
+template <class Value>
+std::uint32_t BoxTree<Value>::make_node(std::uint32_t parent) {
+  if (free_nodes_.is_empty()) {
+    nodes_.emplace_back();
+    nodes_.back().parent = free_nodes_.push(static_cast<std::uint32_t>(nodes_.size() - 1));
+  }
+  const std::uint32_t node = free_nodes_.pop(nodes_[free_nodes_.first()].parent);
+  nodes_[node] = {};
+  nodes_[node].parent = parent;
+  return node;
+}
+
+/// Returns the node for a box. Makes this node and its ancestors if they do not exist.
+template <class Value>
+std::uint32_t BoxTree<Value>::node_for(const Box& box) {
+  if (nodes_.empty()) static_cast<void>(make_node(kNone));
+  std::uint32_t node = 0;
+  Box cell = domain_;
+  const Point centre = 0.5 * (box.min + box.max);
+  for (std::size_t depth = 0; depth < kDeepest; ++depth) {
+    const Point half = 0.5 * (cell.max - cell.min);
+    if (!(box.max.x - box.min.x <= half.x && box.max.y - box.min.y <= half.y)) break;
+    const Point middle = cell.min + half;
+    const bool is_right = centre.x > middle.x;
+    const bool is_upper = centre.y > middle.y;
+    (is_right ? cell.min.x : cell.max.x) = middle.x;
+    (is_upper ? cell.min.y : cell.max.y) = middle.y;
+    const std::size_t quadrant = (is_right ? 1U : 0U) + (is_upper ? 2U : 0U);
+    if (nodes_[node].children[quadrant] == kNone) {
+      const std::uint32_t child = make_node(node);
+      nodes_[node].children[quadrant] = child;
+    }
+    node = nodes_[node].children[quadrant];
+  }
+  return node;
+}
+
+template <class Value>
+auto BoxTree<Value>::insert(const Box& box, const Value& value) -> Handle {
+  if (free_handles_.is_empty()) {
+    places_.push_back({});
+    places_.back().index = free_handles_.push(static_cast<std::uint32_t>(places_.size() - 1));
+  }
+  const std::uint32_t node = node_for(box);
+  std::vector<Entry>& entries = nodes_[node].entries;
+  entries.push_back({box, value, free_handles_.first()});
+  // Nothing can fail from here on.
+  const Handle handle = free_handles_.pop(places_[free_handles_.first()].index);
+  places_[handle] = {node, static_cast<std::uint32_t>(entries.size() - 1)};
+  for (std::uint32_t at = node; at != kNone; at = nodes_[at].parent) {
+    Box& bounds = nodes_[at].bounds;
+    if (nodes_[at].count++ == 0) bounds = box;
+    bounds.expand(box.min);
+    bounds.expand(box.max);
+  }
+  return handle;
+}
+
+template <class Value>
+void BoxTree<Value>::remove(Handle handle) {
+  const auto [node, index] = places_[handle];
+  std::vector<Entry>& entries = nodes_[node].entries;
+  entries[index] = entries.back();
+  places_[entries[index].handle].index = index;
+  entries.pop_back();
+  places_[handle].index = free_handles_.push(handle);
+  for (std::uint32_t at = node; at != kNone;) {
+    const std::uint32_t parent = nodes_[at].parent;
+    --nodes_[at].count;
+    free_if_empty(at);
+    at = parent;
+  }
+}
+
+/// Frees a node without boxes. The root stays.
+template <class Value>
+void BoxTree<Value>::free_if_empty(std::uint32_t node) {
+  const std::uint32_t parent = nodes_[node].parent;
+  const auto is_node = [](std::uint32_t child) { return child != kNone; };
+  if (nodes_[node].count != 0 || parent == kNone) return;
+  if (std::any_of(nodes_[node].children.begin(), nodes_[node].children.end(), is_node)) return;
+  std::replace(nodes_[parent].children.begin(), nodes_[parent].children.end(), node, kNone);
+  nodes_[node].parent = free_nodes_.push(node);
+}
 
 }  // namespace waywright

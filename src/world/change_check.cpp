@@ -60,17 +60,17 @@ std::optional<Error> ChangeCheck::add_replacement(ItemId id, const Shape& shape)
   return check_shape(id, shape);
 }
 
-std::optional<Error> ChangeCheck::add_points(std::span<const Point> points, ItemId first) {
-  if (points.empty()) return check_new_id(first);
+std::optional<Error> ChangeCheck::add_points(const constraint::PointBatch& batch) {
+  if (batch.size() == 0) return check_new_id(batch.first);
   const Box& domain = triangulation_.domain();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const ItemId id{first.value + i};
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const ItemId id = batch.id(i);
     const bool is_new_id = id > largest_ && id.value <= ItemId::kLargest;
-    if (is_new_id && is_point_of(domain, points[i])) [[likely]]
+    if (is_new_id && is_point_of(domain, batch.points[i])) [[likely]]
       continue;
-    if (auto error = check_point(i, points[i], id)) return error;
+    if (auto error = check_point(i, batch.points[i], id)) return error;
   }
-  return about(first, add_vertices(points.size()));
+  return about(batch.id(0), add_vertices(batch.size()));
 }
 
 std::optional<Error> ChangeCheck::check_point(std::size_t i, const Point& point, ItemId id) const {

@@ -9,6 +9,7 @@
 #include "waywright/error.hpp"
 #include "waywright/item.hpp"
 
+#include "constraint/batch.hpp"
 #include "constraint/exact_triangulation.hpp"
 
 namespace waywright {
@@ -21,7 +22,7 @@ namespace waywright {
 class ChangeCheck {
  public:
   /// Whether the check remembers the changes that it has accepted. This is not necessary for a single change, or for
-  /// points whose ids count up. If the check does not remember them, it allocates nothing.
+  /// points whose ids ascend. If the check does not remember them, it allocates nothing.
   enum class Record { no, yes };
 
   ChangeCheck(const constraint::ExactTriangulation& triangulation, Record record)
@@ -35,8 +36,8 @@ class ChangeCheck {
   [[nodiscard]] std::optional<Error> add_insertion(const Shape& shape, ItemId& id);
   [[nodiscard]] std::optional<Error> add_removal(ItemId id);
   [[nodiscard]] std::optional<Error> add_replacement(ItemId id, const Shape& shape);
-  /// The insertion of points under ids that count up from `first`, which is not null.
-  [[nodiscard]] std::optional<Error> add_points(std::span<const Point> points, ItemId first);
+  /// The insertion of points under ids that ascend.
+  [[nodiscard]] std::optional<Error> add_points(const constraint::PointBatch& batch);
 
  private:
   [[nodiscard]] std::optional<Error> check_new_id(ItemId id) const;

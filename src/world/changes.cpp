@@ -209,18 +209,26 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
   return ids;
 }
 
-Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOptions& options) {
-  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+std::optional<Error> World::Impl::insert_points(const constraint::PointBatch& batch, const BulkOptions& options) {
+  WAYWRIGHT_ASSERT(!attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  if (first.is_null()) first = {impl_->triangulation.items().largest_id_seen().value + 1};
-  ChangeCheck check(impl_->triangulation, ChangeCheck::Record::no);
-  if (auto error = check.add_points(points, first)) return *std::move(error);
+  ChangeCheck check(triangulation, ChangeCheck::Record::no);
+  if (auto error = check.add_points(batch)) return error;
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  if (auto error = impl_->insert_all(constraint::PointBatch{points, first}, team_of(options, points.size()))) {
-    return *std::move(error);
-  }
-  if (options.progress) options.progress(points.size(), points.size());
+  if (auto error = insert_all(batch, team_of(options, batch.size()))) return error;
+  if (options.progress) options.progress(batch.size(), batch.size());
+  return std::nullopt;
+}
+
+Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOptions& options) {
+  if (first.is_null()) first = {impl_->triangulation.items().largest_id_seen().value + 1};
+  if (auto error = impl_->insert_points({points, first}, options)) return *std::move(error);
   return first;
+}
+
+Result<void> World::insert_points_as(PointSpan points, std::span<const ItemId> ids, const BulkOptions& options) {
+  if (auto error = impl_->insert_points({points, {}, ids}, options)) return *std::move(error);
+  return {};
 }
 
 }  // namespace waywright

@@ -7,13 +7,17 @@
 #include <unordered_map>
 #include <utility>
 
-#include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
+#include "nav/kept_cover.hpp"
 #include "path/pieces.hpp"
+#include "path/polyline_walk.hpp"
 #include "world/box_tree.hpp"
+#include "world/key_sort.hpp"
+#include "world/point_error.hpp"
+#include "world/world_impl.hpp"
 
 namespace waywright {
 
@@ -109,23 +113,36 @@ Ellipse ellipse_of(const Path& path) {
 }  // namespace
 
 struct WAYWRIGHT_INTERNAL PathWatch::Impl {
+  /// A segment of a path of a point agent, or a piece of a path of a disc.
+  struct Part {
+    std::uint32_t slot;
+    std::uint32_t index;
+  };
+  /// What the search for paths that may be too long reads of a path.
+  struct Reach {
+    Ellipse ellipse;
+    std::uint64_t key = 0;
+    std::uint32_t slot = 0;
+  };
+  using Parts = BoxTree<Part>;
+  using Reaches = BoxTree<Reach>;
+  using Boxes = std::span<const ChangedBox>;
+
   struct Watched {
     std::uint64_t key = 0;
     std::vector<Point> points;
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
-    Ellipse ellipse;
-    std::vector<BoxTree::Handle> boxes;  ///< handles in `paths`
-    BoxTree::Handle ellipse_box = 0;     ///< a handle in `ellipses`
-    bool has_ellipse_box = false;
-    bool is_blocked = false;        ///< whether the last check found it blocked; only for a point agent
-    std::uint64_t seen_by = 0;      ///< the last update that has found a change on the path
-    std::uint64_t tested_for = 0;   ///< the last changed box that was compared with the path
-    std::uint64_t too_long_by = 0;  ///< the last update that has found that the path may be too long
+    std::vector<Parts::Handle> boxes;  ///< handles in `parts`
+    Reaches::Handle reach = 0;         ///< a handle in `reaches`
+    bool has_reach = false;
+    bool is_in_domain = false;  ///< whether all points are points of the domain
+    bool is_blocked = false;    ///< whether the last check found it blocked; only for a point agent
+    std::uint64_t seen_by = 0;  ///< the last update that has found a change on the path
   };
 
   explicit Impl(const World& world)
-      : domain(world.domain()), version(world.version()), paths(domain), ellipses(domain) {}
+      : domain(world.domain()), version(world.version()), parts(domain), reaches(domain) {}
 
   /// The slot of a new path. If memory runs out while PathWatch::add() adds the path, the destructor removes the path
   /// again.
@@ -136,6 +153,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
         // Room for all slots, so that drop() allocates nothing.
         const std::size_t needed = impl_.watched.size() + 1;
         if (impl_.free_slots.capacity() < needed) impl_.free_slots.reserve(2 * needed);
+        if (impl_.too_long_by.size() < needed) impl_.too_long_by.resize(needed);
         impl_.watched.emplace_back();
         impl_.free_slots.push_back(static_cast<std::uint32_t>(impl_.watched.size() - 1));
       }
@@ -158,38 +176,47 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   };
 
   void add_boxes(std::uint32_t slot);
-  void add_box(std::uint32_t slot, const Box& box);
+  void add_box(const Part& part, const Box& box);
   void drop(std::uint32_t slot) noexcept;
-  void check(std::uint32_t slot, const World& world, PathChanges& changes);
-  [[nodiscard]] static bool may_change(const Watched& path, const ChangedBox& changed);
-  void check_box(const ChangedBox& changed, const World& world, PathChanges& changes);
+  void check(std::uint32_t slot, const World& world, Boxes boxes, PathChanges& changes);
+  [[nodiscard]] static bool turns_in(const Watched& path, const Box& box);
+  [[nodiscard]] static bool has_easy_pieces(const Watched& path, Boxes boxes);
+  [[nodiscard]] bool is_clear(const Watched& path, const World& world, Boxes boxes);
+  void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
 
   Box domain;
   std::uint64_t version;  ///< of the world at the last update
   std::uint64_t updates = 0;
-  std::uint64_t box_count = 0;  ///< the number of changed boxes that the watch has compared with paths so far
-  BoxTree paths;                ///< boxes of the pieces of paths, with the slot of the path
-  BoxTree ellipses;             ///< bounding boxes of ellipses, with the slot of the path
+  Parts parts;
+  Reaches reaches;  ///< by the bounding boxes of the ellipses
   std::vector<Watched> watched;
+  std::vector<std::uint64_t> too_long_by;  ///< by slot: the last update that has found that the path may be too long
   std::vector<std::uint32_t> free_slots;
   std::unordered_map<std::uint64_t, std::uint32_t> slots;  ///< by key
-  QueryContext context;
+  nav::KeptCover cover;
+  path::PolylineWalk walk;
+  std::vector<std::uint64_t> sort_scratch;
 };
 
-void PathWatch::Impl::add_box(std::uint32_t slot, const Box& box) {
-  std::vector<BoxTree::Handle>& boxes = watched[slot].boxes;
+void PathWatch::Impl::add_box(const Part& part, const Box& box) {
+  std::vector<Parts::Handle>& boxes = watched[part.slot].boxes;
   if (boxes.size() == boxes.capacity()) boxes.reserve(2 * boxes.size() + 4);
-  boxes.push_back(paths.insert(box, slot));
+  boxes.push_back(parts.insert(box, part));
 }
 
+/// Adds the boxes of all parts of a path.
 void PathWatch::Impl::add_boxes(std::uint32_t slot) {
   const Watched& path = watched[slot];
-  const auto add = [&](const Box& box) { add_box(slot, box); };
-  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-    for_each_box_of_line(path.points[i], path.points[i + 1], 0.0, domain, add);
+  Part part{slot, 0};
+  const auto add = [&](const Box& box) { add_box(part, box); };
+  if (path.pieces.empty()) {
+    if (path.points.size() == 1) for_each_box_of_line(path.points[0], path.points[0], 0.0, domain, add);
+    for (; part.index + 1 < path.points.size(); ++part.index) {
+      for_each_box_of_line(path.points[part.index], path.points[part.index + 1], 0.0, domain, add);
+    }
+    return;
   }
-  if (path.points.size() == 1) for_each_box_of_line(path.points[0], path.points[0], 0.0, domain, add);
   for (const PathPiece& piece : path.pieces) {
     const double reach = path.radius * (1.0 + 0x1p-40);
     if (piece.kind == PathPiece::Kind::line) {
@@ -197,17 +224,16 @@ void PathWatch::Impl::add_boxes(std::uint32_t slot) {
     } else {
       for_each_box_of_line(piece.centre, piece.centre, reach + piece.radius * (1.0 + 0x1p-40), domain, add);
     }
+    ++part.index;
   }
-  watched[slot].ellipse_box = ellipses.insert(path.ellipse.bounds(), slot);
-  watched[slot].has_ellipse_box = true;
 }
 
 /// Frees a slot and removes its boxes. Keeps the memory of its lists.
 void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   Watched& path = watched[slot];
-  for (const BoxTree::Handle box : path.boxes) paths.remove(box);
-  if (path.has_ellipse_box) ellipses.remove(path.ellipse_box);
-  path.has_ellipse_box = false;
+  for (const Parts::Handle box : path.boxes) parts.remove(box);
+  if (path.has_reach) reaches.remove(path.reach);
+  path.has_reach = false;
   path.boxes.clear();
   path.points.clear();
   path.pieces.clear();
@@ -215,43 +241,76 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
 }
 
 /// Checks a path of a point agent near which a changed box may lie. Adds the path to `changes` if it is blocked.
-void PathWatch::Impl::check(std::uint32_t slot, const World& world, PathChanges& changes) {
+/// `boxes` are all boxes that have changed, or empty if they are not known.
+void PathWatch::Impl::check(std::uint32_t slot, const World& world, Boxes boxes, PathChanges& changes) {
   Watched& path = watched[slot];
   if (std::exchange(path.seen_by, updates) == updates) return;
-  const Result<bool> is_clear = world.is_clear(path.points, context);
-  path.is_blocked = !is_clear || !*is_clear;
+  path.is_blocked = !path.is_in_domain || !is_clear(path, world, boxes);
   if (path.is_blocked) changes.blocked.push_back(path.key);
 }
 
-/// Returns whether an operation that has changed this box may block or clear the path of a point agent. A removal
-/// blocks a path only if the path turns at the rounded coordinates of a crossing that no longer exists.
-bool PathWatch::Impl::may_change(const Watched& path, const ChangedBox& changed) {
-  if (!path::may_touch(path.points, changed.box)) return false;
-  return changed.is_insertion || path.is_blocked ||
-         std::any_of(path.points.begin(), path.points.end(),
-                     [&](const Point& p) { return changed.box.expanded(slack_of(p, p)).contains(p); });
+/// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. A
+/// removed item where the path turns is not allowed, because the point may have stood for a crossing that no longer
+/// exists.
+bool PathWatch::Impl::has_easy_pieces(const Watched& path, Boxes boxes) {
+  constexpr std::size_t kMostBoxes = 8;
+  if (path.is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
+  return std::none_of(boxes.begin(), boxes.end(),
+                      [&](const ChangedBox& changed) { return changed.is_removal && turns_in(path, changed.box); });
 }
 
-// The removal of an item never blocks a disc.
-void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, PathChanges& changes) {
-  ++box_count;
-  paths.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
-    Watched& path = watched[slot];
-    if (path.seen_by == updates || std::exchange(path.tested_for, box_count) == box_count) return;
+/// Returns whether the path turns in the box, or less than rounding errors away from it.
+bool PathWatch::Impl::turns_in(const Watched& path, const Box& box) {
+  if (path.points.size() < 3) return false;
+  return std::any_of(path.points.begin() + 1, path.points.end() - 1,
+                     [&](const Point& p) { return box.expanded(slack_of(p, p)).contains(p); });
+}
+
+/// Returns whether the path is clear. If it was clear before, it is enough to look at the pieces that a box touches.
+bool PathWatch::Impl::is_clear(const Watched& path, const World& world, Boxes boxes) {
+  using PieceState = path::PolylineWalk::PieceState;
+  const constraint::ExactTriangulation& triangulation = world.impl_->triangulation;
+  const std::span<const Point> points = path.points;
+  cover.use(world.impl_->kept_abstraction());
+  const auto is_touched = [&](std::size_t i) {
+    const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
+    return std::any_of(boxes.begin(), boxes.end(), touches);
+  };
+  bool is_sure = has_easy_pieces(path, boxes);
+  for (std::size_t first = 0; is_sure && first + 1 < points.size(); ++first) {
+    if (!is_touched(first)) continue;
+    std::size_t last = first + 1;
+    while (last + 1 < points.size() && is_touched(last)) ++last;
+    const PieceState state = walk.find_piece_state(triangulation, cover, points, first, last);
+    if (state == PieceState::blocked) return false;
+    is_sure = state == PieceState::clear;
+    first = last;  // the segment after the piece is not touched
+  }
+  return is_sure || walk.is_clear(triangulation, cover, points);
+}
+
+// A removal blocks the path of a point agent only if the path turns at the rounded coordinates of a crossing that no
+// longer exists. The removal of an item never blocks a disc.
+void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes) {
+  parts.for_each_overlapping(changed.box, [&](const Part& part) {
+    Watched& path = watched[part.slot];
+    if (path.seen_by == updates) return;
     if (path.pieces.empty()) {
-      if (may_change(path, changed)) check(slot, world, changes);
-      return;
+      const std::span<const Point> points = path.points;
+      if (!path::may_touch(points.subspan(part.index, std::min<std::size_t>(points.size(), 2)), changed.box)) return;
+      if (!changed.is_insertion && !path.is_blocked && !turns_in(path, changed.box)) return;
+      return check(part.slot, world, boxes, changes);
     }
-    if (!changed.is_insertion || !path::may_touch(path.pieces, path.radius, changed.box)) return;
+    const std::span<const PathPiece> pieces = path.pieces;
+    if (!changed.is_insertion || !path::may_touch(pieces.subspan(part.index, 1), path.radius, changed.box)) return;
     path.seen_by = updates;
     changes.may_be_blocked.push_back(path.key);
   });
   if (!changed.is_removal) return;
-  ellipses.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
-    Watched& path = watched[slot];
-    if (path.too_long_by == updates || !path.ellipse.may_meet(changed.box)) return;
-    path.too_long_by = updates;
-    changes.may_be_too_long.push_back(path.key);
+  reaches.for_each_overlapping(changed.box, [&](const Reach& reach) {
+    if (too_long_by[reach.slot] == updates || !reach.ellipse.may_meet(changed.box)) return;
+    too_long_by[reach.slot] = updates;
+    changes.may_be_too_long.push_back(reach.key);
   });
 }
 
@@ -261,7 +320,7 @@ void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
     if (!watched[slot].pieces.empty()) {
       changes.may_be_blocked.push_back(key);
     } else if (!watched[slot].points.empty()) {
-      check(slot, world, changes);
+      check(slot, world, {}, changes);
     }
   }
 }
@@ -279,10 +338,15 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   added.points = path.points;
   added.pieces = path.pieces;
   added.radius = path.radius;
-  added.ellipse = ellipse_of(path);
-  added.seen_by = added.too_long_by = 0;
+  added.seen_by = 0;
+  added.is_in_domain = std::all_of(path.points.begin(), path.points.end(),
+                                   [&](const Point& p) { return is_point_of(impl_->domain, p); });
   added.is_blocked = false;
+  impl_->too_long_by[addition.slot()] = 0;
   impl_->add_boxes(addition.slot());
+  const Ellipse ellipse = ellipse_of(path);
+  added.reach = impl_->reaches.insert(ellipse.bounds(), {ellipse, key, addition.slot()});
+  added.has_reach = true;
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.
   if (!is_new) impl_->drop(std::exchange(found->second, addition.slot()));
@@ -308,13 +372,13 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   changes.may_be_too_long.clear();
   ++impl_->updates;
   if (const auto boxes = world.changes_since(impl_->version)) {
-    for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, changes);
+    for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, *boxes, changes);
   } else {
     impl_->check_all(world, changes);
   }
-  std::sort(changes.blocked.begin(), changes.blocked.end());
-  std::sort(changes.may_be_blocked.begin(), changes.may_be_blocked.end());
-  std::sort(changes.may_be_too_long.begin(), changes.may_be_too_long.end());
+  sort_keys(changes.blocked, impl_->sort_scratch);
+  sort_keys(changes.may_be_blocked, impl_->sort_scratch);
+  sort_keys(changes.may_be_too_long, impl_->sort_scratch);
   impl_->version = world.version();
 }
 

@@ -11,6 +11,7 @@
 #include "waywright/world.hpp"
 
 #include "clearance/clearance.hpp"
+#include "constraint/batch.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
 #include "world/change_log.hpp"
@@ -89,6 +90,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// changes nothing and returns the error, with the index of an item of the batch.
   template <class Batch>
   [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
+  /// Checks a batch of points whose ids ascend, and inserts it.
+  [[nodiscard]] std::optional<Error> insert_points(const constraint::PointBatch& batch, const BulkOptions& options);
   /// Replaces all items by the items of a batch: builds a new triangulation and then replaces the old one. So the
   /// function is all or nothing without an undo log. `largest_id` is the largest id that the world has seen afterwards.
   /// If the batch passes a limit, changes nothing and returns the error. Requires: `change_log` and `history` contain

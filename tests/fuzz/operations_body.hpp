@@ -159,6 +159,19 @@ inline std::string fault_of_rewind(World& world, const FuzzedTick& to) {
   return validation.ok ? "" : "validate after a rewind: " + validation.fault;
 }
 
+/// A snapshot that a reader holds, and what the world was when it was made.
+struct HeldSnapshot {
+  WorldSnapshot snapshot;
+  std::string dump;
+
+  /// Returns what is wrong with the snapshot. Empty if nothing is.
+  [[nodiscard]] std::string fault() const {
+    if (snapshot->dump() != dump) return "a snapshot has another dump";
+    const Validation validation = snapshot->validate();
+    return validation.ok ? "" : "validate of a snapshot: " + validation.fault;
+  }
+};
+
 /// Returns what is wrong with a world after a step, or what is wrong with the step's result. Empty if nothing is.
 /// `counted` is a world with the same items.
 inline std::string fault_of_step(World& world, World& counted, LiveItems& live, const Step& step) {
@@ -178,8 +191,8 @@ inline std::string fault_of_step(World& world, World& counted, LiveItems& live, 
 }
 
 /// Checks that every step gives the expected result and leaves a valid mesh, that an attempt to make it leaves the
-/// world as it was, that the last mesh equals the mesh of a new world, and that rewinds bring back earlier ticks.
-/// Returns the first fault.
+/// world as it was, that the last mesh equals the mesh of a new world, that snapshots stay as they are while the world
+/// changes, and that rewinds bring back earlier ticks. Returns the first fault.
 inline std::string fault_of_operations(std::string_view bytes) {
   const ChangeScript script = BytesReader(bytes).read();
   Result<World> world = World::create(script.domain, {.keep_bridges = true});
@@ -187,12 +200,19 @@ inline std::string fault_of_operations(std::string_view bytes) {
   World counted = World::create(script.domain, {.keep_abstraction = false}).value();
   LiveItems live(script.domain);
   std::vector<FuzzedTick> ticks;
+  std::vector<HeldSnapshot> held;
   world->keep_history(1 + script.steps.size());
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
     if (i % 4 == 0) ticks.push_back({world->mark(), world->items_hash(), world->dump()});
     world->set_new_vertex_limit(kNoVertexLimit);
     std::string fault = fault_of_attempt(*world, script.steps[i]);
     if (fault.empty()) fault = fault_of_step(*world, counted, live, script.steps[i]);
+    if (i % 2 == 0) {
+      held.push_back({world->publish(), world->dump()});
+      if (fault.empty() && held.size() > 2) fault = held[held.size() - 3].fault();
+      // The readers release most snapshots after four further steps, and hold the others until the end.
+      if (held.size() > 2 && i % 8 != 0) held.erase(held.end() - 3);
+    }
     if (!fault.empty()) return "step " + std::to_string(i + 1) + ": " + fault;
   }
   Result<World> fresh = World::create(script.domain);
@@ -203,6 +223,10 @@ inline std::string fault_of_operations(std::string_view bytes) {
   if (fresh->items_hash() != world->items_hash()) return "a fresh world has another items hash";
   for (; !ticks.empty(); ticks.resize(ticks.size() / 2)) {
     if (const std::string fault = fault_of_rewind(*world, ticks.back()); !fault.empty()) return fault;
+    held.push_back({world->publish(), world->dump()});
+  }
+  for (const HeldSnapshot& snapshot : held) {
+    if (const std::string fault = snapshot.fault(); !fault.empty()) return fault;
   }
   return "";
 }

@@ -15,6 +15,7 @@
 #include "exact/stage_agreement.hpp"
 #include "support/bridges_check.hpp"
 #include "support/changes_check.hpp"
+#include "support/history_check.hpp"
 #include "support/path_positions_check.hpp"
 #include "support/path_scene_check.hpp"
 #include "support/random_changes.hpp"
@@ -37,7 +38,8 @@ struct Settings {
   std::uint64_t changes = 0;     ///< steps of worlds that change, in total; when above 0, instead of scenes
   std::uint64_t bridges = 0;     ///< changes of worlds with bridges, in total; when above 0, instead of scenes
   std::uint64_t rollbacks =
-      0;  ///< rollbacks of worlds with predicted changes, in total; when above 0, instead of scenes
+      0;                      ///< rollbacks of worlds with predicted changes, in total; when above 0, instead of scenes
+  std::uint64_t history = 0;  ///< steps of worlds with a history and snapshots; when above 0, instead of scenes
 };
 
 struct Totals {
@@ -198,6 +200,43 @@ int run_rollbacks(const Settings& settings) {
               << " changes taken back, " << faults << " faults so far" << std::endl;
   }
   progress.end();
+  return faults == 0 ? 0 : 1;
+}
+
+void print(const HistoryCounts& counts) {
+  std::cout << counts.steps << " steps: " << counts.operations << " operations (" << counts.refusals << " refused), "
+            << counts.marks << " marks, " << counts.rewinds << " rewinds, " << counts.attempts << " attempts, "
+            << counts.snapshots << " snapshots, " << counts.comparisons << " of them compared again later, "
+            << counts.clones << " clones, " << counts.saves << " saves";
+}
+
+/// Mixes operations, marks, rewinds, attempts, snapshots, clones and saves.
+int run_history(const Settings& settings) {
+  constexpr std::uint64_t kStepsOfWorld = 500;
+  const std::vector<Flavour> flavours = flavours_of(settings);
+  Progress progress(settings.history);
+  std::size_t faults = 0;
+  HistoryCounts all;
+  for (std::size_t i = 0; i < flavours.size(); ++i) {
+    const std::uint64_t steps = (settings.history + flavours.size() - 1 - i) / flavours.size();
+    HistoryCounts some;
+    for (std::uint64_t seed = settings.seed; some.steps < steps; ++seed) {
+      const HistoryReport report = check_history(flavours[i], seed, std::min(steps - some.steps, kStepsOfWorld));
+      progress.show(to_string(flavours[i]), seed, report.counts.steps);
+      some += report.counts;
+      if (report.fault.empty()) continue;
+      ++faults;
+      std::cout << to_string(flavours[i]) << ", seed " << seed << ": " << report.fault << std::endl;
+    }
+    std::cout << to_string(flavours[i]) << ": ";
+    print(some);
+    std::cout << ", " << faults << " faults so far" << std::endl;
+    all += some;
+  }
+  progress.end();
+  std::cout << "all: ";
+  print(all);
+  std::cout << ", " << faults << " faults" << std::endl;
   return faults == 0 ? 0 : 1;
 }
 
@@ -368,6 +407,8 @@ int main(int argc, char** argv) {
                  "Count of changes in worlds whose bridges are compared with a rebuild, instead of scenes");
   app.add_option("--rollbacks", settings.rollbacks,
                  "Count of rollbacks of 8 ticks with 10 changes each, instead of scenes");
+  app.add_option("--history", settings.history,
+                 "Count of steps in worlds that go back, try out, copy, save and publish, instead of scenes");
   app.add_option("--seed", settings.seed, "Seed of the first scene; the others follow it")->capture_default_str();
   app.add_option("--predicates", settings.predicates,
                  "Count of calls of each predicate, stage against stage, instead of scenes");
@@ -394,5 +435,6 @@ int main(int argc, char** argv) {
   }
   if (settings.bridges > 0) return waywright::test::run_bridges(settings);
   if (settings.rollbacks > 0) return waywright::test::run_rollbacks(settings);
+  if (settings.history > 0) return waywright::test::run_history(settings);
   return settings.changes > 0 ? waywright::test::run_changes(settings) : waywright::test::run(settings);
 }

@@ -53,6 +53,10 @@ class LiveItems {
 
   [[nodiscard]] const std::map<ItemId, Shape>& items() const { return items_; }
   [[nodiscard]] const Box& domain() const { return domain_; }
+  /// The largest id that an item or reserve() has had.
+  [[nodiscard]] ItemId largest() const { return largest_; }
+  /// World::reserve_ids().
+  void reserve(ItemId last) { largest_ = std::max(largest_, last); }
 
  private:
   [[nodiscard]] std::optional<ErrorCode> refusal(const Change& change, ItemId id) const {

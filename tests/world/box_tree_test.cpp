@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -17,8 +18,8 @@ namespace {
 TEST(BoxTree, FindsTheBoxesThatAListFinds) {
   Random random(4);
   const Box domain{{-10, 0}, {90, 50}};
-  BoxTree tree(domain);
-  std::map<BoxTree::Handle, Box> boxes;
+  BoxTree<std::uint32_t> tree(domain);
+  std::map<BoxTree<std::uint32_t>::Handle, std::pair<Box, std::uint32_t>> boxes;
   const auto random_box = [&] {
     const double size = 200.0 / static_cast<double>(std::size_t{1} << random.below(16));
     const Point at{static_cast<double>(random.between(-20, 100)), static_cast<double>(random.between(-10, 60))};
@@ -30,8 +31,8 @@ TEST(BoxTree, FindsTheBoxesThatAListFinds) {
     if (boxes.size() < 20 || random.chance(i / 2000 % 2 == 0 ? 70 : 30)) {
       const Box box = random_box();
       const auto number = static_cast<std::uint32_t>(i);
-      const BoxTree::Handle handle = tree.insert(box, number);
-      ASSERT_TRUE(boxes.emplace(handle, box).second);
+      const auto handle = tree.insert(box, number);
+      ASSERT_TRUE(boxes.emplace(handle, std::pair(box, number)).second);
     } else {
       const auto any = std::next(boxes.begin(), static_cast<std::ptrdiff_t>(random.below(boxes.size())));
       tree.remove(any->first);
@@ -39,11 +40,16 @@ TEST(BoxTree, FindsTheBoxesThatAListFinds) {
     }
     if (i % 10 != 0) continue;
     const Box asked = random_box();
-    std::size_t count = 0;
-    tree.for_each_overlapping(asked, [&](std::uint32_t) { ++count; });
-    const auto overlaps = [&](const auto& entry) { return entry.second.overlaps(asked); };
-    ASSERT_EQ(count, static_cast<std::size_t>(std::count_if(boxes.begin(), boxes.end(), overlaps))) << "step " << i;
-    found += count;
+    std::vector<std::uint32_t> numbers;
+    tree.for_each_overlapping(asked, [&](std::uint32_t number) { numbers.push_back(number); });
+    std::sort(numbers.begin(), numbers.end());
+    std::vector<std::uint32_t> expected;
+    for (const auto& [handle, entry] : boxes) {
+      if (entry.first.overlaps(asked)) expected.push_back(entry.second);
+    }
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(numbers, expected) << "step " << i;
+    found += numbers.size();
     most = std::max(most, boxes.size());
   }
   EXPECT_GT(found, 1000U);

@@ -118,6 +118,30 @@ TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
   EXPECT_GT(blocked, 20U);
 }
 
+// A path runs along a wall, on its upper side, from a gap around which the agent could also pass on the lower side. It
+// ends beyond a corner of this wall, where only an agent on the upper side arrives.
+TEST(PathWatch, KnowsOnWhichSideOfAWallAPathRuns) {
+  for (const bool is_reversed : {false, true}) {
+    for (const bool is_above : {false, true}) {
+      World world = world_of_hundred();
+      world.insert(Shape::polyline(std::vector<Point>{{30, 50}, {70, 50}, {70, 80}})).value();
+      Path path;
+      path.status = PathStatus::found;
+      path.points = {{20, 50}, {70, 50}, {60, 65}};
+      path.length = 50 + distance(path.points[1], path.points[2]);
+      if (is_reversed) std::reverse(path.points.begin(), path.points.end());
+      ASSERT_TRUE(world.is_clear(path.points).value());
+      PathWatch watch(world);
+      watch.add(1, path);
+      // Touches the wall from above or from below.
+      const double low = is_above ? 50.0 : 44.0;
+      world.insert(Shape::rectangle({{40, low}, {45, low + 6.0}})).value();
+      EXPECT_EQ(world.is_clear(path.points).value(), !is_above);
+      EXPECT_EQ(changes_of(watch, world).blocked, is_above ? Keys{1} : Keys{});
+    }
+  }
+}
+
 TEST(PathWatch, KnowsItsKeys) {
   World world = world_of_hundred();
   PathWatch watch(world);
