@@ -37,24 +37,7 @@ bool BridgeFinder::may_disc_meet(HalfEdge h, HalfEdge border) const {
   const Vertex v = mesh_.target(h);
   if (u == p || u == q) return !is_not_acute(v, u, u == p ? q : p);
   if (v == p || v == q) return !is_not_acute(u, v, v == p ? q : p);
-  const Point& to = position_of(v);
-  return may_touch(Disc::of_edge(position_of(u), to, rounding_), border);
-}
-
-// Let w be a corner of the face, x and y its other vertices, c the centre and r the radius of its circle, and w* the
-// position opposite to w on the circle. The foot f of the bridge lies in the triangle of x, y and w*: see find_wall().
-// A position p lies in the disc of the bridge exactly if (w - p) . (f - p) <= 0. This product is linear in f, so p lies
-// in the disc whose diameter is the segment from w to x, to y or to w*. If the segment has the length 2 s, the distance
-// from c to the centre of this disc is the square root of r^2 - s^2. The sum of this distance and of s is at most
-// sqrt(2) r, so the disc lies in the disc around c with this radius.
-bool BridgeFinder::may_foot_bridge_touch(HalfEdge h, std::span<const Box> boxes) const {
-  const Disc disc = circle_of(h).scaled(0x1.6a09e667f3bcdp+0);  // the square root of 2, rounded up
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return disc.may_touch(box, rounding_); });
-}
-
-bool BridgeFinder::may_disc_touch(HalfEdge h, std::span<const Box> boxes) const {
-  const Disc disc = Disc::of_edge(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return disc.may_touch(box, rounding_); });
+  return may_touch(disc_of(h), border);
 }
 
 // If the apex of a face lies in the closed disc, a wall does, too, because every vertex is the end of a wall. This test
@@ -121,16 +104,8 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
 HalfEdge BridgeFinder::cross(HalfEdge corner, const Seen& x, const Seen& y, View& view) {
   const Vertex w = mesh_.origin(corner);
   const Vertex apex = mesh_.apex(view.entry);
-  const Seen seen = seen_from(position_of(w), apex);
-  const auto may_cross = [&](const Seen& p, const Seen& q) {
-    const bool is_p_beyond_x = is_not_acute(x, p);
-    const bool is_q_beyond_x = is_not_acute(x, q);
-    const bool is_p_beyond_y = is_not_acute(y, p);
-    const bool is_q_beyond_y = is_not_acute(y, q);
-    const bool is_not_acute_at_p = is_not_acute(p, q);
-    const bool is_not_acute_at_q = is_not_acute(q, p);
-    return !(is_not_acute_at_p | is_not_acute_at_q | (is_p_beyond_x & is_q_beyond_x) | (is_p_beyond_y & is_q_beyond_y));
-  };
+  Seen seen = seen_from(position_of(w), apex);
+  seen.beyond = std::uint32_t{is_not_acute(x, seen)} | std::uint32_t{is_not_acute(y, seen)} << 1;
   const bool may_cross_left = may_cross(seen, view.entry_left);
   const bool may_cross_right = may_cross(seen, view.entry_right);
   const HalfEdge left = mesh::previous(view.entry);

@@ -19,9 +19,10 @@ namespace waywright::clearance {
 struct BridgeScratch {
   /// A vertex, relative to a corner of a face from which a search starts.
   struct Seen {
-    Point offset;   ///< from the corner
-    double square;  ///< of the distance from the corner
-    double error;   ///< see BridgeFinder::is_not_acute()
+    Point offset;              ///< from the corner
+    double square;             ///< of the distance from the corner
+    double error;              ///< see BridgeFinder::is_not_acute()
+    std::uint32_t beyond = 0;  ///< bits for the two lines that BridgeFinder::find_wall() describes: 1 for x, 2 for y
   };
   /// The face beyond an edge that a corner sees, and the vertices that bound the view.
   struct View {
@@ -78,6 +79,10 @@ class BridgeFinder {
   /// Returns the wall, as a half-edge that has the bridge on its left, or kNoHalfEdge if there is no such bridge.
   [[nodiscard]] mesh::HalfEdge find_wall(mesh::HalfEdge corner);
 
+  /// The disc whose diameter is the edge of `h`.
+  [[nodiscard]] Disc disc_of(mesh::HalfEdge h) const {
+    return Disc::of_edge(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
+  }
   /// The circle through the three vertices of the face of `h`.
   [[nodiscard]] Disc circle_of(mesh::HalfEdge h) const {
     return Disc::of_triangle(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), position_of(mesh_.apex(h)),
@@ -94,11 +99,13 @@ class BridgeFinder {
     return disc.may_touch(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
   }
 
-  /// Returns false only if no bridge that starts at a corner of the face of `h` and runs into this face has a closed
-  /// disc that contains a point of one of the boxes.
-  [[nodiscard]] bool may_foot_bridge_touch(mesh::HalfEdge h, std::span<const Box> boxes) const;
-  /// Returns false only if the closed disc whose diameter is the edge of `h` contains no point of the boxes.
-  [[nodiscard]] bool may_disc_touch(mesh::HalfEdge h, std::span<const Box> boxes) const;
+  /// Returns false only if no point of the boxes lies in the closed exact disc.
+  [[nodiscard]] bool may_touch(const Disc& disc, std::span<const Box> boxes) const {
+    for (const Box& box : boxes) {
+      if (disc.may_touch(box, rounding_)) return true;
+    }
+    return false;
+  }
 
   /// The first function returns the gap of a bridge along an edge. The second one returns the gap of a bridge from the
   /// origin of `corner` to its foot inside `wall`.
@@ -163,7 +170,7 @@ class BridgeFinder {
     const double square = offset.x * offset.x + offset.y * offset.y;
     double error = 0x1p-48 * square;
     if (rounding_ > 0.0) error += 16.0 * rounding_ * (std::abs(offset.x) + std::abs(offset.y) + rounding_);
-    return {offset, square, error};
+    return {offset, square, error, 0};
   }
   /// Returns whether the angle at `v` between the corner and `p` is surely at least 90 degrees. If c is the corner,
   /// then (c - v) . (p - v) = (v - c)^2 - (v - c) . (p - c). The errors of the two vertices together bound the errors
@@ -171,6 +178,15 @@ class BridgeFinder {
   [[nodiscard]] static bool is_not_acute(const BridgeScratch::Seen& v, const BridgeScratch::Seen& p) {
     const double dot = v.offset.x * p.offset.x + v.offset.y * p.offset.y;
     return dot - v.square >= v.error + p.error;
+  }
+  /// Returns false only if no foot bridge from the corner crosses the edge between `p` and `q`, or ends on it.
+  [[nodiscard]] static bool may_cross(const BridgeScratch::Seen& p, const BridgeScratch::Seen& q) {
+    const double dot = p.offset.x * q.offset.x + p.offset.y * q.offset.y;
+    const double error = p.error + q.error;
+    const bool is_not_acute_at_p = dot - p.square >= error;
+    const bool is_not_acute_at_q = dot - q.square >= error;
+    const bool are_both_beyond = (p.beyond & q.beyond) != 0;
+    return !(is_not_acute_at_p | is_not_acute_at_q | are_both_beyond);
   }
   [[nodiscard]] exact::Sign orientation(mesh::Vertex from, mesh::Vertex to, mesh::Vertex v) const {
     return geometry_.orientation(geometry_.view(number(from)), geometry_.view(number(to)), geometry_.view(number(v)));

@@ -90,7 +90,7 @@ void Bridges::update(const Triangulation& triangulation, const ChangedWalls& cha
   }
   grow_to_mesh(mesh);
   BridgeFinder finder(triangulation, scratch_);
-  find_in_touched(triangulation, finder);
+  find_in_touched(triangulation, changed, finder);
   find_beyond(triangulation, changed, finder);
   guard.done();
 }
@@ -112,7 +112,10 @@ void Bridges::swap_bridges(Bridges& other) {
 
 /// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
 /// an edge of such a face. Then finds the first two kinds again. find_beyond() finds the third kind again.
-void Bridges::find_in_touched(const Triangulation& triangulation, BridgeFinder& finder) {
+///
+/// If the other face of an edge is not touched, its half-edge still says whether the edge was a bridge before. That has
+/// changed only if a changed wall touches the closed disc of the edge.
+void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (const Face f : region_.faces()) clear_face(f);
   for (const Face f : region_.faces()) {
@@ -120,9 +123,15 @@ void Bridges::find_in_touched(const Triangulation& triangulation, BridgeFinder& 
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       find_at_corner(triangulation, finder, h);
+      if (mesh.is_fixed(h)) continue;
       const HalfEdge twin = mesh.twin(h);
-      if (!mesh.is_fixed(h) && (h < twin || !region_.contains(mesh::face(twin))))
+      if (region_.contains(mesh::face(twin))) {
+        if (h < twin) find_at_edge(triangulation, finder, h);
+      } else if (changed.are_all() || finder.may_touch(finder.disc_of(h), changed.boxes())) {
         find_at_edge(triangulation, finder, h);
+      } else {
+        set_bridge(h, is_bridge(twin));
+      }
     }
   }
 }

@@ -94,7 +94,7 @@ class Bridges {
   void grow_to_mesh(const mesh::TriangleMesh& mesh);
 
   void clear_face(mesh::Face f);
-  void find_in_touched(const Triangulation& triangulation, BridgeFinder& finder);
+  void find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
   void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);

@@ -10,43 +10,42 @@ using mesh::Face;
 using mesh::HalfEdge;
 
 // Which bridges can change. The region R is the union of the touched faces. Let b be a bridge before the operation or
-// after it, but not both, and let its corner or its edge belong to untouched faces only. If b ends at a wall that has
-// changed, the face between b and this wall is touched. Otherwise, a wall blocks b in one state and not in the other.
-// This wall lies in R, because all other walls are the same in both states. In the state in which b is a bridge, its
-// closed disc D touches no wall except at the ends of b. Each vertex is the end of a wall. So D contains no vertex of
-// an untouched face except the ends of b, and no other position of a wall on the border of R. The blocking wall
-// therefore does not only touch D at the border of R. In all these cases the open disc D meets the interior of R.
+// after it, but not both, and let its corner or its edge belong to untouched faces only. The walls decide alone what a
+// bridge is. So the closed disc D of b touches a wall that the operation has inserted or removed, at a position t that
+// is no vertex at which b ends: this wall blocks b in the other state, or b ends on this wall. In the state in which b
+// is a bridge, D touches no wall except at the ends of b. Each vertex is the end of a wall. So D contains no vertex of
+// an untouched face except the ends of b. Both faces of a changed wall are touched, so t lies in the interior of R, or
+// R contains the face between b and t.
 //
-// Let w be an end of b that is a vertex, and F the face at w into which b runs or, if b is an edge, one of its two
-// faces. Among the positions inside D and R, choose one whose direction from w is as near to the direction of F as
-// possible (the direction may differ from the best one by less than the angle of a face). The segment from w to it
-// first meets R at a position q of an edge `border`: strictly inside D, and between the ends of that edge. The segment
-// crosses only untouched faces and free edges. (If it starts in a touched face, that face is the touched face at w that
-// is nearest to F; then q is a position near w on the edge of this face that is nearer to F.) Then:
+// Let w be an end of b that is a vertex, and F the face at w into which b runs or, if b is an edge, the one of its two
+// faces that is nearer to t. The segment from w to t lies in D, so it touches no wall before t. Let G be the face at w
+// in which it starts. If G is not touched, the segment first meets R at a position q of an edge `border`: strictly
+// inside D, and between the ends of that edge. Before q, it crosses only untouched faces and free edges. Then:
 //
-// 1. Each face T that the segment crosses contains q strictly inside its circle. The disc D' that touches D at w from
-//    inside and has q on its circle contains no vertex except w, so the vertices of T left and right of the segment lie
-//    outside D'. If q were not strictly inside the circle of T, this circle would cut the segment twice between w and
-//    q, and the circle of D' twice on the left and twice on the right of the segment. But two circles have at most two
-//    common positions. So a search finds the face G at w in which the segment starts: it begins with the face beyond
-//    `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly inside.
-// 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from q. D contains none
-//    of the vertices xi, except xk if b is the edge from w to xk. The disc whose diameter is the edge from w to xi
-//    contains q strictly inside. If this edge is b, the disc is D. Otherwise, the circle of D meets the edge at a
-//    position p before xi. Let v be the other end of b. The diameter of D leads from w to v, so the triangle w p v has
-//    a right angle at p and an acute angle at v. The line through w and p separates q from v, and q lies strictly
-//    inside D. So the angle at q between w and p is obtuse, and the disc whose diameter leads from w to p contains q
-//    strictly inside. This disc lies inside the disc of the edge from w to xi. By the choice of q, no face
-//    between G and F is touched, and no edge between them is a wall, because walls do not meet D. So the search, when
-//    it leaves a face through an edge whose disc meets `border`, continues around both ends of the edge, as long as the
-//    edges' discs meet `border`.
+// 1. The circle of each face T that the segment crosses before q contains q and t strictly inside. The disc D' that
+//    touches D at w from inside and has t on its circle contains no vertex except the ends of b, and at most one of
+//    these two is a vertex of T left or right of the segment. If t were not strictly inside the circle of T, the circle
+//    of T would meet the segment twice up to t, and the circle of D' at least three times: at w or twice on each side,
+//    and so on both sides of the segment. But two circles have at most two common positions. As t and a position before
+//    q are inside the circle, q is, too. So a search finds G: it begins with the face beyond `border`, crosses free
+//    edges, and enters an untouched face if its circle meets `border` strictly inside and touches a changed wall.
+// 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from t. D contains none
+//    of the vertices xi, except xk if b is the edge from w to xk. The edge from w to xi divides D into two pieces. The
+//    piece that contains q and t lies in the disc whose diameter is this edge: the circle of D meets the edge at a
+//    position p before xi or at xi. At the other end of the diameter of D from w, the angle between w and p is acute.
+//    So the angle between w and p at t is not acute, and at q it is obtuse. If b is the edge from w to xk, its disc is D. No edge between G
+//    and F is a wall, because walls do not meet D. So the search, when it leaves a face through an edge whose disc
+//    meets `border` and touches a changed wall, continues around both ends of the edge, as long as this is true of the
+//    edges' discs.
+// 3. If touched faces lie at w from the direction of t to F, let `border` be the edge at w of the last one that is
+//    nearer to F, and q a position of this edge near w. The face beyond `border` is the first face of the search. The
+//    disc whose diameter is `border` contains t, as in 2, and the search continues around w as in 2.
 //
-// If F is G, then F is a face that the search enters. If b is an edge of F, its disc D meets `border`.
-//
-// Most of these bridges do not change. The walls decide alone what a bridge is: b changes only if its closed disc
-// touches a wall that the operation has inserted or removed. So the search notes only corners and edges for which such
-// a disc may touch the box of a changed item. The code in bridges.cpp adds the corners of the bridges that it has
-// removed because they end at touched faces.
+// So the search notes all corners of a face whose circle may touch the box of a changed item, and the corners and the
+// edges around which it continues. Around a face with the radius r, the disc of an edge of the length 2 s lies in the
+// disc with the same centre whose radius is the sum of s and of the square root of r^2 - s^2. This sum is at most
+// sqrt(2) r. If this disc does not touch the boxes either, the search stops. The code in bridges.cpp adds the corners
+// of the bridges that it has removed because they end at touched faces.
 
 void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   mesh_ = &triangulation.topology();
@@ -74,22 +73,30 @@ void ChangedRegion::collect_beyond(const Triangulation& triangulation, const Cha
 }
 
 void ChangedRegion::search_beyond(const Search& search, HalfEdge border) {
+  const HalfEdge first = mesh_->twin(border);
+  const Disc circle = search.finder.circle_of(first);
+  const bool is_first_near = search.may_touch(circle);
+  if (!is_first_near) {
+    if (!search.may_touch(circle.scaled(0x1.6a09e667f3bcdp+0))) return;  // the square root of 2, rounded up
+    if (search.may_touch(search.finder.disc_of(border))) add_corners({first, mesh::next(first)});
+  }
   auto& to_enter = search.scratch.to_enter;
   search.scratch.begin();
-  to_enter.assign({mesh_->twin(border)});
+  to_enter.clear();
+  to_enter.push_back(first);
   while (!to_enter.empty()) {
     const HalfEdge entry = to_enter.back();
     to_enter.pop_back();
     if (!search.scratch.visit(mesh::face(entry))) continue;
-    if (search.may_change_foot_bridges(entry)) {
-      for (const HalfEdge corner : {entry, mesh::next(entry), mesh::previous(entry)}) add_corner(corner);
-    }
+    const bool is_circle_near = is_first_near || entry != first;
+    if (is_circle_near) add_corners({entry, mesh::next(entry), mesh::previous(entry)});
     for (const HalfEdge exit : {mesh::next(entry), mesh::previous(entry)}) {
       if (mesh_->is_fixed(exit) || is_border(exit)) continue;
+      const bool is_disc_near = search.may_be_near(exit, border);
+      if (is_disc_near) add_edge(exit);
+      if (!is_circle_near && !is_disc_near) continue;
       const HalfEdge beyond = mesh_->twin(exit);
-      const bool is_disc_near = search.finder.may_disc_meet(exit, border);
-      if (is_disc_near) note_edge(search, exit);
-      if (search.finder.may_circle_meet(beyond, border)) {
+      if (search.may_touch(search.finder.circle_of(beyond)) && search.finder.may_circle_meet(beyond, border)) {
         to_enter.push_back(beyond);
       } else if (is_disc_near) {
         follow_fan(search, beyond, border, true);
@@ -100,19 +107,15 @@ void ChangedRegion::search_beyond(const Search& search, HalfEdge border) {
 }
 
 /// Notes the corners and edges around an end of `h`: from the face of `h` on, counter-clockwise around its origin or
-/// clockwise around its target, while the discs of the edges meet the border.
+/// clockwise around its target, while the discs of the edges meet the border and touch changed walls.
 void ChangedRegion::follow_fan(const Search& search, HalfEdge h, HalfEdge border, bool is_counter_clockwise) {
   for (;;) {
-    if (search.may_change_foot_bridges(h)) add_corner(is_counter_clockwise ? h : mesh::next(h));
+    add_corner(is_counter_clockwise ? h : mesh::next(h));
     const HalfEdge exit = is_counter_clockwise ? mesh::previous(h) : mesh::next(h);
-    if (mesh_->is_fixed(exit) || is_border(exit) || !search.finder.may_disc_meet(exit, border)) return;
-    note_edge(search, exit);
+    if (mesh_->is_fixed(exit) || is_border(exit) || !search.may_be_near(exit, border)) return;
+    add_edge(exit);
     h = mesh_->twin(exit);
   }
-}
-
-bool ChangedRegion::Search::may_change_foot_bridges(HalfEdge h) const {
-  return changed.are_all() || finder.may_foot_bridge_touch(h, changed.boxes());
 }
 
 void ChangedRegion::add_corner(HalfEdge corner) {
@@ -121,10 +124,13 @@ void ChangedRegion::add_corner(HalfEdge corner) {
   is_corner_[number(corner)] = true;
 }
 
-void ChangedRegion::note_edge(const Search& search, HalfEdge h) {
+void ChangedRegion::add_corners(std::initializer_list<HalfEdge> corners) {
+  for (const HalfEdge corner : corners) add_corner(corner);
+}
+
+void ChangedRegion::add_edge(HalfEdge h) {
   const HalfEdge smaller = std::min(h, mesh_->twin(h));
   if (is_edge_[number(smaller)]) return;
-  if (!search.changed.are_all() && !search.finder.may_disc_touch(h, search.changed.boxes())) return;
   edges_.push_back(smaller);
   is_edge_[number(smaller)] = true;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "waywright/memory_use.hpp"
@@ -49,14 +50,22 @@ class ChangedRegion {
     BridgeFinder& finder;
     BridgeScratch& scratch;
 
-    /// Returns false only if no foot bridge that runs from a corner of the face of `h` into this face has changed.
-    [[nodiscard]] bool may_change_foot_bridges(mesh::HalfEdge h) const;
+    /// Returns false only if the disc touches no changed wall.
+    [[nodiscard]] bool may_touch(const Disc& disc) const {
+      return changed.are_all() || finder.may_touch(disc, changed.boxes());
+    }
+    /// Returns false only if the disc whose diameter is the edge of `h` touches no changed wall, or `border` does not
+    /// meet the open disc. Requires: `border` is another edge.
+    [[nodiscard]] bool may_be_near(mesh::HalfEdge h, mesh::HalfEdge border) const {
+      return may_touch(finder.disc_of(h)) && finder.may_disc_meet(h, border);
+    }
   };
 
   void search_beyond(const Search& search, mesh::HalfEdge border);
   void follow_fan(const Search& search, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
   [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return contains(mesh::face(mesh_->twin(h))); }
-  void note_edge(const Search& search, mesh::HalfEdge h);
+  void add_corners(std::initializer_list<mesh::HalfEdge> corners);
+  void add_edge(mesh::HalfEdge h);
 
   const mesh::TriangleMesh* mesh_ = nullptr;  ///< of the operation
   std::vector<mesh::Face> faces_;
