@@ -398,6 +398,8 @@ std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, st
 /// not longer there, if it continues along the circle. Then the turn is not on a shortest path: the other path and the
 /// rest of this path form an angle at the point where they meet, so a shorter path exists.
 bool DiscOptimal::is_reached_sooner(const Turn& turn, HalfEdge corner) {
+  // At a start that touches the vertex, both turns have the length 0, and neither path has a direction of arrival.
+  if (turn.length == 0.0) return false;
   for (std::uint32_t i = reached_at(turn.vertex, -turn.turn).root; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
     if (root.length > turn.length) continue;
