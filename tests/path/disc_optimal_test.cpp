@@ -188,16 +188,13 @@ TEST(DiscPaths, TurnTowardsAGoalBehindTheEndOfAWall) {
                        {1, -0.20000000000000001}, {-0.40000000000000002, -1.6000000000000001}, 0.050000000000000003));
 }
 
-// The disc touches the end of a wall at the start, so it can turn around this end to both sides at once. The search once
-// left out the second of these two turns.
+// The disc touches the end of a wall at the start, so it can turn around this end to both sides at once. The search
+// once left out the second of these two turns.
 TEST(DiscPaths, TurnToBothSidesAtTheStart) {
-  check_scene(scene_of("the start touches the end of a wall", {{0, 0}, {100, 100}},
-                       {{{85, 70}, {89, 70}},
-                        {{80, 40}, {68, 52}},
-                        {{80, 60}, {73, 68}},
-                        {{73, 68}, {89, 60}},
-                        {{89, 60}, {80, 60}}},
-                       {90, 70}, {35, 20}, 1));
+  check_scene(scene_of(
+      "the start touches the end of a wall", {{0, 0}, {100, 100}},
+      {{{85, 70}, {89, 70}}, {{80, 40}, {68, 52}}, {{80, 60}, {73, 68}}, {{73, 68}, {89, 60}}, {{89, 60}, {80, 60}}},
+      {90, 70}, {35, 20}, 1));
 }
 
 // Two chains of attempts begin with the same turn, and the search once took the second chain for the first one.
