@@ -65,19 +65,19 @@ void DiscLine::walk(HalfEdge face) {
     return cross(target.position - origin.position, start_ - origin.position) < 0.0;
   };
   visited_[number(mesh::face(face))] = stamp_.value();
-  const HalfEdge sides[3] = {face, mesh::next(face), mesh::previous(face)};
-  const Offset ends[3] = {offset(mesh.origin(sides[0])), offset(mesh.origin(sides[1])), offset(mesh.origin(sides[2]))};
+  const HalfEdge edges[3] = {face, mesh::next(face), mesh::previous(face)};
+  const Offset ends[3] = {offset(mesh.origin(edges[0])), offset(mesh.origin(edges[1])), offset(mesh.origin(edges[2]))};
   int first = 3;
   for (int i = 0; i < 3; ++i) {
-    look_at_vertex(sides[i], ends[i]);
+    look_at_vertex(edges[i], ends[i]);
     const Offset& target = ends[(i + 1) % 3];
     if (first == 3 && ends[i].across <= 0.0 && target.across >= 0.0 && is_beyond(ends[i], target)) first = i;
   }
   for (int i = 0; i < 3; ++i) {
-    if (i != first) look_beside(sides[i], ends[i], ends[(i + 1) % 3]);
+    if (i != first) look_beside(edges[i], ends[i], ends[(i + 1) % 3]);
   }
   if (first == 3) return;
-  HalfEdge exit = sides[first];
+  HalfEdge exit = edges[first];
   Offset right = ends[first];
   Offset left = ends[(first + 1) % 3];
   for (;;) {

@@ -14,7 +14,7 @@ using mesh::Vertex;
 namespace {
 
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
-constexpr int kFacesBetweenLooks = 8;
+constexpr int kFacesBetweenBounds = 8;
 
 /// If a vertex is farther than this many radii from the line on which the path arrives, and the circle lies on the
 /// other side of this line, the next line of the path does not lead to the vertex. The exact factor is 2; the rest
@@ -38,7 +38,7 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
   is_found_ = false;
   roots_.clear();
   windows_.clear();
-  turns_.clear();
+  turn_nodes_.clear();
   failed_.clear();
   noted_.clear();
   at_once_.clear();
@@ -50,8 +50,8 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
 }
 
 /// Returns whether the search does not follow lines from a contact across the edge: no disc has its centre there, or a
-/// dead end lies beyond. If the edge is shorter than the disc is wide, no position on it is free; but a line may begin
-/// beyond the edge.
+/// dead end lies beyond. If the edge is shorter than the disc is wide, the disc fits at no position on it; but a line
+/// may begin beyond the edge.
 bool DiscOptimal::is_excluded(const Contact& from, HalfEdge exit) const {
   if (map_->mesh().is_fixed(exit) || ends_->dead_ends().is_before(exit)) return true;
   const Point a = map_->position(map_->mesh().origin(exit));
@@ -167,7 +167,7 @@ void DiscOptimal::follow(Window window) {
     }
     if (is_outside(window, exit)) return;
     window.entry = mesh.twin(exit);
-    if (faces % kFacesBetweenLooks == 0) return offer(window);
+    if (faces % kFacesBetweenBounds == 0) return offer(window);
   }
 }
 
@@ -188,12 +188,12 @@ void DiscOptimal::divide(const Window& window, const Point& apex) {
   leave(right, mesh::next(right.entry));
 }
 
-/// Adds the turn around an end of the window's edge: around the left end if `turn` is kTurnLeft, around the right end
-/// if it is kTurnRight. Requires: the window's bound passes through this end. Does nothing if no path can continue
-/// after the turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the
-/// window's edge. (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on
-/// the bound. Then a path that turns at the root in the same direction does not cross the far edge: it continues along
-/// the bound to the apex.
+/// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is
+/// kTurnRight. Requires: the window's bound passes through this end. Does nothing if no path can continue after the
+/// turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the window's edge.
+/// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on the bound. Then a
+/// path that turns at the root in the same direction does not cross the far edge: it continues along the bound to the
+/// apex.
 void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
@@ -211,8 +211,8 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   if (line) push_turn(window.root, corner, turn, *line, kNone);
 }
 
-/// Adds a turn, unless the path would have to turn back at the root to get there: a path that turns back is not the
-/// shortest.
+/// Adds a turn node, unless the path would have to turn back at the root to get to this contact: a path that turns back
+/// is not the shortest.
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
@@ -226,18 +226,19 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
   const double least = length + distance(touching, ends_->goal());
   if (least > limit_) return;
-  turns_.push_back({corner, root, v, turn, line, length, then});
-  open_.push(least, static_cast<std::uint32_t>(2 * turns_.size() - 1));
+  turn_nodes_.push_back({corner, root, v, turn, line, length, then});
+  open_.push(least, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
 }
 
-/// Returns whether the search tries the same contacts after two turns, in the same order.
+/// Returns whether the search tries the same contacts after two turn nodes, in the same order.
 bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
   while (a != b) {
-    if (a == kNone || b == kNone || turns_[a].vertex != turns_[b].vertex || turns_[a].turn != turns_[b].turn) {
+    if (a == kNone || b == kNone || turn_nodes_[a].vertex != turn_nodes_[b].vertex ||
+        turn_nodes_[a].turn != turn_nodes_[b].turn) {
       return false;
     }
-    a = turns_[a].then;
-    b = turns_[b].then;
+    a = turn_nodes_[a].then;
+    b = turn_nodes_[b].then;
   }
   return true;
 }
@@ -259,8 +260,8 @@ void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
   if (turns_back(roots_[root], line.direction)) return;
   const double length = length_to(roots_[root], line.direction) + line.length;
   if (length > limit_) return;
-  turns_.push_back({ends_->goal_face(), root, mesh::kNoVertex, 0, line, length, kNone});
-  open_.push(length, static_cast<std::uint32_t>(2 * turns_.size() - 1));
+  turn_nodes_.push_back({ends_->goal_face(), root, mesh::kNoVertex, 0, line, length, kNone});
+  open_.push(length, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
 }
 
 void DiscOptimal::offer(const Window& window) {
@@ -290,70 +291,70 @@ double DiscOptimal::bound(const Window& window) const {
   return root.length + std::max(by_edge, root.distance);
 }
 
-// Takes the turn by value: new turns may move the memory of `turns_`.
+// Copies the node: new nodes may move the memory of `turn_nodes_`.
 void DiscOptimal::expand(std::uint32_t index) {
   ++expansions_;
-  const Turn turn = turns_[index];
-  const Root& from = roots_[turn.root];
-  if (is_beyond(from.limit, from.end.contact, from.direction, turn.line.direction)) {
-    if (turn.then != kNone || turn.vertex == mesh::kNoVertex) push_limit(index);
+  const TurnNode node = turn_nodes_[index];
+  const Root& from = roots_[node.root];
+  if (is_beyond(from.limit, from.end.contact, from.direction, node.line.direction)) {
+    if (node.then != kNone || node.vertex == mesh::kNoVertex) push_limit(index);
     return;
   }
-  if (turn.vertex == mesh::kNoVertex) return try_goal(index);
-  Reached& reached = reached_at(turn.vertex, turn.turn);
-  if (const std::uint32_t failed = failed_line(turn, reached.failed); failed != kNone) {
+  if (node.vertex == mesh::kNoVertex) return try_goal(index);
+  Reached& reached = reached_at(node.vertex, node.turn);
+  if (const std::uint32_t failed = failed_line(node, reached.failed); failed != kNone) {
     return push_obstacles(index, failed_[failed].left, failed_[failed].right);
   }
-  const DiscLine::End end = end_at(turn.vertex, turn.turn);
-  const Point touching = touching_point(end.contact, turn.line.direction, map_->radius);
-  const HalfEdge corner = corner_towards(*map_, turn.corner, touching - end.contact.centre, turn.turn);
+  const DiscLine::End end = end_at(node.vertex, node.turn);
+  const Point touching = touching_point(end.contact, node.line.direction, map_->radius);
+  const HalfEdge corner = corner_towards(*map_, node.corner, touching - end.contact.centre, node.turn);
   if (corner == mesh::kNoHalfEdge) return;
-  if (const std::uint32_t better = dominating_root(turn, corner, reached.root); better != kNone) {
-    return go_on(better, turn.then);
+  if (const std::uint32_t better = dominating_root(node, corner, reached.root); better != kNone) {
+    return go_on(better, node.then);
   }
-  if (is_reached_sooner(turn, corner)) return;
+  if (is_reached_sooner(node, corner)) return;
   const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
   if (face.is_behind_wall) return;
-  if (!line_.is_clear(*map_, from.end, end, turn.line, face.h)) {
-    failed_.push_back({turn.root, reached.failed, line_.left(), line_.right()});
+  if (!line_.is_clear(*map_, from.end, end, node.line, face.h)) {
+    failed_.push_back({node.root, reached.failed, line_.left(), line_.right()});
     reached.failed = static_cast<std::uint32_t>(failed_.size() - 1);
     return push_obstacles(index, line_.left(), line_.right());
   }
-  reached.root = add_root({end, corner, turn.line.direction, turn.length, turn.root, {}, reached.root});
+  reached.root = add_root({end, corner, node.line.direction, node.length, node.root, {}, reached.root});
   leave_root(reached.root, corner);
-  go_on(static_cast<std::uint32_t>(roots_.size() - 1), turn.then);
+  go_on(static_cast<std::uint32_t>(roots_.size() - 1), node.then);
 }
 
 void DiscOptimal::try_goal(std::uint32_t index) {
-  const Turn turn = turns_[index];
-  if (!line_.is_clear(*map_, roots_[turn.root].end, {{ends_->goal(), kNoTurn}, mesh::kNoVertex}, turn.line,
+  const TurnNode node = turn_nodes_[index];
+  if (!line_.is_clear(*map_, roots_[node.root].end, {{ends_->goal(), kNoTurn}, mesh::kNoVertex}, node.line,
                       ends_->goal_face())) {
     return push_obstacles(index, line_.left(), line_.right());
   }
   is_found_ = true;
-  length_ = turn.length;
-  last_root_ = turn.root;
-  last_direction_ = turn.line.direction;
+  length_ = node.length;
+  last_root_ = node.root;
+  last_direction_ = node.line.direction;
   at_once_.clear();
 }
 
-/// Adds the turns around the vertices that are too near to a line. After such a turn, the path continues to the end of
-/// the line.
+/// Adds turn nodes for the vertices that are too near to the line of a turn node. After such a turn, the path continues
+/// to the end of this line.
 void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right) {
   for (const int turn : {kTurnLeft, kTurnRight}) {
     const DiscLine::Obstacle obstacle = turn == kTurnLeft ? left : right;
     if (obstacle.vertex == mesh::kNoVertex) continue;
     bool is_repeated = false;
-    for (std::uint32_t i = index; i != kNone; i = turns_[i].then) {
-      is_repeated = is_repeated || (turns_[i].vertex == obstacle.vertex && turns_[i].turn == turn);
+    for (std::uint32_t i = index; i != kNone; i = turn_nodes_[i].then) {
+      is_repeated = is_repeated || (turn_nodes_[i].vertex == obstacle.vertex && turn_nodes_[i].turn == turn);
     }
-    if (!is_repeated) push_turn(turns_[index].root, obstacle.corner, turn, obstacle.line, index);
+    if (!is_repeated) push_turn(turn_nodes_[index].root, obstacle.corner, turn, obstacle.line, index);
   }
 }
 
-/// Adds the turn around the vertex that limits the turn around the root of a line.
+/// Adds a turn node for the vertex that limits the turn around the root of a line.
 void DiscOptimal::push_limit(std::uint32_t index) {
-  const Root& root = roots_[turns_[index].root];
+  const Root& root = roots_[turn_nodes_[index].root];
   const HalfEdge corner = root.limit.limit;
   if (corner == mesh::kNoHalfEdge) return;
   const int turn = root.end.contact.turn;
@@ -368,7 +369,7 @@ void DiscOptimal::push_limit(std::uint32_t index) {
 /// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
 void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
   if (then == kNone) return;
-  const Turn next = turns_[then];
+  const TurnNode next = turn_nodes_[then];
   if (next.vertex == mesh::kNoVertex) {
     if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), kNoTurn}, map_->radius))
       push_goal(root, *line);
@@ -380,14 +381,14 @@ void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
 
 /// Returns a root at the same contact whose path, continued along the circle in either direction, is not longer; or
 /// kNone.
-std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, std::uint32_t first) const {
+std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
-    if (root.length > turn.length) continue;
-    const bool is_before = turn.turn * cross(root.direction, turn.line.direction) >= 0.0;
-    const double angle = turning_angle(root.direction, turn.line.direction, is_before ? turn.turn : -turn.turn);
-    if (root.length + map_->radius * angle > turn.length) continue;
-    if (is_before ? are_on_one_arc(root.corner, corner, turn.turn) : are_on_one_arc(corner, root.corner, turn.turn)) {
+    if (root.length > node.length) continue;
+    const bool is_before = node.turn * cross(root.direction, node.line.direction) >= 0.0;
+    const double angle = turning_angle(root.direction, node.line.direction, is_before ? node.turn : -node.turn);
+    if (root.length + map_->radius * angle > node.length) continue;
+    if (is_before ? are_on_one_arc(root.corner, corner, node.turn) : are_on_one_arc(corner, root.corner, node.turn)) {
       return i;
     }
   }
@@ -395,28 +396,28 @@ std::uint32_t DiscOptimal::dominating_root(const Turn& turn, HalfEdge corner, st
 }
 
 /// Returns whether a path that turns around the same vertex in the other direction reaches the end of the line and is
-/// not longer there, if it continues along the circle. Then the turn is not on a shortest path: the other path and the
+/// not longer there, if it continues along the circle. Then no shortest path contains this line: the other path and the
 /// rest of this path form an angle at the point where they meet, so a shorter path exists.
-bool DiscOptimal::is_reached_sooner(const Turn& turn, HalfEdge corner) {
+bool DiscOptimal::is_reached_sooner(const TurnNode& node, HalfEdge corner) {
   // At a start that touches the vertex, both turns have the length 0, and neither path has a direction of arrival.
-  if (turn.length == 0.0) return false;
-  for (std::uint32_t i = reached_at(turn.vertex, -turn.turn).root; i != kNone; i = roots_[i].next) {
+  if (node.length == 0.0) return false;
+  for (std::uint32_t i = reached_at(node.vertex, -node.turn).root; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
-    if (root.length > turn.length) continue;
+    if (root.length > node.length) continue;
     // A path in the opposite direction with the other turn touches the circle at the same position.
     const Point position = opposite(root.direction);
-    const int side = cross(position, turn.line.direction) >= 0.0 ? 1 : -1;
-    const double angle = turning_angle(position, turn.line.direction, side);
-    if (root.length + map_->radius * angle > turn.length) continue;
+    const int side = cross(position, node.line.direction) >= 0.0 ? 1 : -1;
+    const double angle = turning_angle(position, node.line.direction, side);
+    if (root.length + map_->radius * angle > node.length) continue;
     if (are_on_one_arc(root.corner, corner, side)) return true;
   }
   return false;
 }
 
 /// Returns the entry in `failed_` of the line from the same root to the same contact, or kNone.
-std::uint32_t DiscOptimal::failed_line(const Turn& turn, std::uint32_t first) const {
+std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = failed_[i].next) {
-    if (failed_[i].root == turn.root) return i;
+    if (failed_[i].root == node.root) return i;
   }
   return kNone;
 }

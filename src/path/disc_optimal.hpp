@@ -18,12 +18,13 @@ namespace waywright::path {
 
 /// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
 /// each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which the path turns
-/// around it: left or right. The *root* of a line is the contact that it leaves, or the start. A *turn* is a line from
-/// a root to a contact. A *window* is an edge of the mesh together with two rays from the vertex of a root.
+/// around it: left or right. The *root* of a line is the contact that it leaves, or the start. A *turn node* is
+/// a line from a root to a contact, or to the goal. A *window* is an edge of the mesh together with two rays from the
+/// vertex of a root.
 ///
 /// Windows find the vertices that the vertex of a root sees. They move from face to face, as in Optimal. If a disc can
 /// move along a straight line from one contact to another, then the two vertices see each other. Before a path uses a
-/// line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the search adds the turn around this
+/// line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the search adds a turn node for this
 /// vertex. From there it then tries a line to the end of the old line.
 ///
 /// Whether a disc passes a gap is decided exactly: windows and tested lines cross no gap that is too narrow. All other
@@ -71,20 +72,20 @@ class DiscOptimal {
     Bound left;
   };
   /// A line to a contact or to the goal, which DiscLine has not tested yet.
-  struct Turn {
+  struct TurnNode {
     mesh::HalfEdge corner;  ///< starts at the contact; at the goal: a half-edge of its face
     std::uint32_t root;
     mesh::Vertex vertex;  ///< kNoVertex at the goal
     int turn;             ///< around the vertex; kNoTurn at the goal
     Tangent line;
     double length;       ///< of the path to the end of the line
-    std::uint32_t then;  ///< the turn, in `turns_`, that the search tries after this one, or kNone
+    std::uint32_t then;  ///< the turn node that the search tries after this one, in `turn_nodes_`, or kNone
   };
 
-  /// A turn that the search has added, and the turn that the search tries after it.
+  /// A turn node that the search has added, and the turn node that the search tries after it.
   struct Noted {
     std::uint32_t root;
-    std::uint32_t then;  ///< in `turns_`, or kNone
+    std::uint32_t then;  ///< in `turn_nodes_`, or kNone
     std::uint32_t before;
   };
 
@@ -99,7 +100,7 @@ class DiscOptimal {
   struct Reached {
     std::uint32_t query;
     std::uint32_t root;    ///< the last root at this contact
-    std::uint32_t noted;   ///< the last turn around this contact, in `noted_`
+    std::uint32_t noted;   ///< the last turn node that ends at this contact, in `noted_`
     std::uint32_t failed;  ///< the last line to this contact that failed its test, in `failed_`
   };
 
@@ -128,9 +129,9 @@ class DiscOptimal {
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
   void push_limit(std::uint32_t index);
   void go_on(std::uint32_t root, std::uint32_t then);
-  [[nodiscard]] std::uint32_t dominating_root(const Turn& turn, mesh::HalfEdge corner, std::uint32_t first) const;
-  [[nodiscard]] bool is_reached_sooner(const Turn& turn, mesh::HalfEdge corner);
-  [[nodiscard]] std::uint32_t failed_line(const Turn& turn, std::uint32_t first) const;
+  [[nodiscard]] std::uint32_t dominating_root(const TurnNode& node, mesh::HalfEdge corner, std::uint32_t first) const;
+  [[nodiscard]] bool is_reached_sooner(const TurnNode& node, mesh::HalfEdge corner);
+  [[nodiscard]] std::uint32_t failed_line(const TurnNode& node, std::uint32_t first) const;
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
   void leave_root(std::uint32_t root, mesh::HalfEdge corner);
 
@@ -151,11 +152,11 @@ class DiscOptimal {
 
   std::vector<Root> roots_;
   std::vector<Window> windows_;
-  std::vector<Turn> turns_;
+  std::vector<TurnNode> turn_nodes_;
   std::vector<Failed> failed_;
   std::vector<Noted> noted_;
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
-  OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turns_` + 1
+  OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turn_nodes_` + 1
   DiscLine line_;
   std::vector<DiscStop> stops_;           ///< of the path that was found
   memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn

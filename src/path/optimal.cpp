@@ -15,7 +15,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
-constexpr int kFacesBetweenLooks = 8;
+constexpr int kFacesBetweenBounds = 8;
 
 }  // namespace
 
@@ -222,7 +222,7 @@ void Optimal::follow_window(Node window) {
     if (is_excluded(f, exit)) return;
     window.entry = mesh_->twin(exit);
     window.trace = traced(window.entry, window.trace);
-    if (faces % kFacesBetweenLooks != 0) continue;
+    if (faces % kFacesBetweenBounds != 0) continue;
     const Point left = cone.left_direction();
     const Point right = cone.right_direction();
     if (bound(window, left, right) > at_once_bound_) return push(window, left, right);
