@@ -246,6 +246,13 @@ class SceneMaker {
       const double r = scene.radii[random_.below(4)];
       scene.queries.emplace_back(free_point(walls, r), free_point(walls, r));
     }
+    if (kind_ == SceneKind::touching) {
+      scene.radii = {0.5, 1.0, 1.5, 2.0};
+      for (auto& [start, goal] : scene.queries) {
+        start = beside_end(walls, scene.radii[random_.below(4)]);
+        goal = beside_end(walls, scene.radii[random_.below(4)]);
+      }
+    }
     if (kind_ == SceneKind::cells) {
       for (auto& [start, goal] : scene.queries) {
         start = centre_of_cell(start);
@@ -272,6 +279,19 @@ class SceneMaker {
     return p;
   }
 
+  /// Returns a point at exactly the distance r from the end of a wall. It is often free for r.
+  Point beside_end(const Walls& walls, double r) {
+    Point p;
+    for (int i = 0; i < 30; ++i) {
+      const auto& wall = walls.segments[random_.below(walls.segments.size())];
+      const Point end = random_.chance(50) ? wall.first : wall.second;
+      const double offset = random_.chance(50) ? r : -r;
+      p = inside(random_.chance(50) ? Point{end.x + offset, end.y} : Point{end.x, end.y + offset});
+      if (is_free(walls, p, r)) break;
+    }
+    return p;
+  }
+
   [[nodiscard]] Point centre_of_cell(Point p) const {
     return {std::min(std::floor(p.x), size_ - 1) + 0.5, std::min(std::floor(p.y), size_ - 1) + 0.5};
   }
@@ -290,6 +310,8 @@ class SceneMaker {
         return add_polyline(walls);
       case SceneKind::lattice:
         return add_on_lattice(walls);
+      case SceneKind::touching:
+        return add_item(random_.chance(70) ? SceneKind::lattice : SceneKind::segments, walls);
       case SceneKind::corridors:
         return add_to_corridor(walls);
       case SceneKind::cells:
@@ -431,6 +453,8 @@ std::string_view to_string(SceneKind kind) {
       return "corridors";
     case SceneKind::cells:
       return "cells";
+    case SceneKind::touching:
+      return "touching";
     case SceneKind::mixture:
       return "mixture";
   }
