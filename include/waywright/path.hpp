@@ -45,8 +45,8 @@ enum class PathAlgorithm : std::uint8_t {
 /// std::printf("%g, and no path is shorter than %g\n", best.length, best.lower_bound);
 /// @endcode
 struct PathBudget {
-  /// The number of triangles that the whole search may enter, including the search for the first path. If it is 0, the
-  /// first path is the answer.
+  /// The number of triangles that the whole search may enter, including the search for the first path. For a query with
+  /// a radius above 0, the number of steps of the search. If it is 0, the first path is the answer.
   std::size_t expansions = 0;
   /// The largest time since the start of the search. If this limit ends the search, the answer depends on the clock. In
   /// all other cases the answer does not depend on the clock.
@@ -66,8 +66,8 @@ struct PathQuery {
   Point start;
   Point goal;
   /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
-  /// (WorldOptions::keep_bridges), and the path is in Path::pieces. PathAlgorithm::ta then gives the shortest path,
-  /// as PathAlgorithm::optimal does.
+  /// (WorldOptions::keep_bridges), and the path is in Path::pieces. The first path of PathAlgorithm::ta is then the path
+  /// of PathAlgorithm::tra.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};

@@ -87,7 +87,7 @@ class WAYWRIGHT_API PathSearch {
   /// search.record_windows(true);
   /// search.begin(world, {.start = {1, 1}, .goal = {90, 90}}).value();
   /// while (!search.step(500).value()) continue;
-  /// const bool is_one_each = search.windows().size() == search.path().expansions;  // == true
+  /// const bool has_enough = search.windows().size() >= search.path().expansions;  // == true
   /// for (const SearchWindow& window : search.windows()) draw_line(window.interval.left, window.interval.right);
   /// @endcode
   [[nodiscard]] std::span<const SearchWindow> windows() const;

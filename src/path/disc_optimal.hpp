@@ -39,6 +39,8 @@ class DiscOptimal {
   void begin(const DiscMap& map, const DiscEnds& ends, double limit);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
+  /// A lower bound of the length of each path that is not longer than the limit. Requires: step() has returned false.
+  [[nodiscard]] double least_bound() const { return open_.least_bound(); }
   [[nodiscard]] bool is_found() const { return is_found_; }
   [[nodiscard]] double length() const { return length_; }
   /// Writes the pieces of the path. Requires: is_found().

@@ -12,6 +12,7 @@
 #include "path/clear.hpp"
 #include "path/ends.hpp"
 #include "path/pieces.hpp"
+#include "path/saturating_add.hpp"
 #include "path/tangent.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
@@ -24,6 +25,12 @@ namespace {
 
 using Stage = detail::DiscSearch::Stage;
 using Outcome = detail::DiscSearch::Outcome;
+using Clock = std::chrono::steady_clock;
+
+/// A search with a budget looks at the budget each time it has made this many steps.
+constexpr std::size_t kSlice = 64;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends. Leaves out a line
 /// without length, and an arc that turns by less than a double can express.
@@ -41,10 +48,11 @@ void append(const path::DiscPiece& piece, double radius, const Point& next, std:
   }
 }
 
-/// Writes the answer from `disc.pieces`.
-void write_path(detail::DiscSearch& disc, Path& path) {
+/// Writes the path from `disc.pieces`. `lower_bound` is a lower bound of the length of the shortest path.
+void write_path(const detail::DiscSearch& disc, double lower_bound, Path& path) {
   const std::vector<path::DiscPiece>& pieces = disc.pieces;
   path.status = PathStatus::found;
+  path.pieces.clear();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
     append(pieces[i], path.radius, is_last ? disc.goal : pieces[i + 1].from, path.pieces);
@@ -54,8 +62,7 @@ void write_path(detail::DiscSearch& disc, Path& path) {
   path.pieces.back().to = disc.goal;
   // The length of the rounded pieces, as Path::at computes it.
   path.length = path::length_of(path.pieces);
-  path.lower_bound =
-      disc.stage == Stage::shortest ? path.length : std::min(path.length, distance(disc.start, disc.goal));
+  path.lower_bound = std::min(path.length, lower_bound);
 }
 
 /// Tests the straight line from start to goal. If no wall is near it, writes it as the path and returns true.
@@ -70,15 +77,15 @@ bool find_straight(detail::DiscSearch& disc) {
   return true;
 }
 
-/// Starts the stage `shortest`.
-void begin_shortest(detail::DiscSearch& disc) {
-  disc.stage = Stage::shortest;
-  disc.shortest.begin(*disc.map, disc.ends, disc.length);
+/// Returns whether the search has found a path and its budget is used up.
+bool is_over_budget(const detail::DiscSearch& disc, const Path& path) {
+  if (disc.algorithm != PathAlgorithm::ta || path.status != PathStatus::found) return false;
+  return path.expansions >= disc.budget.expansions || (disc.begun && Clock::now() - *disc.begun >= disc.budget.time);
 }
 
-/// Continues the stage `channel`. If it finds a string, writes its pieces.
-void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  if (!disc.channel.step(limit, expansions)) return;
+/// Continues the stage `channel`. If it finds a string, writes the string as the first path.
+void step_channel(detail::DiscSearch& disc, std::size_t limit, Path& path) {
+  if (!disc.channel.step(limit, path.expansions)) return;
   if (!disc.channel.is_found()) {
     disc.outcome = Outcome::none;
     return;
@@ -86,34 +93,49 @@ void step_channel(detail::DiscSearch& disc, std::size_t limit, std::size_t& expa
   if (disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) {
     disc.string.write_path(disc.pieces);
     disc.length = disc.string.length();
-    if (!disc.wants_shortest) {
+    if (disc.algorithm != PathAlgorithm::optimal) write_path(disc, distance(disc.start, disc.goal), path);
+    if (disc.algorithm == PathAlgorithm::tra || is_over_budget(disc, path)) {
       disc.outcome = Outcome::found;
       return;
     }
   }
-  begin_shortest(disc);
+  disc.stage = Stage::shortest;
+  disc.shortest.begin(*disc.map, disc.ends, disc.length);
 }
 
-/// Continues the stage `shortest`. If it finds a path that is shorter than the string, writes its pieces.
-void step_shortest(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  if (!disc.shortest.step(limit, expansions)) return;
+/// Continues the stage `shortest`, until the search or its budget ends or `path.expansions` reaches `limit`. If the
+/// search finds a path that is shorter than the string, writes its pieces.
+void step_shortest(detail::DiscSearch& disc, std::size_t limit, Path& path) {
+  if (is_over_budget(disc, path)) {
+    disc.outcome = Outcome::found;
+    return;
+  }
+  if (path.status == PathStatus::found) {
+    limit = std::min({limit, disc.budget.expansions, path::saturating_add(path.expansions, kSlice)});
+  }
+  if (!disc.shortest.step(limit, path.expansions)) {
+    path.lower_bound = std::max(path.lower_bound, std::min(path.length, disc.shortest.least_bound()));
+    return;
+  }
   if (disc.shortest.is_found() && disc.shortest.length() < disc.length) {
     disc.shortest.write_path(disc.pieces);
     disc.length = disc.shortest.length();
   }
   disc.outcome = std::isinf(disc.length) ? Outcome::none : Outcome::found;
+  if (disc.outcome == Outcome::found) write_path(disc, kInfinity, path);
 }
 
 /// Continues the search. Returns whether it has ended.
-bool step(detail::DiscSearch& disc, std::size_t limit, std::size_t& expansions) {
-  if (disc.stage == Stage::channel) step_channel(disc, limit, expansions);
-  if (disc.stage == Stage::shortest && disc.outcome == Outcome::running) step_shortest(disc, limit, expansions);
+bool step(detail::DiscSearch& disc, std::size_t limit, Path& path) {
+  while (disc.outcome == Outcome::running && path.expansions < limit) {
+    disc.stage == Stage::channel ? step_channel(disc, limit, path) : step_shortest(disc, limit, path);
+  }
   return disc.outcome != Outcome::running;
 }
 
 /// Writes the time since the start of the search, if the query wants it.
 void write_time(const detail::DiscSearch& disc, Path& path) {
-  if (disc.begun) path.time = std::chrono::steady_clock::now() - *disc.begun;
+  if (disc.wants_time) path.time = Clock::now() - *disc.begun;
 }
 
 }  // namespace
@@ -173,8 +195,9 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.stage = Stage::channel;
   disc.outcome = Outcome::running;
   if (find_straight(disc)) return;
-  disc.wants_shortest = query.algorithm != PathAlgorithm::tra;
-  disc.length = std::numeric_limits<double>::infinity();
+  disc.algorithm = query.algorithm;
+  disc.budget = query.budget;
+  disc.length = kInfinity;
   disc.channel.begin(*disc.map, disc.ends);
 }
 
@@ -184,7 +207,8 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
   detail::DiscSearch& disc = scratch.disc_search;
   disc.outcome = Outcome::none;
   disc.begun.reset();
-  if (query.wants_time) disc.begun = std::chrono::steady_clock::now();
+  disc.wants_time = query.wants_time;
+  if (query.wants_time || query.budget.time != std::chrono::nanoseconds::max()) disc.begun = Clock::now();
   PathQuery freed = query;
   if (!free_disc_ends(freed, scratch, path)) {
     write_time(disc, path);
@@ -192,7 +216,7 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
   }
   begin_disc_search(freed, scratch);
   if (disc.outcome == Outcome::running) return false;
-  write_path(disc, path);
+  write_path(disc, kInfinity, path);
   write_time(disc, path);
   return true;
 }
@@ -200,10 +224,8 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
   if (disc.outcome != Outcome::running) return true;
-  if (!step(disc, limit, path.expansions)) return false;
-  if (disc.outcome == Outcome::found) {
-    write_path(disc, path);
-  } else {
+  if (!step(disc, limit, path)) return false;
+  if (disc.outcome == Outcome::none) {
     WidestPath widest;
     widest_path(disc.start, disc.goal, scratch, widest);
     if (widest.is_connected) path.widest = std::move(widest);

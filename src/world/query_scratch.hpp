@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/clearance.hpp"
+#include "waywright/path.hpp"
 #include "waywright/query_context.hpp"
 
 #include "clearance/bridge_lister.hpp"
@@ -31,18 +32,20 @@ struct DiscSearch {
   /// If the disc can move straight from the start to the goal, no stage runs. The first stage searches for a channel
   /// and for a string through it. If there is no channel, there is no path. The second stage searches for the shortest
   /// path. Its search leaves out everything that is longer than the string. `tra` needs the second stage only if the
-  /// first one finds no string through its channel.
+  /// first one finds no string through its channel. `ta` also needs it if its budget is not used up.
   enum class Stage { channel, shortest };
   enum class Outcome { running, found, none };
 
   Point start;
   Point goal;
   Outcome outcome = Outcome::none;
-  std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants the time
-  std::optional<path::DiscMap> map;                            ///< the stages refer to it and to `ends`
+  std::optional<std::chrono::steady_clock::time_point> begun;  ///< set if the query wants or limits the time
+  bool wants_time = false;
+  std::optional<path::DiscMap> map;  ///< the stages refer to it and to `ends`
   path::DiscEnds ends;
   Stage stage = Stage::channel;
-  bool wants_shortest = false;
+  PathAlgorithm algorithm = PathAlgorithm::optimal;
+  PathBudget budget;
   double length = 0.0;  ///< of `pieces`, or infinity as long as the search has found no path
   path::DiscLine line;
   path::DiscChannel channel;

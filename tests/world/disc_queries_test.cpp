@@ -1,4 +1,7 @@
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +77,58 @@ TEST(DiscSlices, AnswerAsInOneGo) {
     }
   }
   EXPECT_GT(slices, 10 * case_count());
+}
+
+// Between two slices, `ta` already has a path and a lower bound, and both become better.
+TEST(DiscSlices, ImproveThePathOfTa) {
+  PathSearch search;
+  std::size_t improvements = 0;
+  for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const NamedScene scene = scene_of_seed(seed);
+    const World world = world_of(scene);
+    for (PathQuery query : queries_of(scene)) {
+      query.algorithm = PathAlgorithm::ta;
+      query.budget.expansions = PathBudget::kNoLimit;
+      const Path expected = world.find_path(query).value();
+      search.begin(world, query).value();
+      double length = std::numeric_limits<double>::infinity();
+      double lower_bound = 0.0;
+      while (!search.step(3).value()) {
+        const Path& path = search.path();
+        if (path.status != PathStatus::found) continue;
+        ASSERT_LE(path.length, length);
+        ASSERT_GE(path.length, expected.length);
+        ASSERT_GE(path.lower_bound, lower_bound);
+        ASSERT_LE(path.lower_bound, expected.length * (1 + 1e-12));
+        length = path.length;
+        lower_bound = path.lower_bound;
+      }
+      if (length > expected.length && length < std::numeric_limits<double>::infinity()) ++improvements;
+      expect_equal(search.path(), expected);
+      EXPECT_EQ(search.path().lower_bound, search.path().length);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(improvements, case_count() / 10);
+}
+
+TEST(DiscPathsOfTa, EndWithTheirTime) {
+  const NamedScene scene = scene_of_seed(3);
+  const World world = world_of(scene);
+  std::size_t found = 0;
+  for (PathQuery query : queries_of(scene)) {
+    query.algorithm = PathAlgorithm::ta;
+    const Path first = world.find_path(query).value();
+    query.budget = {.expansions = PathBudget::kNoLimit, .time = std::chrono::nanoseconds(0)};
+    expect_equal(world.find_path(query).value(), first);
+    query.budget.time = std::chrono::hours(1);
+    const Path best = world.find_path(query).value();
+    EXPECT_EQ(best.lower_bound, best.length);
+    EXPECT_EQ(best.time.count(), 0);
+    if (best.status == PathStatus::found) ++found;
+  }
+  EXPECT_GT(found, 0U);
 }
 
 TEST(DiscSlices, AnswerForTheWorldOfTheLastSlice) {

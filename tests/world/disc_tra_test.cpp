@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,9 @@
 #include "support/disc_scenes.hpp"
 #include "support/random.hpp"
 
-// The algorithm `tra` for discs: it finds a path exactly if there is one, the path is valid, and on average it is
-// hardly longer than the shortest one.
+// The algorithms `tra` and `ta` for discs: they find a path exactly if there is one, the path is valid, and on average
+// it is hardly longer than the shortest one. With a budget, `ta` improves its path until it has proven that it is the
+// shortest one.
 
 namespace waywright::test {
 namespace {
@@ -33,6 +36,33 @@ struct Excess {
   }
 };
 
+/// Checks the paths that `ta` finds with growing budgets.
+void check_ta(const disc::Walls& walls, const World& world, PathQuery query, double shortest) {
+  query.algorithm = PathAlgorithm::ta;
+  double length = std::numeric_limits<double>::infinity();
+  std::size_t first_expansions = 0;
+  for (const std::size_t budget : {std::size_t{0}, std::size_t{20}, PathBudget::kNoLimit}) {
+    SCOPED_TRACE("budget " + std::to_string(budget));
+    query.budget.expansions = budget;
+    const Path path = world.find_path(query).value();
+    ASSERT_EQ(path.status, PathStatus::found);
+    const auto report = disc::check_path(walls, query.start, query.goal, query.radius, disc::pieces_of(path));
+    ASSERT_EQ(report.fault, "");
+    ASSERT_NEAR(report.length, path.length, 1e-9 * path.length);
+    ASSERT_LE(path.length, length);
+    ASSERT_GE(path.length, shortest * (1 - 1e-12));
+    ASSERT_LE(path.lower_bound, shortest * (1 + 1e-12));
+    if (budget == 0) first_expansions = path.expansions;
+    if (budget == 20) {
+      ASSERT_LE(path.expansions, std::max(first_expansions, budget) + 40) << "hardly more than the budget";
+    }
+    length = path.length;
+    if (budget != PathBudget::kNoLimit) continue;
+    ASSERT_NEAR(path.length, shortest, 1e-12 * shortest);
+    ASSERT_EQ(path.lower_bound, path.length);
+  }
+}
+
 void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, const World& world, const Point& start,
                  const Point& goal, double radius, Excess& excess) {
   if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) return;
@@ -50,6 +80,7 @@ void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, con
   ASSERT_GE(path.length, shortest * (1 - 1e-12));
   ASSERT_LE(path.lower_bound, shortest * (1 + 1e-12));
   excess.add(shortest > 0.0 ? path.length / shortest : 1.0);
+  check_ta(walls, world, query, shortest);
 }
 
 void check_scene(const NamedScene& scene, bool has_point, Excess& excess) {
