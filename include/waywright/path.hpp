@@ -66,8 +66,8 @@ struct PathQuery {
   Point start;
   Point goal;
   /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
-  /// (WorldOptions::keep_bridges), and the path is in Path::pieces. The first path of PathAlgorithm::ta is then the path
-  /// of PathAlgorithm::tra.
+  /// (WorldOptions::keep_bridges), and the path is in Path::pieces. The first path of PathAlgorithm::ta is then the
+  /// path of PathAlgorithm::tra.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
