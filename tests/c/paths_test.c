@@ -250,7 +250,7 @@ void test_search_windows(void) {
   ww_path_info info = {0};
   ww_search_window windows[64];
   ww_bool is_done = 0;
-  size_t count = 1, turned = 0;
+  size_t count = 1, turned = 0, all = 0;
   info.struct_size = sizeof info;
   CHECK_OK(ww_search_create(&search));
   CHECK_OK(ww_path_query_init(&query, sizeof query));
@@ -274,8 +274,9 @@ void test_search_windows(void) {
     CHECK(is_near(windows[i].length, sqrt(30.0 * 30.0 + 5.0 * 5.0)));
   }
   CHECK(turned > 0);
+  all = count;
   CHECK_STATUS(ww_search_windows(search, windows, 1, &count), WW_BUFFER_TOO_SMALL);
-  CHECK(count == info.expansions);
+  CHECK(count == all);
   ww_search_destroy(search);
   ww_world_destroy(world);
 }
