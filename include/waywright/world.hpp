@@ -117,20 +117,19 @@ class WAYWRIGHT_API World {
 
   /// As insert(), for a point: a vertex that stays as long as the item is live. It is not a wall.
   Result<ItemId> insert_point(Point point, ItemId id = {});
-  /// As insert(), for a wall from `a` to `b`. A wall of length zero acts as a point.
+  /// As insert(), for a segment from `a` to `b`. A segment of length zero acts as a point.
   Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
-  /// As insert(), for an open chain of walls through one or more points.
+  /// As insert(), for a polyline: an open chain of sides through one or more points.
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
   /// As insert(), for a solid obstacle of one or more closed rings: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`.
   /// The side from the last point of a ring to its first is implied. The fill rule is FillRule::even_odd: a ring in a
   /// ring is a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
-  /// Removes an item. The resulting mesh is, bit for bit, the mesh that a new world with the remaining items has.
-  /// Errors: unknown_id, bad_id.
-  /// Cost: the triangles that the item touches. The cost does not depend on the size of the world, except with the
-  /// abstraction: if the removal connects two areas, also the triangles of the smaller one.
-  /// Source: Chen 2009, sections 3.4 and 3.5.
+  /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
+  /// the remaining items has. Errors: unknown_id, bad_id. Cost: the triangles that the item touches. The cost does not
+  /// depend on the size of the world, except with the abstraction: if the removal connects two areas, also the
+  /// triangles of the smaller one. Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
   /// Replaces the shape of an item. The item keeps its id. Use it to move an obstacle.

@@ -21,7 +21,7 @@ struct Narrowest {
 /// Finds the widest connection between two cells: the connection whose narrowest gate is longest. Use one object for
 /// many queries, because it keeps its memory.
 ///
-/// Two searches run in turns, one from each end, until one of them enters a cell that the other has entered. Each
+/// Two searches run alternately, one from each end, until one of them enters a cell that the other has entered. Each
 /// search has a *level*: the narrowest gate that it has crossed so far. It first crosses all gates that it has seen and
 /// that are not shorter than its level, those near the other end first. After that, it crosses the longest of the
 /// other gates, which becomes its level. So a search that lowers its level has entered all cells that it can reach

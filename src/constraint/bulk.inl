@@ -14,14 +14,16 @@
 // its neighbours are near it in memory. Then it inserts the sides, whose ends are known, in the order of their items'
 // first corners.
 //
-// In an empty world, all threads insert sides. The vertices are numbered along the curve, so a range of numbers is a
-// region of the domain. Each region is a task of one thread, which inserts the sides for which all vertices of the
-// crossed faces belong to the region (delaunay::LocalEdges). Then one thread inserts the other sides. The regions do
-// not depend on the number of threads, so neither does the mesh, including the numbers of its faces.
+// In an empty world, all threads insert sides, unless there are few items with sides among many points. The vertices
+// are numbered along the curve, so a range of numbers is a region of the domain. Each region is a task of one thread,
+// which inserts the sides for which all vertices of the crossed faces belong to the region (delaunay::LocalEdges). Then
+// one thread inserts the other sides. The regions do not depend on the number of threads, so neither does the mesh,
+// including the numbers of its faces.
 
 namespace waywright::constraint {
 
-/// Sorts `others` and then the corners of all items of a batch along the curve of the domain.
+/// Makes one list of `others` and the corners of all items of a batch, in this order. Returns the list sorted along the
+/// curve of the domain.
 template <class Batch>
 locate::SortedPoints sort_corners(const Box& domain, const Batch& batch, std::span<const Point> others,
                                   const threads::ThreadTeam& team) {
@@ -198,7 +200,7 @@ auto ConstrainedTriangulation<Geometry>::add_records(const Batch& batch, std::sp
   return with_sides;
 }
 
-/// Returns whether an item passed a limit. If one did, sets `refused_index_`.
+/// Returns whether the number of vertices is now above a limit. If so, sets `refused_index_` to the index of the item.
 template <class Geometry>
 template <class Batch>
 bool ConstrainedTriangulation<Geometry>::is_refused_at(const Batch& batch, std::uint32_t slot) {
@@ -231,7 +233,8 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
                                                             const threads::ThreadTeam& team) -> std::vector<LateSide> {
   const std::size_t ranks = topology().vertex_count() - 1;  // without the ghost
   const std::size_t size = std::clamp(ranks / kUsualRegions, kSmallestRegion, kLargestRegion);
-  // The labels of all edges need memory, so one thread inserts a few sides among many points.
+  // Several regions need memory for the labels of all edges. So if there are few items among many points, the code
+  // makes one region, and one thread inserts all sides.
   const std::size_t regions = items.size() < ranks / kPointsPerItem ? 1 : std::max<std::size_t>(ranks / size, 1);
   if (regions > 1) triangulation_.make_room_for_labels();
   std::vector<std::vector<LateSide>> late(regions);

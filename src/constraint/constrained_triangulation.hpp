@@ -81,8 +81,8 @@ class ConstrainedTriangulation {
   /// they are done, and the operation must be undone.
   [[nodiscard]] bool has_too_many_vertices() const { return budget_.is_exceeded(); }
   [[nodiscard]] const VertexBudget& budget() const { return budget_; }
-  /// The index in its batch of an item at which the operation passed a limit. Requires: has_too_many_vertices() is true
-  /// after the insertion of a batch.
+  /// The index in its batch of an item at which the number of vertices exceeded a limit. Requires:
+  /// has_too_many_vertices() is true after the insertion of a batch.
   [[nodiscard]] std::size_t refused_index() const { return refused_index_; }
 
   /// Inserts an item. Requires: all points lie in the domain and are in range, no item has this id, and no ring is

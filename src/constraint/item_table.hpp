@@ -73,7 +73,8 @@ class ItemTable {
   /// Whether there is a polygon with the fill rule nonzero.
   [[nodiscard]] bool has_nonzero_polygons() const { return nonzero_count_ != 0; }
 
-  /// Calls visit(side slot) for each side of an item that has a length, in order. `visit` must not add a side.
+  /// Calls visit(side slot) for each side of an item, in order, but for no side of length zero. `visit` must not add a
+  /// side.
   template <class Visit>
   void for_each_side(std::uint32_t item, Visit&& visit) const {
     for_each_link(item, [&](std::uint32_t slot) {
@@ -161,7 +162,7 @@ class ItemTable {
     FillRule fill = FillRule::even_odd;
   };
   struct Link {
-    Side side;  ///< has no length if it is the side of a ring with one corner
+    Side side;  ///< for a ring with one corner: `from` and `to` are this corner
     /// The next side of the item; after the last side, the first one. The bit kEndsRing marks the last side of a ring.
     std::uint32_t next = kNone;
   };

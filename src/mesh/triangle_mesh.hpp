@@ -88,8 +88,8 @@ class TriangleMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return half_edges_.size() / 3 - free_face_count_; }
-  /// The number of slots of vertices, including free slots: the index of every vertex is below it. The next function
-  /// returns the same number for faces.
+  /// The number of slots of vertices, including free slots: the index of every vertex is below it. face_slots() returns
+  /// the number of slots of faces.
   [[nodiscard]] std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(outgoing_.size()); }
   [[nodiscard]] std::uint32_t face_slots() const { return static_cast<std::uint32_t>(half_edges_.size() / 3); }
   [[nodiscard]] bool is_live(Vertex v) const { return (outgoing_[number(v)] & kFree) == 0; }

@@ -25,10 +25,10 @@ namespace waywright::nav {
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
 /// several searches start from those faces of the component that are adjacent to new faces. Searches that meet are
-/// united. The searches take turns until at most one of them is unfinished. Then the faces of all pieces but one are
-/// known, and these are enough to give each piece its id. If a change connects components, the smaller ones take the id
-/// of the largest. Compare ids only for equality, because the id of a component depends on the history of changes.
-/// Memory: four bytes per face, and up to four more as scratch.
+/// united. The searches advance alternately, step by step, until at most one of them is unfinished. Then the faces of
+/// all pieces but one are known, and these are enough to give each piece its id. If a change connects components, the
+/// smaller ones take the id of the largest. Compare ids only for equality, because the id of a component depends on the
+/// history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Id = std::uint32_t;
