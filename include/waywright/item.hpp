@@ -18,8 +18,8 @@ namespace waywright {
 /// The kind of an item.
 enum class ItemKind : std::uint8_t {
   point,     ///< a vertex; it is not a wall
-  segment,   ///< a wall; a segment of length zero acts as a point
-  polyline,  ///< an open chain of walls
+  segment,   ///< a straight line that no agent can cross; a segment of length zero acts as a point
+  polyline,  ///< an open chain of straight lines that no agent can cross
   polygon,   ///< a solid obstacle of one or more closed rings; its FillRule says what lies inside
 };
 

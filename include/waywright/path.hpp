@@ -204,7 +204,7 @@ struct WAYWRIGHT_API Path {
   double lower_bound = 0.0;
   double radius = 0.0;  ///< the radius of the agent, as in the query
   /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0. If
-  /// the path turns at a crossing of two walls, the point of this turn has the rounded coordinates of the crossing. For
+  /// the path turns at a crossing of two sides, the point of this turn has the rounded coordinates of the crossing. For
   /// this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear() also lets the
   /// agent turn at the exact crossing.
   std::vector<Point> points;

@@ -10,7 +10,7 @@ namespace waywright {
 
 /// A window that a search has followed: an element of PathSearch::windows. A window is the piece of an edge of the mesh
 /// that is visible from its *root*, through the triangles that the search has crossed. The root is the start of the
-/// path, or a corner at which the path turns.
+/// path, or a turn of the path.
 ///
 /// For each window, the search enters one triangle. If windows lie beside each other on one edge, and their roots are
 /// consecutive turns of one path, the search may enter the triangle with all of them in one step. The windows of such a

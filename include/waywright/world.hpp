@@ -497,7 +497,7 @@ class WAYWRIGHT_API World {
   /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The agent may touch
   /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
   /// or at a vertex from one wedge between walls into another. The decision is exact. If there are no points, the
-  /// result is false. Path::points says how the function treats a path that turns at a crossing of two walls.
+  /// result is false. Path::points says how the function treats a path that turns at a crossing of two sides.
   /// Error::index is the index of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the location of the first point, and the triangles that the polyline crosses. Allocates nothing if `context`

@@ -41,9 +41,9 @@ struct WorldOptions {
   /// removes a vertex and an insertion of the same operation makes this vertex again, the vertex counts.
   ///
   /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
-  /// Error::item is the item at which it passed the limit. World::insert_all, insert_points and apply choose the order
-  /// in which they make the vertices of the items. So Error::item need not be the item with the most vertices. A
-  /// refused operation costs the check of all its points, the work until it passed the limit, and taking this work
+  /// Error::item is the item at which it exceeded the limit. World::insert_all, insert_points and apply choose the
+  /// order in which they make the vertices of the items. So Error::item need not be the item with the most vertices. A
+  /// refused operation costs the check of all its points, the work until it exceeded the limit, and taking this work
   /// back.
   ///
   /// @code{.cpp}
