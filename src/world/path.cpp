@@ -65,8 +65,8 @@ Turn turn_before(const std::vector<Point>& points, std::size_t segment) {
 }
 
 /// A path turns around walls. So near a left turn, the walls that it touches lie to the left of the path, and near a
-/// right turn to the right. Returns on which side of the segment no wall is expected: positive means left, negative
-/// means right, and zero means that nothing is known.
+/// right turn to the right. Returns in which direction from the segment no wall is expected: positive means left,
+/// negative means right, and zero means that nothing is known.
 Sign free_direction(const std::vector<Point>& points, std::size_t segment, const Point& point) {
   const Turn before = turn_before(points, segment);
   const Turn after = turn_after(points, segment);
