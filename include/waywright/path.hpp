@@ -298,8 +298,7 @@ struct WAYWRIGHT_API Path {
 ///
 /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the start
 /// finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest goal.
-/// Each further goal adds little. For a radius above 0, the cost is always the cost of one path for each goal, but the
-/// function tests the start only once.
+/// Each further goal adds little. For a radius above 0, the cost is always the cost of one path for each goal.
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;

@@ -52,17 +52,18 @@ class WAYWRIGHT_API PathSearch {
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
-  /// search is done. The first step ends a search by PathAlgorithm::tra. If no search is running, the function returns
-  /// true. For a radius above 0, `expansions` is the number of further steps of the search. If there is no path, the
-  /// last slice also finds Path::widest, at the cost of World::widest_path.
+  /// search is done. If the radius is 0, the first step ends a search by PathAlgorithm::tra. If no search is running,
+  /// the function returns true. For a radius above 0, `expansions` is the number of further steps of the search. If
+  /// there is no path, the last slice also finds Path::widest, at the cost of World::widest_path.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
   /// Cost: proportional to the number of triangles that the search enters; for a radius above 0, to its steps.
   /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
-  /// Returns the answer if the search is done. Before that, returns the best path so far and its proven lower bound.
-  /// The status is PathStatus::no_path as long as the search has found no path.
+  /// Returns the answer if the search is done. Before that, a search by PathAlgorithm::ta returns the best path so far
+  /// and its proven lower bound. The status is PathStatus::no_path as long as `ta` has found no path and, for the other
+  /// algorithms, until the search is done.
   /// Cost: O(1).
   [[nodiscard]] const Path& path() const;
 

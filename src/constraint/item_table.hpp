@@ -112,7 +112,7 @@ class ItemTable {
   std::uint32_t add_item(ItemId id, ItemKind kind, FillRule fill);
   /// Sets the corners and sides of an item. Call it once for each item.
   void set_outline(std::uint32_t item, const Outline& outline);
-  /// Adds the hash of an item, or the sum of several. Call it once for each item, when its corners are known.
+  /// Adds the hash of an item, or the sum of the hashes of several items. Add the hash of each item once.
   void add_hash(const ItemHash::Words& hash) { ItemHash::add_to(hash_, hash); }
   /// Removes an item and its hash. The next begin() frees its slot and the slots of its sides.
   void remove_item(std::uint32_t slot, const ItemHash::Words& hash);

@@ -38,8 +38,8 @@ class CavityFiller {
  private:
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
 
-  /// An edge on the border of the cavity. It runs from the vertex `from` to the vertex `from` of the next edge in the
-  /// chain.
+  /// An edge on the border of one of the two polygons. It runs from the vertex `from` to the vertex `from` of the next
+  /// edge in the chain.
   struct ChainEdge {
     mesh::Vertex from;
     mesh::HalfEdge inner;  ///< its half-edge in the cavity: first in the old face, later in the new face
@@ -80,7 +80,7 @@ class CavityFiller {
   std::vector<std::uint32_t> dangling_;
   std::vector<mesh::Face> cavity_;
   std::vector<ChainCorner> corners_;
-  std::vector<mesh::HalfEdge> inner_edges_;  ///< the new edges between the chains that can be illegal
+  std::vector<mesh::HalfEdge> inner_edges_;  ///< the edges that cutting the ears has made, except u - w
 };
 
 //              left chain           The faces that the new edge u - w crosses leave a cavity. The new edge divides it
@@ -159,8 +159,8 @@ void CavityFiller<Geometry>::pair_dangling_edges(const Mesh& mesh, Chain& chain)
 //          b          Where the chain turns right at b, the triangle a b r is an ear, whichever ears have been cut
 //        /   \        before: no vertex of the rest of the polygon lies in the triangle or on a - r. Proof: suppose
 //      a ----- r      that such a vertex z comes after r. A crossed edge connects z to the base. This edge cannot leave
-//     /         \     the triangle through b - r: b - r is an edge of the chain, or only ears lie beyond it. The other
-//    u - - - - - w    sides of these ears are edges of the chain, which the edge of z does not cross. So the edge of z
+//     /         \     the triangle through b - r: b - r is an edge of the chain, or only ears lie beyond it. These
+//    u - - - - - w    ears lie between b - r and edges of the chain, which the edge of z does not cross. So this edge
 //                     leaves the triangle through a - r and meets the base before the crossed edge of r does. But the
 //                     crossed edges meet the base in the order of the chain.
 //
@@ -209,7 +209,7 @@ mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::V
   return base;
 }
 
-/// Flips the illegal edges between the chains. Returns whether it had to flip an edge.
+/// Flips the illegal edges in `inner_edges_`. Returns whether it had to flip an edge.
 ///
 /// The edges of the chains themselves are always legal, so the faces beyond them stay as they are. Callers of
 /// force_edge() may rely on this. Proof: a triangle on an edge of the chain lies in the cavity, where no edge was

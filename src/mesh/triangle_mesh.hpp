@@ -244,7 +244,7 @@ class TriangleMesh {
     set_label,
     set_label_of_twin,  ///< the entry of a set_label for the face of the twin; it saves no label
     relabel,            ///< set_label for an edge that was fixed and stays fixed
-    relabel_twin,       ///< the same for relabel
+    relabel_twin,       ///< as set_label_of_twin, but for a relabel
     rebuild_label,
   };
   /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.

@@ -27,7 +27,7 @@ class PolylineWalk {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Returns whether the agent can walk from the first point to the last along straight segments. A point between the
-  /// first and the last may stand for itself, or for any crossing of walls that has the same rounded coordinates,
+  /// first and the last may stand for itself, or for any crossing of sides that has the same rounded coordinates,
   /// because paths name a crossing by its rounded coordinates. Returns false if there are no points, or if the first
   /// lies strictly inside a polygon. Requires: all points lie in the domain. Cost: the point location of the first
   /// point, and the faces that the segments cross.
@@ -38,7 +38,7 @@ class PolylineWalk {
   enum class PieceState : std::uint8_t {
     clear,    ///< the agent can pass it, in the same wedges as before
     blocked,  ///< the agent cannot pass it
-    unsure    ///< the agent may have to pass it on another side of a wall than before
+    unsure    ///< the agent may have to pass a wall on its left instead of its right, or the reverse
   };
 
   /// Looks at the piece from points[first] to points[last] of a polyline that was clear before some operations. If the

@@ -91,7 +91,7 @@ class TraStar {
   memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp plus the marks, if this search wrote them
   memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
   std::vector<mesh::Face> tops_;              ///< core faces and roots above the goal; later also faces below them
-  std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the goal back
+  std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the start to the goal
   std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces that it leaves
   TautString string_;
 };
