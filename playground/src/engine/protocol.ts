@@ -109,7 +109,8 @@ export const LEVEL = { covered: 0, deadEnd: 1, corridor: 2, junction: 3 } as con
 /** A search as it stands after a number of steps. */
 export interface FilmFrame {
   readonly isDone: boolean;
-  readonly expansions: number;
+  /** The number of windows that the search has followed. If it records none: the number of its expansions. */
+  readonly steps: number;
   readonly length: number;
   readonly lowerBound: number;
   readonly status: PathStatus;

@@ -1,6 +1,6 @@
 // Path queries of the page.
 import { Path, type PathAlgorithm, PathSearch, type World } from 'waywright';
-import type { Film, FilmFrame, Gap, Route, RouteAnswer, RouteQuery, XY } from './protocol';
+import { type Film, type FilmFrame, type Gap, type Route, type RouteAnswer, type RouteQuery, WINDOW_NUMBERS, type XY } from './protocol';
 
 /** How long the repetitions of one search may take, in milliseconds. */
 const MEASURE_MILLISECONDS = 8;
@@ -69,10 +69,12 @@ export class Router {
   }
 }
 
-function filmFrame(path: Path, isDone: boolean, tolerance: number): FilmFrame {
+function filmFrame(search: PathSearch, isDone: boolean, tolerance: number): FilmFrame {
+  const { path } = search;
   const { status, length, lowerBound, expansions } = path.info;
+  const steps = search.windows().length / WINDOW_NUMBERS || expansions;
   return {
-    isDone, status, length, lowerBound, expansions,
+    isDone, status, length, lowerBound, steps,
     line: lineOf(path, tolerance),
     channel: path.isFound ? path.channel() : new Float64Array(0),
   };
@@ -89,7 +91,7 @@ export function filmOf(world: World, { start, goal, radius, algorithms }: RouteQ
   const frames: FilmFrame[] = [];
   for (let isDone = false; !isDone;) {
     isDone = search.step(slice);
-    frames.push(filmFrame(search.path, isDone, drawTolerance(world)));
+    frames.push(filmFrame(search, isDone, drawTolerance(world)));
   }
   return { frames, windows: search.windows() };
 }

@@ -40,7 +40,7 @@ export class FilmPlayer {
   }
 
   private get total(): number {
-    return this.film?.frames.at(-1)?.expansions ?? 0;
+    return this.film?.frames.at(-1)?.steps ?? 0;
   }
 
   /** Asks the engine for the film, if there is none. */
@@ -101,16 +101,16 @@ export class FilmPlayer {
 
   private frameAt({ frames }: Film): FilmFrame {
     const last = frames.at(-1)!;
-    if (this.at >= last.expansions) return last;
-    const before = frames.filter((frame) => !frame.isDone && frame.expansions <= this.at).at(-1);
+    if (this.at >= last.steps) return last;
+    const before = frames.filter((frame) => !frame.isDone && frame.steps <= this.at).at(-1);
     if (before !== undefined) return before;
     const none = new Float64Array(0);
-    return { isDone: false, expansions: 0, length: 0, lowerBound: 0, status: 'no-path', line: none, channel: none };
+    return { isDone: false, steps: 0, length: 0, lowerBound: 0, status: 'no-path', line: none, channel: none };
   }
 
   private render({ windows }: Film, frame: FilmFrame): void {
     const rows: [string, string][] = [
-      [this.session.ends.radius > 0 ? 'Steps made' : 'Triangles entered', `${count(this.at)} of ${count(this.total)}`],
+      [windows.length > 0 ? 'Windows followed' : 'Steps made', `${count(this.at)} of ${count(this.total)}`],
       [frame.isDone ? 'The path' : 'Best path until now', frame.status === 'found' ? short(frame.length) : 'none'],
     ];
     if (windows.length > 0 && this.at > 0) {
