@@ -7,6 +7,12 @@
 
 namespace waywright {
 
+namespace detail {
+
+struct LoadedPoints;  // of load_world()
+
+}  // namespace detail
+
 /// @addtogroup world
 /// @{
 

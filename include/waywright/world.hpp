@@ -37,12 +37,6 @@
 
 namespace waywright {
 
-namespace detail {
-
-struct LoadedPoints;  // of load_world()
-
-}  // namespace detail
-
 /// @addtogroup world
 /// @{
 
@@ -127,9 +121,11 @@ class WAYWRIGHT_API World {
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
-  /// the remaining items has. Errors: unknown_id, bad_id. Cost: the triangles that the item touches. The cost does not
-  /// depend on the size of the world, except with the abstraction: if the removal connects two areas, also the
-  /// triangles of the smaller one. Source: Chen 2009, sections 3.4 and 3.5.
+  /// the remaining items has.
+  /// Errors: unknown_id, bad_id.
+  /// Cost: the triangles that the item touches. The cost does not depend on the size of the world, except with the
+  /// abstraction: if the removal connects two areas, also the triangles of the smaller one.
+  /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
   /// Replaces the shape of an item. The item keeps its id. Use it to move an obstacle.
@@ -404,10 +400,9 @@ class WAYWRIGHT_API World {
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
-  /// Finds the nearest point to NearestFitQuery::point, among all points where a disc fits: see fit_disc() and, for the
-  /// radius 0, NearestFitQuery::radius. With a goal, it is the nearest point from which the disc gets to the goal. The
-  /// decisions are exact. NearestFit says how precise the distance is. Error::index is 0 for the point and 1 for the
-  /// goal.
+  /// Finds the nearest point to NearestFitQuery::point, among all points where a disc fits (fit_disc(); for the radius
+  /// 0 see NearestFitQuery::radius). With a goal, it is the nearest point from which the disc gets to the goal. The
+  /// decisions are exact. NearestFit says how precise the distance is. Error::index is 0 for the point, 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
   /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
