@@ -56,6 +56,7 @@ void measure_queries(const World& world, const std::vector<Point>& starts, const
   std::vector<Path> paths;
   measure("path batch", kRounds, [&] { world.find_paths(queries, contexts, paths).value(); });
   paths = {};
+  measure("path batch, new memory", kRounds, [&] { world.find_paths(queries, 1).value(); });
   Path path;
   measure("path single", kRounds, [&] {
     for (const PathQuery& query : queries) world.find_path(query, contexts.front(), path).value();

@@ -74,7 +74,8 @@ def times_of_python(data):
 
     return {
         "load points": best(lambda: load_points(data["points"])),
-        "path batch": best(lambda: world.find_paths(starts, goals)),
+        "path batch": (batch := best(lambda: world.find_paths(starts, goals))),
+        "path batch, new memory": batch,
         "path single": best(paths, 3),
         "ray single": best(rays, 3),
         "fit_disc single": best(discs, 3),
