@@ -28,7 +28,7 @@ struct CellEdge {
 };
 
 /// The cells into which walls and bridges divide the domain. A *cell* is a face of the planar graph of walls and
-/// bridges. A disc goes from one cell to the next across a bridge (a *gate*). It can cross the gate if its diameter is
+/// bridges. A disc moves from one cell to the next across a bridge (a *gate*). It can cross the gate if its diameter is
 /// not larger than the length of the bridge.
 ///
 /// Two facts make cells the right pieces for discs:

@@ -253,7 +253,7 @@ void NearestFit::block(const OffsetCurve& curve, HalfEdge wall) {
 
 /// If the gap between the curve's own wall and another wall is shorter than the diameter by less than a rounding error,
 /// block() may have kept the positions where the disc would pass the gap. Exact predicates find these gaps, and cut the
-/// interval there. So from each position of an interval, the disc gets to all others of this interval.
+/// interval there. So the disc can move from each position of an interval to all other positions of this interval.
 void NearestFit::divide_at_gaps(const OffsetCurve& curve, HalfEdge own, HalfEdge wall) {
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const auto divide = [&](const exact::Gap& gap, const Point& other) {

@@ -15,8 +15,8 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   const std::uint32_t slot = items_.slot(id);
   items_.outline(slot, outline_);
-  // In a large world, a removal mostly waits for memory. The code prefetches data as soon as it knows the address.
-  // Some of the faces that were made together with a corner probably still have it as a vertex.
+  // In a large world, a removal spends most of its time waiting for memory. The code prefetches data as soon as it
+  // knows the address. Some of the faces that were made together with a corner probably still have it as a vertex.
   for (const mesh::Vertex v : outline_.corners) {
     triangulation_.prefetch(v);
     triangulation_.prefetch_faces_made_with(v);

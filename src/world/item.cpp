@@ -20,7 +20,7 @@ struct Moments {
 };
 
 /// Returns the moments about `origin`. A near origin keeps the result accurate for small shapes far from (0, 0). The
-/// area is positive if the ring turns counter-clockwise.
+/// area is positive if the ring is counter-clockwise.
 Moments moments(PointSpan ring, const Point& origin) {
   Moments sum;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -37,16 +37,16 @@ Moments moments(PointSpan ring, const Point& origin) {
   return sum;
 }
 
-/// The winding number of the ring around the point.
-int turns_around(const Point& point, PointSpan ring) {
-  int turns = 0;
+/// The number of times that the ring goes around the point.
+int winding_number(const Point& point, PointSpan ring) {
+  int number = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& p = ring[i];
     const Point& q = ring[(i + 1) % ring.size()];
     if ((p.y > point.y) == (q.y > point.y)) continue;
-    if (point.x < p.x + (q.x - p.x) * ((point.y - p.y) / (q.y - p.y))) turns += q.y > p.y ? 1 : -1;
+    if (point.x < p.x + (q.x - p.x) * ((point.y - p.y) / (q.y - p.y))) number += q.y > p.y ? 1 : -1;
   }
-  return turns;
+  return number;
 }
 
 /// Returns the factor by which the ring's area counts in the area of its shape: 1, -1 for a hole, or 0 if it makes no
@@ -54,7 +54,7 @@ int turns_around(const Point& point, PointSpan ring) {
 double share_of_ring(const Shape& shape, std::size_t ring, bool turns_left) {
   int outside = 0;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
-    if (i != ring) outside += turns_around(shape.rings[ring].front(), shape.rings[i]);
+    if (i != ring) outside += winding_number(shape.rings[ring].front(), shape.rings[i]);
   }
   const int inside = outside + (turns_left ? 1 : -1);
   return static_cast<double>(is_filled(shape.fill, inside)) - static_cast<double>(is_filled(shape.fill, outside));

@@ -181,9 +181,9 @@ TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
       string.end_at(channel.goal);
       ASSERT_NEAR(string.length(), shortest_by_trying_all(triangulation, channel), 1e-9)
           << "scene " << scene << ", channel " << i;
-      const std::vector<Point> of_string(string.corners().begin(), string.corners().end());
+      const std::vector<Point> of_string(string.points().begin(), string.points().end());
       ASSERT_EQ(of_string, corners_of(tree, tree.last_corner(funnel, channel.goal)));
-      corners += string.corners().size() - 1;
+      corners += string.points().size() - 1;
     }
   }
   EXPECT_GT(corners, 2000U);
