@@ -897,7 +897,7 @@ WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* key
 /* Writes the keys of the paths of discs to which an inserted item is so near that the disc may touch it, ascending. */
 WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                               size_t* count);
-/* Writes the keys of the paths that may be longer than necessary, because an item was removed that may have
+/* Writes the keys of the paths that may be longer than necessary, because an operation removed an item that may have
    blocked a shorter path; ascending. No other path has become longer than necessary. */
 WW_API ww_status ww_path_watch_may_be_too_long(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                                size_t* count);

@@ -253,14 +253,14 @@ struct WAYWRIGHT_API Path {
   /// Cost: linear in the turns (for a disc, the pieces) before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
-  /// result is rounded as for at(). NaN counts as 0.
+  /// function rounds the result as at() does. NaN counts as 0.
   /// Requires: the path is found. A function of this path returned `from`, and the path has not changed since then.
   /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
   /// Returns the position on the path that is nearest to `point`. If several positions are equally near, the function
-  /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The result
-  /// is rounded as for at().
+  /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The
+  /// function rounds the result as at() does.
   /// Requires: the path is found.
   /// Cost: linear in the turns.
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;

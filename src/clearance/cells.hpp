@@ -70,12 +70,12 @@ class Cells {
     return std::size_t{3} * mesh_.face_slots() + 2 * bridges_.foot_slots();
   }
 
-  /// The cell at a vertex in the direction of `h`, which starts there: its border turns at the vertex from the edge
-  /// before the result to the result. If a bridge or wall runs in this direction, it is the result.
+  /// Consider the cell that lies at the origin of `h`, in the direction of `h`. Returns the edge of its border that
+  /// starts at this vertex. If a bridge or a wall runs in this direction, the result is this bridge or wall.
   [[nodiscard]] CellEdge first_clockwise(mesh::HalfEdge h) const;
 
  private:
-  [[nodiscard]] CellEdge turn(mesh::HalfEdge corner) const;
+  [[nodiscard]] CellEdge next_at_corner(mesh::HalfEdge corner) const;
 
   const Triangulation& triangulation_;
   const mesh::TriangleMesh& mesh_;

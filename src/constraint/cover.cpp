@@ -51,9 +51,9 @@ void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& entries) 
 }
 
 /// Goes from the face of `h` through faces to the outside of the domain. Calls visit(edge) for each edge that the
-/// function crosses, with the half-edge in the face that it leaves. The function turns around a vertex to the vertex's
-/// first neighbour in (x, y) order, then around this neighbour, and so on. At the domain's first corner it leaves the
-/// domain. This ends, because every other vertex has a neighbour that comes before it.
+/// function crosses, with the half-edge in the face that it leaves. The function goes from face to face around a vertex
+/// to the vertex's first neighbour in (x, y) order, then around this neighbour, and so on. At the domain's first corner
+/// it leaves the domain. This ends, because every other vertex has a neighbour that comes before it.
 template <class Visit>
 void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();

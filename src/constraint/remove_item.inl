@@ -90,7 +90,7 @@ std::size_t ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex 
   return degree;
 }
 
-// First looks at a few edges of `u`, then at the edges of both vertices in turn.
+// First looks at a few edges of `u`, then alternately at an edge of each of the two vertices.
 template <class Geometry>
 mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, mesh::Vertex w,
                                                                 std::uint32_t side) const {

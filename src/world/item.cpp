@@ -51,12 +51,12 @@ int winding_number(const Point& point, PointSpan ring) {
 
 /// Returns the factor by which the ring's area counts in the area of its shape: 1, -1 for a hole, or 0 if it makes no
 /// difference.
-double share_of_ring(const Shape& shape, std::size_t ring, bool turns_left) {
+double share_of_ring(const Shape& shape, std::size_t ring, bool is_counter_clockwise) {
   int outside = 0;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
     if (i != ring) outside += winding_number(shape.rings[ring].front(), shape.rings[i]);
   }
-  const int inside = outside + (turns_left ? 1 : -1);
+  const int inside = outside + (is_counter_clockwise ? 1 : -1);
   return static_cast<double>(is_filled(shape.fill, inside)) - static_cast<double>(is_filled(shape.fill, outside));
 }
 
@@ -85,8 +85,8 @@ Point direction(double angle) {
   return {cosine, angle * sine};
 }
 
-/// Returns the direction after i / n of a full turn. Computes it for an angle of at most an eighth of a turn, and then
-/// reflects it and rotates it by quarter turns.
+/// Returns the direction after i / n of a full circle. Computes it for an angle of at most an eighth of a circle, and
+/// then reflects it and rotates it by multiples of 90 degrees.
 Point direction(std::size_t i, std::size_t n) {
   const std::size_t eighth = 8 * i / n;
   const std::size_t rest = 8 * i % n;
@@ -127,8 +127,8 @@ Point centroid(const Shape& shape) {
   Moments sum;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
     const Moments ring = moments(shape.rings[i], origin);
-    const bool turns_left = ring.area > 0.0;
-    const double share = share_of_ring(shape, i, turns_left) * (turns_left ? 1.0 : -1.0);
+    const bool is_counter_clockwise = ring.area > 0.0;
+    const double share = share_of_ring(shape, i, is_counter_clockwise) * (is_counter_clockwise ? 1.0 : -1.0);
     sum.area += share * ring.area;
     sum.x += share * ring.x;
     sum.y += share * ring.y;

@@ -180,7 +180,7 @@ int run_worlds(const Settings& settings, std::uint64_t total, Check&& check) {
 }
 
 int run_changes(const Settings& settings) {
-  constexpr std::uint64_t kStepsOfWorld = 500;
+  static constexpr std::uint64_t kStepsOfWorld = 500;
   const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t left, ChangeCounts& counts) {
     const std::size_t live_count = 10 + seed % 6 * 10;
     const ChangeScript script = random_changes(flavour, seed, std::min(left, kStepsOfWorld), live_count);
@@ -207,7 +207,7 @@ int run_bridges(const Settings& settings) {
 
 /// Plays games with rollback.
 int run_rollbacks(const Settings& settings) {
-  constexpr std::uint64_t kRollbacksOfWorld = 25;
+  static constexpr std::uint64_t kRollbacksOfWorld = 25;
   const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t left, RollbackCounts& counts) {
     const RollbackReport report = check_rollbacks(flavour, seed, std::min(left, kRollbacksOfWorld));
     counts += {report.rollbacks, report.changes};
@@ -218,7 +218,7 @@ int run_rollbacks(const Settings& settings) {
 
 /// Mixes operations, marks, rewinds, attempts, snapshots, clones and saves.
 int run_history(const Settings& settings) {
-  constexpr std::uint64_t kStepsOfWorld = 500;
+  static constexpr std::uint64_t kStepsOfWorld = 500;
   const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t left, HistoryCounts& counts) {
     const HistoryReport report = check_history(flavour, seed, std::min(left, kStepsOfWorld));
     counts += report.counts;
