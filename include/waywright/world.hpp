@@ -202,8 +202,8 @@ class WAYWRIGHT_API World {
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
-  /// is a function that takes a `const World&` (Change has an example). If it returns a T, attempt() returns a
-  /// Result<T>. If it returns nothing, attempt() returns a Result<void>. If it returns a Result, so does attempt().
+  /// is a function that takes a `const World&` (Change has an example). If it returns a T or a Result<T>, attempt()
+  /// returns a Result<T>. If it returns nothing or a Result<void>, attempt() returns a Result<void>.
   ///
   /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
   /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an

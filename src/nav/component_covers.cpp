@@ -25,7 +25,7 @@ bool contains(std::span<const std::uint32_t> slots, std::uint32_t slot) {
 
 }  // namespace
 
-/// Removes the removed polygons from all covers.
+/// Removes the polygons in `changes.removed` from all covers.
 void Components::remove_from_covers(const Changes& changes) {
   for (const std::uint32_t polygon : changes.removed) {
     while (covers_.is_used(polygon)) {
