@@ -31,9 +31,9 @@
      If your function breaks this rule for the world of the running call, the function of the library that it calls does
      nothing and returns WW_INVALID_ARGUMENT. ww_world_destroy and ww_snapshot_destroy return no status: they do
      nothing, too, and ww_last_error() gives the error.
-   - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use
-     it. A function whose parameter is `const ww_world*` reads the world. A context serves one call at a time: make one
-     for each thread. The library has no other shared data, except the allocator. */
+   - Threads: several threads may read one object at once. While a thread changes an object, no other thread may use it.
+     A function whose parameter is `const ww_world*` reads the world. Only one call at a time may use a context: make
+     one for each thread. The library has no other shared data, except the allocator. */
 #ifndef WAYWRIGHT_H
 #define WAYWRIGHT_H
 
@@ -223,14 +223,14 @@ typedef int32_t ww_item_kind;
 enum {
   WW_ITEM_POINT = 0,    /* a vertex, no wall */
   WW_ITEM_SEGMENT = 1,  /* a wall; a segment of length 0 acts as a point */
-  WW_ITEM_POLYLINE = 2, /* an open chain of walls */
+  WW_ITEM_POLYLINE = 2, /* an open polyline; its straight pieces are walls */
   WW_ITEM_POLYGON = 3   /* a solid obstacle of one or more closed rings */
 };
 /* Returns the name of a kind in world scripts: "polyline". */
 WW_API const char* ww_item_kind_name(ww_item_kind kind);
 
-/* Which positions lie inside a polygon. The winding number says how often all rings together turn around a position:
-   each counter-clockwise turn counts as 1, each clockwise turn as -1. */
+/* Which positions lie inside a polygon. The winding number of a position says how often the rings go around it
+   counter-clockwise, minus how often they go around it clockwise. */
 typedef int32_t ww_fill_rule;
 enum {
   WW_FILL_EVEN_ODD = 0, /* inside if the winding number is odd: a ring in a ring is a hole */
@@ -333,7 +333,7 @@ WW_API ww_status ww_world_insert(ww_world* world, const ww_shape* shape, ww_id i
 WW_API ww_status ww_world_insert_point(ww_world* world, ww_point point, ww_id id, ww_id* inserted);
 /* Inserts a wall from `a` to `b`. */
 WW_API ww_status ww_world_insert_segment(ww_world* world, ww_point a, ww_point b, ww_id id, ww_id* inserted);
-/* Inserts an open chain of walls through one or more points. */
+/* Inserts an open polyline through one or more points. Its straight pieces are walls. */
 WW_API ww_status ww_world_insert_polyline(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
                                           ww_id* inserted);
 /* Inserts a solid obstacle of one ring, with the fill rule WW_FILL_EVEN_ODD. The side from the last point to the first
@@ -406,8 +406,8 @@ WW_API ww_status ww_world_apply(ww_world* world, const ww_change* changes, size_
 /* ---------------------------------------------------------------------------------------------------------------------
    Going back and trying out */
 
-/* Makes the world remember its last `ticks` ticks from now on. If the history has more ticks, the world drops the
-   oldest. With 0, the world drops its history and keeps none. A world keeps no history by default. */
+/* Makes the world keep its last `ticks` ticks from now on. If the history has more ticks, the world drops the oldest.
+   With 0, the world drops its history and keeps none. A world keeps no history by default. */
 WW_API ww_status ww_world_keep_history(ww_world* world, size_t ticks);
 /* Names the current state of the world. `tick` receives its number, and may be null: 1 for the first call, and one more
    for each further call. After a rewind, the numbers continue from the tick to which the world went back.
@@ -432,10 +432,10 @@ typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
                                   void* user_data);
-/* Finds out whether changes would enclose an agent. They would if the agent can get from one of the points to another
-   now, but not after the changes. They also would if the agent can stand at one of the points now, but this point is
-   blocked after the changes. Points that are blocked or not connected now do not matter. The function makes no change.
-   It is exact and moves no point.
+/* Finds out whether changes would enclose an agent. The answer is 1 in two cases: the agent can move from one of the
+   points to another now, but not after the changes; or one of the points is not blocked now, but is blocked after the
+   changes. Points that are blocked or not connected now do not matter. The function makes no change. It is exact and
+   moves no point.
    Errors: the errors of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
    radius is 0 and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does
    not keep its bridges. ww_error.index is the index of the refused point or change.
@@ -543,7 +543,7 @@ WW_API ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, doubl
 
 typedef struct ww_nearest_fit_query {
   uint32_t struct_size;
-  ww_bool has_goal; /* 0 by default; 1: the answer is a position from which the disc gets to `goal` */
+  ww_bool has_goal; /* 0 by default; 1: the answer is a position from which the disc can move to `goal` */
   ww_point point;
   ww_point goal;
   double radius; /* 0 by default */
@@ -569,16 +569,16 @@ WW_API ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fi
 
 typedef struct ww_widest_path {
   uint32_t struct_size;
-  ww_bool is_connected; /* whether a disc of some radius above 0 gets from start to goal; if not, all others are 0 */
+  ww_bool is_connected; /* whether a disc with a radius above 0 can move to the goal; if not, all others are 0 */
   ww_bool is_limited;   /* whether a gap between the ends limits the disc */
   double radius;        /* the largest radius of a disc that passes all gaps; infinity if no gap limits it */
   ww_point from;        /* where the narrowest gap starts: the corner of an item, or of the domain */
   ww_point to;          /* where this gap ends, rounded */
 } ww_widest_path;
 
-/* Finds the largest disc that gets from start to goal, and the gap that stops every larger disc. The disc must also fit
-   at both ends: see ww_world_fit_disc. The lists are the items with a side at the two ends of the gap, ascending; 0 is
-   the border of the domain. Further errors: WW_NO_BRIDGES. */
+/* Finds the largest disc that can move from start to goal, and the gap that stops every larger disc. The disc must also
+   fit at both ends: see ww_world_fit_disc. The lists are the items with a side at the two ends of the gap, ascending; 0
+   is the border of the domain. Further errors: WW_NO_BRIDGES. */
 WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, ww_context* context,
                                       ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
@@ -608,7 +608,7 @@ WW_API ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context*
 typedef int32_t ww_path_algorithm;
 enum {
   WW_ALGORITHM_TA = 0,     /* a first path quickly, and a better one within a budget */
-  WW_ALGORITHM_TRA = 1,    /* a good path in very little time, for crowds; needs the abstraction */
+  WW_ALGORITHM_TRA = 1,    /* a good path in very little time, useful for crowds; needs the abstraction */
   WW_ALGORITHM_OPTIMAL = 2 /* the shortest path */
 };
 /* Returns the name of an algorithm: "ta", "tra", "optimal". */
@@ -735,9 +735,9 @@ WW_API ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size
 WW_API ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count);
 /* Writes the items that block an end, ascending; 0 is the border of the domain. Empty unless an end is blocked. */
 WW_API ww_status ww_path_blockers(const ww_path* path, ww_id* items, size_t capacity, size_t* count);
-/* Gives the largest disc that gets from start to goal, if no path for the disc of the query exists (WW_PATH_NO_PATH)
-   and a smaller disc gets there. Otherwise the function sets is_connected to 0. The lists are as in
-   ww_world_widest_path. */
+/* Gives the largest disc that can move from start to goal, if no path for the disc of the query exists
+   (WW_PATH_NO_PATH) and a smaller disc can move there. Otherwise the function sets is_connected to 0. The lists are as
+   in ww_world_widest_path. */
 WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                 size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
@@ -767,7 +767,7 @@ WW_API ww_status ww_path_advance(const ww_path* path, double step, ww_precision 
 /* Gives the position on the path that is nearest to a point, for example for a unit that has left its path. */
 WW_API ww_status ww_path_nearest(const ww_path* path, ww_point point, ww_precision precision,
                                  ww_path_position* position);
-/* Writes the path as points, for programs that know no arcs: for a point agent its points; for a disc so many points
+/* Writes the path as points, for programs that cannot use arcs: for a point agent its points; for a disc so many points
    that the straight segments between them are nowhere farther than `tolerance` from the path. Empty if the path is not
    found. Errors: WW_BAD_DISTANCE, if the tolerance is negative, not a number, or below 2^-20 times the radius. */
 WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_point* points, size_t capacity,
@@ -795,8 +795,8 @@ WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
    default. */
 WW_API ww_status ww_search_record_windows(ww_search* search, ww_bool wanted);
 
-/* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded,
-   and serve for pictures. */
+/* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded:
+   use them only for pictures. */
 typedef struct ww_search_window {
   ww_point root;      /* where the path turned last, or its start */
   ww_portal edge;     /* the whole edge; left and right as seen from the root */
@@ -897,7 +897,7 @@ WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* key
 /* Writes the keys of the paths of discs to which an inserted item is so near that the disc may touch it, ascending. */
 WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                               size_t* count);
-/* Writes the keys of the paths that may be longer than necessary, because an item was removed that may have
+/* Writes the keys of the paths that may be longer than necessary, because an operation removed an item that may have
    blocked a shorter path; ascending. No other path has become longer than necessary. */
 WW_API ww_status ww_path_watch_may_be_too_long(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                                size_t* count);

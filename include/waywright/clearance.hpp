@@ -40,8 +40,8 @@ struct NearestFitQuery {
   /// The radius of the disc, 0 or more. With the radius 0, the answer is the position that a path query would take
   /// instead of a blocked end: the nearest position in or on the border of a triangle that no polygon covers.
   double radius = 0.0;
-  /// The goal: the point to which the disc must get from the answer. If it is not set, every position at which the disc
-  /// fits can be the answer. If the disc does not fit at the goal, there is no answer.
+  /// The goal: the point to which the disc must be able to move from the answer. If it is not set, every position at
+  /// which the disc fits can be the answer. If the disc does not fit at the goal, there is no answer.
   std::optional<Point> goal{};
   /// The largest distance of the answer from `point`, 0 or more.
   double limit = std::numeric_limits<double>::infinity();
@@ -54,9 +54,9 @@ struct NearestFitQuery {
 /// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
 /// @endcode
 ///
-/// If the disc fits at the point of the query and, if the query has a goal, gets from there to the goal, this point is
-/// the answer. There is one exception: if the radius is 0 and polygons cover all triangles around the point, it is not
-/// the answer (see NearestFitQuery::radius), even if the point lies on the boundaries of these polygons.
+/// If the disc fits at the point of the query and, if the query has a goal, can move from there to the goal, this point
+/// is the answer. There is one exception: if the radius is 0 and polygons cover all triangles around the point, it is
+/// not the answer (see NearestFitQuery::radius), even if the point lies on the boundaries of these polygons.
 ///
 /// The coordinates of the answer are doubles, so the answer can lie a little farther away than the nearest position at
 /// which the disc fits. The distance is the smallest possible one, up to a relative error of 1e-9 or up to the rounding
@@ -66,7 +66,7 @@ struct NearestFitQuery {
 /// if doubles can express a position there. Of several equally near points, the first in (x, y) order is the answer.
 struct NearestFit {
   /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
-  /// the disc gets to the goal. If not, all other members are zero.
+  /// the disc can move to the goal. If not, all other members are zero.
   bool is_found = false;
   Point at;               ///< a point where the disc fits, as World::fit_disc decides exactly
   double distance = 0.0;  ///< from the query's point to `at`
@@ -74,8 +74,8 @@ struct NearestFit {
   friend bool operator==(const NearestFit&, const NearestFit&) = default;
 };
 
-/// The answer of World::widest_path: the radius of the largest disc that gets from a start to a goal, and the gap that
-/// stops every larger disc. If you reuse one object for many queries, it keeps its memory.
+/// The answer of World::widest_path: the radius of the largest disc that can move from a start to a goal, and the gap
+/// that stops every larger disc. If you reuse one object for many queries, it keeps its memory.
 ///
 /// @code{.cpp}
 /// World rooms = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
@@ -90,17 +90,17 @@ struct NearestFit {
 /// Source: Pollack, *The maximum capacity through a network*, 1960, on gaps that are Gabriel edges (Gabriel and Sokal
 /// 1969).
 struct WidestPath {
-  /// Whether a disc of some radius above 0 gets from the start to the goal. This is impossible, for example, if the
+  /// Whether a disc of some radius above 0 can move from the start to the goal. This is impossible, for example, if the
   /// start or the goal lies on a wall or in the interior of a polygon. If the member is false, all other members are
   /// zero or empty.
   bool is_connected = false;
-  /// Whether a gap between the ends limits the disc. If not, each disc that fits at both ends gets from one to the
+  /// Whether a gap between the ends limits the disc. If not, each disc that fits at both ends can move from one to the
   /// other.
   bool is_limited = false;
   /// The largest radius of a disc that passes all gaps of the widest path: half the length of its narrowest gap,
-  /// rounded down. A disc with this radius or a smaller one gets from start to goal if it fits at both. A disc with the
-  /// next larger double as its radius does not. The radius is infinity if the ends are connected and no gap limits the
-  /// disc.
+  /// rounded down. A disc with this radius or a smaller one can move from start to goal if it fits at both. A disc with
+  /// the next larger double as its radius cannot. The radius is infinity if the ends are connected and no gap limits
+  /// the disc.
   double radius = 0.0;
   Point from;                      ///< the corner of an item, or of the domain, at which the gap starts
   Point to;                        ///< where the gap ends, rounded: another corner, or a position inside a wall

@@ -26,17 +26,17 @@ enum class ItemKind : std::uint8_t {
 /// Returns the name of a kind in world scripts: `point`, `segment`, `polyline`, `polygon`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(ItemKind kind);
 
-/// The rule that says which positions lie inside a polygon. It uses the winding number: how often all rings together
-/// turn around a position. Each counter-clockwise turn counts as 1 and each clockwise turn as -1. The property
-/// `fill-rule` of SVG has the same two values.
+/// The rule that says which positions lie inside a polygon. It uses the winding number of the position: how often the
+/// rings go around it counter-clockwise, minus how often they go around it clockwise. The property `fill-rule` of SVG
+/// has the same two values.
 enum class FillRule : std::uint8_t {
-  even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, in whichever direction it turns
+  even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, whatever its direction
   nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if their directions differ
 };
 
-/// Returns whether a polygon with this rule covers the positions whose winding number is `turns`.
-[[nodiscard]] constexpr bool is_filled(FillRule rule, std::int32_t turns) {
-  return rule == FillRule::even_odd ? turns % 2 != 0 : turns != 0;
+/// Returns whether a polygon with this rule covers the positions that have this winding number.
+[[nodiscard]] constexpr bool is_filled(FillRule rule, std::int32_t winding_number) {
+  return rule == FillRule::even_odd ? winding_number % 2 != 0 : winding_number != 0;
 }
 
 /// Returns the name of a fill rule: `even-odd`, `nonzero`.

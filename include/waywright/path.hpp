@@ -25,7 +25,7 @@ namespace waywright {
 /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta` and `tra`).
 enum class PathAlgorithm : std::uint8_t {
   ta,       ///< a first path quickly, and a better one with a PathBudget: triangulation A* (Demyen and Buro 2006)
-  tra,      ///< a good path in very little time, for crowds: triangulation reduction A* (Demyen and Buro 2006)
+  tra,      ///< a good path in very little time, useful for crowds: triangulation reduction A* (Demyen and Buro 2006)
   optimal,  ///< the shortest path: after Polyanya (Cui, Harabor and Grastien 2017)
 };
 
@@ -46,7 +46,8 @@ enum class PathAlgorithm : std::uint8_t {
 /// @endcode
 struct PathBudget {
   /// The number of triangles that the whole search may enter, including the search for the first path. For a query with
-  /// a radius above 0, the number of steps of the search. If it is 0, the first path is the answer.
+  /// a radius above 0, the member is the number of steps of the search. If the member is 0, the first path is the
+  /// answer.
   std::size_t expansions = 0;
   /// The largest time since the start of the search. If this limit ends the search, the answer depends on the clock. In
   /// all other cases the answer does not depend on the clock.
@@ -90,8 +91,8 @@ struct PathQuery {
   ///   world that keeps its abstraction.
   ///
   /// If the radius is above 0 and the disc does not fit at an end, the search takes the position that
-  /// World::nearest_fit() finds within the tolerance. It prefers positions from which the disc gets to the other end.
-  /// The second of the two reasons does not apply to discs.
+  /// World::nearest_fit() finds within the tolerance. It prefers positions from which the disc can move to the other
+  /// end. The second of the two reasons does not apply to discs.
   std::optional<double> end_tolerance{};
 };
 
@@ -209,14 +210,14 @@ struct WAYWRIGHT_API Path {
   /// agent turn at the exact crossing.
   std::vector<Point> points;
   /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, or if
-  /// there is no path. If start and goal are equal, there is one line of length 0. Each position on the pieces keeps at
-  /// least the radius from all walls, up to rounding errors.
+  /// there is no path. If start and goal are equal, there is one line of length 0. No wall is nearer to a position on
+  /// the pieces than the radius, up to rounding errors.
   std::vector<PathPiece> pieces;
   /// The edges that the path crosses, in order. Empty if there is no path, if PathQuery::wants_channel is false, or if
   /// the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
-  /// The number of triangles that the search entered. If the query has a radius above 0, the number of steps of the
-  /// search.
+  /// The number of triangles that the search entered. If the query has a radius above 0, the member is the number of
+  /// steps of the search.
   std::size_t expansions = 0;
   /// The time that the search took. 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};
@@ -225,9 +226,9 @@ struct WAYWRIGHT_API Path {
   /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
   /// disc there, see DiscFit::items. Empty unless the status is start_blocked or goal_blocked.
   std::vector<ItemId> blockers;
-  /// The radius of the largest disc that gets from start to goal, and the gap that stops every larger disc. The search
-  /// sets this member if the query has a radius above 0, the status is no_path, and a smaller disc gets from start to
-  /// goal.
+  /// The radius of the largest disc that can move from start to goal, and the gap that stops every larger disc. The
+  /// search sets this member if the query has a radius above 0, the status is no_path, and a smaller disc can move from
+  /// start to goal.
   std::optional<WidestPath> widest;
 
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
@@ -252,24 +253,24 @@ struct WAYWRIGHT_API Path {
   /// Cost: linear in the turns (for a disc, the pieces) before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
-  /// result is rounded as for at(). NaN counts as 0.
+  /// function rounds the result as at() does. NaN counts as 0.
   /// Requires: the path is found. A function of this path returned `from`, and the path has not changed since then.
   /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
   /// Returns the position on the path that is nearest to `point`. If several positions are equally near, the function
-  /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The result
-  /// is rounded as for at().
+  /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The
+  /// function rounds the result as at() does.
   /// Requires: the path is found.
   /// Cost: linear in the turns.
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
 
-  /// Returns the path as points, for programs that know no arcs. For a point agent, the result is `points`. For a disc,
-  /// the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance allows.
-  /// The function leaves out each point that equals the point before it. All points lie on the path, up to rounding
-  /// errors. No position on the straight segments between them is farther than `tolerance` from the path. So no wall is
-  /// nearer to these segments than the radius minus the tolerance. A tolerance above half the radius counts as half the
-  /// radius, so that the segments never touch a wall. If the path is not found, the result is empty.
+  /// Returns the path as points, for programs that cannot use arcs. For a point agent, the result is `points`. For a
+  /// disc, the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance
+  /// allows. The function leaves out each point that equals the point before it. All points lie on the path, up to
+  /// rounding errors. No position on the straight segments between them is farther than `tolerance` from the path. So
+  /// no wall is nearer to these segments than the radius minus the tolerance. A tolerance above half the radius counts
+  /// as half the radius, so that the segments never touch a wall. If the path is not found, the result is empty.
   ///
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

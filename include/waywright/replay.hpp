@@ -40,7 +40,7 @@ namespace waywright {
 class WAYWRIGHT_API ReplayWriter {
  public:
   /// Starts a log: writes the domain and the items that `world` contains now. Writes a hash at each tick whose number
-  /// is a multiple of `ticks_per_hash`. The stream must live as long as this object.
+  /// is a multiple of `ticks_per_hash`. The stream must exist as long as this object.
   /// Requires: `ticks_per_hash` is 1 or more.
   /// Cost: linear in the items of the world.
   ReplayWriter(std::ostream& out, const World& world, std::uint64_t ticks_per_hash = 1);
@@ -55,13 +55,13 @@ class WAYWRIGHT_API ReplayWriter {
   /// Cost: linear in the points of the shapes.
   Result<void> record(std::span<const Change> changes, std::span<const ItemId> ids);
 
-  /// Ends a tick. Ticks count from 1. If the log gets a hash at this tick, the function also flushes the stream, so
-  /// that the log is complete up to this tick even if the program crashes later.
+  /// Ends a tick. Ticks count from 1. If the function writes a hash at this tick, it also flushes the stream, so that
+  /// the log is complete up to this tick even if the program crashes later.
   /// Errors: unwritable.
   /// Cost: O(1).
   Result<void> tick(const World& world);
-  /// Ends a tick, too. Use this function in a game with rollback, which knows only later that a tick is final. `hash`
-  /// is the World::items_hash() at the end of this tick.
+  /// Ends a tick whose hash you have kept: `hash` is the World::items_hash() at the end of the tick. Use this function
+  /// in a game with rollback, where a tick becomes final only later.
   /// Errors: unwritable.
   /// Cost: O(1).
   Result<void> tick(const ItemsHash& hash);

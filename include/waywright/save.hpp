@@ -42,7 +42,7 @@ namespace waywright {
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world(const World& world, std::ostream& out);
 
 /// Reads a world from a stream, and leaves the stream after the last byte of the world. Open the stream in binary mode.
-/// The function trusts no byte of the stream: it checks the form, the checksum, and the hash of the items. It
+/// Any byte of the stream may be wrong: the function checks the form, the checksum, and the hash of the items. It
 /// allocates memory only for the bytes that the stream really has. Error::index is the number of bytes before the
 /// fault, or 0 if a world refuses the domain or an item. BulkOptions::progress reports only the construction of the
 /// mesh, which begins after the function has read all bytes.
@@ -51,11 +51,11 @@ namespace waywright {
 /// Cost: the cost of World::insert_all().
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
 
-/// Writes a world to a file. The function first writes a temporary file in the same folder, brings it to the disk, and
-/// then gives it the name of the file. So even if the computer stops, the file is completely the old one or completely
-/// the new one. On an error, the function removes the temporary file, and the old file stays as it is. The new file has
-/// the permissions of the old one. If `file_name` is a symbolic link, the function replaces the file to which it leads.
-/// Error messages start with the file name.
+/// Writes a world to a file. The function first writes a temporary file in the same folder, waits until this file is on
+/// the disk, and then gives it the name of the file. So even if the computer stops, the file is completely the old one
+/// or completely the new one. On an error, the function removes the temporary file, and the old file stays as it is.
+/// The new file has the permissions of the old one. If `file_name` is a symbolic link, the function replaces the file
+/// to which it leads. Error messages start with the file name.
 /// Errors: unwritable, for example if there is a folder, a device or a pipe with this name.
 /// Cost: the cost of save_world().
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world_file(const World& world, const std::string& file_name);

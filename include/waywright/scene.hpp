@@ -60,10 +60,10 @@ enum class SceneFormat : unsigned char {
 [[nodiscard]] WAYWRIGHT_API Result<SceneFormat> scene_format(std::string_view file_name);
 
 /// Reads a map of Moving AI from text. Cell (x, y) is the square [x, x+1] x [y, y+1], and y points down. The cells `.`,
-/// `G` and `S` are free, the cells `@`, `O`, `T` and `W` are blocked. Each group of blocked cells that are connected
-/// through their sides becomes one polygon with an outer ring and its holes. The rings have points only where they
-/// turn. Each ring is simple, even if cells of one group touch only diagonally; at these points, two rings touch. Ids
-/// count from 1 in the order of the first cell of each group, row by row. The domain is [0, width] x [0, height].
+/// `G` and `S` are free, the cells `@`, `O`, `T` and `W` are blocked. Blocked cells that touch along a line form a
+/// group. Each group becomes one polygon with an outer ring and its holes. The rings have points only where they turn.
+/// Each ring is simple, even if cells of one group touch only diagonally; at these points, two rings touch. Ids count
+/// from 1 in the order of the first cell of each group, row by row. The domain is [0, width] x [0, height].
 /// Errors: malformed.
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);

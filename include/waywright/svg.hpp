@@ -96,8 +96,8 @@ struct SvgPolyline {
   std::string hint = {};    ///< as in SvgDisc
 };
 
-/// A text that you add to a picture. It stands to the right of `at`, or to the left if the map has no room on the
-/// right.
+/// A text that you add to a picture. The picture shows it to the right of `at`, or to the left if the map has no room
+/// on the right.
 struct SvgLabel {
   Point at;
   std::string text = {};

@@ -63,12 +63,10 @@ namespace waywright {
 class WAYWRIGHT_API World {
  public:
   /// @name Making a world
-  /// You need this group once, at the start of your program or level, and to copy a world: to try changes, or to go
-  /// back to an earlier state.
+  /// You need this group at the start of your program or level, and to copy a world.
   /// @{
 
-  /// Returns an empty world over the closed box `domain`: four vertices, two triangles, and four constrained edges with
-  /// the id 0.
+  /// Returns an empty world over `domain`: four vertices, two triangles, and four constrained edges with the id 0.
   /// Errors: coordinate_range, bad_domain.
   /// Cost: O(1).
   [[nodiscard]] static Result<World> create(const Box& domain, const WorldOptions& options = {});
@@ -87,7 +85,7 @@ class WAYWRIGHT_API World {
 
   /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
-  /// Returns the options with which the world was created, with the present new_vertex_limit().
+  /// Returns the options of create(), with the present new_vertex_limit().
   /// Cost: O(1).
   [[nodiscard]] WorldOptions options() const;
 
@@ -109,22 +107,22 @@ class WAYWRIGHT_API World {
   /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
-  /// As insert(), for a point: a vertex that stays as long as the item is live. It is not a wall.
+  /// Inserts a point, as insert() does: a vertex that stays as long as the item is live. It is not a wall.
   Result<ItemId> insert_point(Point point, ItemId id = {});
-  /// As insert(), for a segment from `a` to `b`. A segment of length zero acts as a point.
+  /// Inserts a segment from `a` to `b`, as insert() does. A segment of length zero acts as a point.
   Result<ItemId> insert_segment(Point a, Point b, ItemId id = {});
-  /// As insert(), for a polyline: an open chain of sides through one or more points.
+  /// Inserts a polyline, as insert() does: an open chain of sides through one or more points.
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
-  /// As insert(), for a solid obstacle of one or more closed rings: `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`.
-  /// The side from the last point of a ring to its first is implied. The fill rule is FillRule::even_odd: a ring in a
-  /// ring is a hole.
+  /// Inserts a solid obstacle of one or more closed rings, as insert() does:
+  /// `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from the last point of a ring to its first is implied.
+  /// The fill rule is FillRule::even_odd: a ring in a ring is a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
   /// the remaining items has.
   /// Errors: unknown_id, bad_id.
-  /// Cost: the triangles that the item touches. The cost does not depend on the size of the world, except with the
-  /// abstraction: if the removal connects two areas, also the triangles of the smaller one.
+  /// Cost: the triangles that the item touches, however large the world is. With the abstraction, a removal that
+  /// connects two areas also costs the triangles of the smaller area.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
@@ -159,7 +157,7 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of insert(), remove() and replace().
   /// Cost: the sum of the costs of the changes. Insertions that follow each other are as fast as insert_all().
   Result<std::vector<ItemId>> apply(std::span<const Change> changes);
-  /// Does the same for changes that you write in braces: `world.apply({Change::remove(7), Change::insert(shape, 8)})`.
+  /// Calls apply() with changes in braces: `world.apply({Change::remove(7), Change::insert(house, 8)})`.
   Result<std::vector<ItemId>> apply(std::initializer_list<Change> changes) {
     return apply(std::span<const Change>(std::data(changes), changes.size()));
   }
@@ -167,8 +165,7 @@ class WAYWRIGHT_API World {
   /// @}
 
   /// @name Going back and trying out
-  /// You need this group for a game with rollback, for the undo of an editor, and to find out what a change would lead
-  /// to before you make it.
+  /// You need this group for a game with rollback, for the undo of an editor, and to test a change before you make it.
   ///
   /// @code{.cpp}
   /// world.keep_history(8);  // the last 8 ticks
@@ -180,8 +177,8 @@ class WAYWRIGHT_API World {
   /// @endcode
   /// @{
 
-  /// Makes the world remember its last `ticks` ticks from now on. A tick is a state of the world that mark() has named.
-  /// If the history has more ticks, the world drops the oldest. With 0, the world drops its history and keeps none.
+  /// Makes the world keep its last `ticks` ticks from now on. A tick is a state of the world that mark() has named. If
+  /// the history has more ticks, the world drops the oldest. With 0, the world drops its history and keeps none.
   /// Cost: O(1), or linear in what the world drops.
   void keep_history(std::size_t ticks);
 
@@ -205,8 +202,8 @@ class WAYWRIGHT_API World {
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
-  /// is a function that takes a `const World&` (Change has an example). If it returns a T, attempt() returns a
-  /// Result<T>. If it returns nothing, attempt() returns a Result<void>. If it returns a Result, so does attempt().
+  /// is a function that takes a `const World&` (Change has an example). If it returns a T or a Result<T>, attempt()
+  /// returns a Result<T>. If it returns nothing or a Result<void>, attempt() returns a Result<void>.
   ///
   /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
   /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
@@ -219,27 +216,27 @@ class WAYWRIGHT_API World {
   /// change in `changes`.
   /// Cost: the cost of apply() and of the question. Taking the changes back allocates nothing and costs less than
   /// making them.
-  /// Threads: like an operation, also while the question runs: no other thread may call any member.
+  /// Threads: the call is an operation, also while the question runs: no other thread may call any member.
   template <class Question>
   auto attempt(std::span<const Change> changes, Question&& question) -> detail::ResultOfAttempt<Question> {
     if (auto begun = begin_attempt(changes); !begun) return begun.error();
     const detail::AttemptGuard guard(*this);
     return detail::ask(question, std::as_const(*this));
   }
-  /// Does the same for changes that you write in braces.
+  /// Calls attempt() with changes in braces: `world.attempt({Change::remove(7)}, question)`.
   template <class Question>
   auto attempt(std::initializer_list<Change> changes, Question&& question) {
     return attempt(std::span<const Change>(std::data(changes), changes.size()), std::forward<Question>(question));
   }
 
-  /// Returns whether changes would enclose an agent. They would if the agent can get from one of the points to another
-  /// now, but not after the changes. They also would if the agent can stand at one of the points now, but this point
-  /// is blocked after the changes. The function makes no change. It is exact and moves no point.
+  /// Returns whether changes would enclose an agent. The result is true in two cases: the agent can move from one of
+  /// the points to another now, but not after the changes; or one of the points is not blocked now, but is blocked
+  /// after the changes. The function makes no change. It is exact and moves no point.
   ///
-  /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent gets from one point
-  /// to another as in find_path() with the PathQuery::end_tolerance 0. With a radius above 0, a point is blocked if the
-  /// disc does not fit there (fit_disc()), and a disc gets to another point only through gaps that are wide enough.
-  /// Points that are blocked or not connected now do not matter. Change has an example.
+  /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent can move from one
+  /// point to another if find_path() finds a path with the PathQuery::end_tolerance 0. With a radius above 0, a point
+  /// is blocked if the disc does not fit there (fit_disc()), and a disc can move to another point only through gaps
+  /// that are wide enough. Points that are blocked or not connected now do not matter. Change has an example.
   /// Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
@@ -247,18 +244,17 @@ class WAYWRIGHT_API World {
   /// Cost: the cost of attempt() and the location of each point, twice. With a radius above 0, also the gaps that the
   /// disc can pass, for each area in which a point lies.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
-  /// Does the same for the insertion of one shape.
+  /// Returns whether the insertion of one shape would enclose an agent, as would_disconnect() does for changes.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
 
   /// @}
 
   /// @name Snapshots for readers on other threads
-  /// You need this group if some threads find paths while another thread changes the world. WorldSnapshot has an
-  /// example.
+  /// You need this group if threads find paths while another thread changes the world. WorldSnapshot has an example.
   /// @{
 
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
-  /// changes. WorldSnapshot describes the copies of the world that this needs. If memory runs out, nothing changes.
+  /// changes. WorldSnapshot describes the copies of the world. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
   /// Cost: for each item that has changed since a free copy was last equal to this world, at most one removal and one
   /// insertion, however often the item has changed. If no copy is free, or if more than a 32nd of all items, and more
@@ -401,7 +397,7 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
 
   /// Finds the nearest point to NearestFitQuery::point, among all points where a disc fits (fit_disc(); for the radius
-  /// 0 see NearestFitQuery::radius). With a goal, it is the nearest point from which the disc gets to the goal. The
+  /// 0 see NearestFitQuery::radius). With a goal, it is the nearest point from which the disc can move to the goal. The
   /// decisions are exact. NearestFit says how precise the distance is. Error::index is 0 for the point, 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
   /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
@@ -415,8 +411,8 @@ class WAYWRIGHT_API World {
   /// @copydoc nearest_fit(const NearestFitQuery&, QueryContext&, NearestFit&) const
   [[nodiscard]] Result<NearestFit> nearest_fit(const NearestFitQuery& query) const;
 
-  /// Finds the largest disc that gets from `start` to `goal`, and the gap that stops every larger disc. All comparisons
-  /// are exact. The disc must also fit at the two ends themselves: see fit_disc().
+  /// Finds the largest disc that can move from `start` to `goal`, and the gap that stops every larger disc. All
+  /// comparisons are exact. The disc must also fit at the two ends themselves: see fit_disc().
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
   /// Cost: the walls nearest to both ends, and n log n in the number of gaps at least as wide as the narrowest gap of
   /// the widest path. Allocates nothing if `context` and `widest` have been used for a query of the same size before.
@@ -476,8 +472,7 @@ class WAYWRIGHT_API World {
   /// @copydoc find_paths_from(const ManyGoalsQuery&, QueryContext&, std::vector<Path>&) const
   [[nodiscard]] Result<std::vector<Path>> find_paths_from(const ManyGoalsQuery& query) const;
 
-  /// Returns the default of PathQuery::end_tolerance: the largest magnitude of a coordinate of the domain, times 2^-20
-  /// (about a millionth).
+  /// Returns the default of PathQuery::end_tolerance: 2^-20 of the largest magnitude of a coordinate of the domain.
   /// Cost: O(1).
   [[nodiscard]] double default_end_tolerance() const;
 

@@ -37,8 +37,9 @@ struct WorldOptions {
   /// between your largest size and World::vertex_count().
   ///
   /// The limit counts the vertices at new corners and the vertices at new crossings. It does not count vertices that
-  /// exist already. If an operation changes several items, their new vertices are added up. If the removal of an item
-  /// removes a vertex and an insertion of the same operation makes this vertex again, the vertex counts.
+  /// exist already. If an operation changes several items, the limit applies to the sum of their new vertices. If the
+  /// removal of an item removes a vertex and an insertion of the same operation makes this vertex again, the vertex
+  /// counts.
   ///
   /// An operation that would make more vertices stops, takes all its changes back and returns too_many_vertices.
   /// Error::item is the item at which it exceeded the limit. World::insert_all, insert_points and apply choose the

@@ -38,18 +38,20 @@ inline constexpr char kEmptySnapshot[] =
 /// was made. The immutable world has no history. To get a world that you can change, call its World::clone().
 ///
 /// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
-/// function returns the same snapshot. The world keeps up to two copies of itself for later snapshots. When the readers
-/// have released a snapshot, a later call uses its copy again: it repeats the later changes of the world in this copy.
-/// Suppose that the readers release each snapshot when the next one exists. Then the third call uses the copy of the
-/// first snapshot again and repeats the changes since the first call, the fourth call uses the copy of the second
-/// snapshot, and so on. If no copy is free, the call makes one. The first call makes a copy for this reason, and so
-/// does each call at which readers hold more snapshots at once than ever before. After the first call, each operation
-/// also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
-/// memory as a clone(). World::shrink_to_fit() frees the copies that no reader holds.
+/// function returns the same snapshot. Each snapshot has a copy of the world. When the readers have released a
+/// snapshot, a later call uses its copy again: the call repeats the later changes of the world in this copy. The world
+/// keeps up to two such copies for later snapshots. Suppose that the readers release each snapshot when the next one
+/// exists. Then the third call uses the copy of the first snapshot again and repeats the changes since the first call,
+/// the fourth call uses the copy of the second snapshot, and so on. If no copy is free, the call makes one. The first
+/// call makes a copy for this reason, and so does each call at which readers hold more snapshots at once than ever
+/// before. After the first call, each operation also records the ids of the items that it changes, 16 bytes for each.
+/// Each snapshot that readers hold takes as much memory as a clone(). World::shrink_to_fit() frees the copies that no
+/// reader holds.
 ///
 /// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
-/// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can outlive its
-/// world. Do not use a reference to the immutable world, or a PathSearch in it, after you have released the snapshot.
+/// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can exist
+/// longer than its world. Do not use a reference to the immutable world, or a PathSearch in it, after you have released
+/// the snapshot.
 ///
 /// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
 /// thread at a time, like a std::shared_ptr: give each thread a copy of its own. Threads may copy, release and destroy

@@ -12,7 +12,7 @@ using Kind = CellEdge::Kind;
 CellEdge Cells::next(const CellEdge& edge) const {
   switch (edge.kind) {
     case Kind::bridge:
-      return turn(mesh::next(edge.h));
+      return next_at_corner(mesh::next(edge.h));
     case Kind::foot_down:
       return {Kind::wall, bridges_.foot(edge.foot).wall, edge.foot};
     case Kind::foot_up:
@@ -23,12 +23,12 @@ CellEdge Cells::next(const CellEdge& edge) const {
   const std::uint32_t foot =
       edge.foot == Bridges::kNone ? bridges_.first_foot_on(edge.h) : bridges_.foot(edge.foot).next;
   if (foot != Bridges::kNone) return {Kind::foot_up, bridges_.foot(foot).corner, foot};
-  return turn(mesh::next(edge.h));
+  return next_at_corner(mesh::next(edge.h));
 }
 
 /// The border has reached the origin of `corner`, along the other edge of this corner. Clockwise from there come the
 /// foot bridge in the corner, if there is one, and then the edge of `corner` itself.
-CellEdge Cells::turn(HalfEdge corner) const {
+CellEdge Cells::next_at_corner(HalfEdge corner) const {
   if (const std::uint32_t foot = bridges_.foot_at(corner); foot != Bridges::kNone)
     return {Kind::foot_down, corner, foot};
   return first_clockwise(corner);

@@ -28,7 +28,7 @@ struct CellEdge {
 };
 
 /// The cells into which walls and bridges divide the domain. A *cell* is a face of the planar graph of walls and
-/// bridges. A disc goes from one cell to the next across a bridge (a *gate*). It can cross the gate if its diameter is
+/// bridges. A disc moves from one cell to the next across a bridge (a *gate*). It can cross the gate if its diameter is
 /// not larger than the length of the bridge.
 ///
 /// Two facts make cells the right pieces for discs:
@@ -70,12 +70,12 @@ class Cells {
     return std::size_t{3} * mesh_.face_slots() + 2 * bridges_.foot_slots();
   }
 
-  /// The cell at a vertex in the direction of `h`, which starts there: its border turns at the vertex from the edge
-  /// before the result to the result. If a bridge or wall runs in this direction, it is the result.
+  /// Consider the cell that lies at the origin of `h`, in the direction of `h`. Returns the edge of its border that
+  /// starts at this vertex. If a bridge or a wall runs in this direction, the result is this bridge or wall.
   [[nodiscard]] CellEdge first_clockwise(mesh::HalfEdge h) const;
 
  private:
-  [[nodiscard]] CellEdge turn(mesh::HalfEdge corner) const;
+  [[nodiscard]] CellEdge next_at_corner(mesh::HalfEdge corner) const;
 
   const Triangulation& triangulation_;
   const mesh::TriangleMesh& mesh_;

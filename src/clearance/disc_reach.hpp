@@ -9,16 +9,16 @@
 
 namespace waywright::clearance {
 
-/// Finds the cells from which a disc gets to a goal: the cells that are connected with the cell of the goal by gates
-/// that are not shorter than the diameter. Use one object for many queries, because it keeps its memory.
+/// Finds the cells from which a disc can move to a goal: the cells that are connected with the cell of the goal by
+/// gates that are not shorter than the diameter. Use one object for many queries, because it keeps its memory.
 class DiscReach {
  public:
   /// Starts with the cell of the goal. Requires: until the last call of is_reached(), the mesh and the bridges of
   /// `cells` exist and do not change.
   void begin(const Cells& cells, const CellEdge& goal, double radius);
-  /// Returns whether the disc gets from the cell of `edge` to the goal. Exact. Cost: two searches run alternately, one
-  /// from the goal and one from the cell. They stop when they meet, or when one of them is at its end. No later call
-  /// enters a cell again.
+  /// Returns whether the disc can move from the cell of `edge` to the goal. The decision is exact. Cost: two searches
+  /// run alternately, one from the goal and one from the cell. They stop when they meet, or when one of them is at its
+  /// end. No later call enters a cell again.
   [[nodiscard]] bool is_reached(const Cells& cells, const CellEdge& edge);
 
  private:

@@ -159,14 +159,14 @@ void NearestFit::clip_line(std::uint32_t piece) {
   const Piece line = pieces_[piece];
   const double nearest = line.curve.nearest(line.interval);
   const double reach = 2.0 * (query_.radius + length(line.curve.at(nearest))) + 0x1p-40 * largest_;
-  Interval window = line.interval;
-  if (nearest - reach > window.low) {
-    push_piece(Kind::line, {line.curve, {window.low, nearest - reach}, line.h});
-    window.low = nearest - reach;
+  Interval near_part = line.interval;
+  if (nearest - reach > near_part.low) {
+    push_piece(Kind::line, {line.curve, {near_part.low, nearest - reach}, line.h});
+    near_part.low = nearest - reach;
   }
-  if (nearest + reach < window.high) {
-    push_piece(Kind::line, {line.curve, {nearest + reach, window.high}, line.h});
-    window.high = nearest + reach;
+  if (nearest + reach < near_part.high) {
+    push_piece(Kind::line, {line.curve, {nearest + reach, near_part.high}, line.h});
+    near_part.high = nearest + reach;
   }
   clip_stamp_.next(1, clipped_);
   clipped_[number(mesh::face(line.h))] = clip_stamp_.value();
@@ -174,7 +174,7 @@ void NearestFit::clip_line(std::uint32_t piece) {
   to_cross_.push_back(mesh::next(line.h));
   to_cross_.push_back(mesh::previous(line.h));
   intervals_.clear();
-  intervals_.push_back(window);
+  intervals_.push_back(near_part);
   clip(line.curve, line.h);
   for (const Interval& interval : intervals_) push_piece(Kind::candidate, {line.curve, interval, line.h});
 }
@@ -253,7 +253,7 @@ void NearestFit::block(const OffsetCurve& curve, HalfEdge wall) {
 
 /// If the gap between the curve's own wall and another wall is shorter than the diameter by less than a rounding error,
 /// block() may have kept the positions where the disc would pass the gap. Exact predicates find these gaps, and cut the
-/// interval there. So from each position of an interval, the disc gets to all others of this interval.
+/// interval there. So the disc can move from each position of an interval to all other positions of this interval.
 void NearestFit::divide_at_gaps(const OffsetCurve& curve, HalfEdge own, HalfEdge wall) {
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const auto divide = [&](const exact::Gap& gap, const Point& other) {

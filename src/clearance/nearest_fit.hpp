@@ -36,7 +36,7 @@ class NearestFit {
     double radius = 0.0;  ///< above 0
     double limit = 0.0;   ///< the largest distance of the answer from the point; may be infinity
   };
-  /// A goal: the answer must be a position from which the disc gets to the goal.
+  /// A goal: the answer must be a position from which the disc can move to the goal.
   struct Goal {
     const Triangulation& walls;
     const Bridges& bridges;
@@ -44,8 +44,8 @@ class NearestFit {
   };
 
   /// Returns the nearest point where the disc fits, or nothing if there is none within the limit. If `goal` is not
-  /// null, the answer is the nearest of the points from which the disc gets to the goal. Of equally near points, the
-  /// first in (x, y) order is the answer. Requires: the point lies in the domain.
+  /// null, the answer is the nearest of the points from which the disc can move to the goal. Of equally near points,
+  /// the first in (x, y) order is the answer. Requires: the point lies in the domain.
   [[nodiscard]] std::optional<Point> find(const Triangulation& triangulation, constraint::Cover& cover,
                                           NearWalls& near_walls, const Query& query, const Goal* goal);
 

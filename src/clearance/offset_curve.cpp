@@ -59,16 +59,16 @@ class Arc {
     add(Point{middle.x * cosine - middle.y * sine, middle.y * cosine + middle.x * sine}, direction);
   }
   void add(const Point& end, int direction) {
-    const double turn = parameter_of_direction({dot(axis_, end), cross(axis_, end)});
+    const double parameter = parameter_of_direction({dot(axis_, end), cross(axis_, end)});
     // No end is more than 180 degrees away from the axis.
     if (direction > 0) {
-      const double left = turn > 3.0 ? turn - 4.0 : turn;
+      const double left = parameter > 3.0 ? parameter - 4.0 : parameter;
       if (left > left_) {
         left_ = left;
         left_end_ = end;
       }
     } else {
-      const double right = turn > 1.0 ? turn - 4.0 : turn;
+      const double right = parameter > 1.0 ? parameter - 4.0 : parameter;
       if (right < right_) {
         right_ = right;
         right_end_ = end;

@@ -39,11 +39,11 @@ Narrowest WidestSearch::find(const Cells& cells, const CellEdge& start, const Ce
   begin(cells, ends_[1], start, stamp_.value() + 1);
   if (enter(cells, ends_[0], start, &goal)) return {true, std::nullopt};
   (void)enter(cells, ends_[1], goal, nullptr);
-  for (int turn = 0; has_gates(ends_[turn]); turn = 1 - turn) {
-    End& end = ends_[turn];
+  for (int current = 0; has_gates(ends_[current]); current = 1 - current) {
+    End& end = ends_[current];
     const CellEdge beyond = cells.across(pop(cells, end));
     const std::uint32_t visited = visited_[cells.key(beyond)];
-    if (visited == ends_[1 - turn].stamp) return narrower_level(cells);
+    if (visited == ends_[1 - current].stamp) return narrower_level(cells);
     if (visited != end.stamp) (void)enter(cells, end, beyond, nullptr);
   }
   return {};

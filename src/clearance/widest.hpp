@@ -12,7 +12,7 @@
 
 namespace waywright::clearance {
 
-/// What limits the discs that can go from one cell to another.
+/// What limits the discs that can move from one cell to another.
 struct Narrowest {
   bool is_connected = false;     ///< whether a chain of gates connects the cells
   std::optional<CellEdge> gate;  ///< the gate that limits the disc; empty if the cells are equal or not connected
@@ -23,11 +23,10 @@ struct Narrowest {
 ///
 /// Two searches run alternately, one from each end, until one of them enters a cell that the other has entered. Each
 /// search has a *level*: the narrowest gate that it has crossed so far. It first crosses all gates that it has seen and
-/// that are not shorter than its level, those near the other end first. After that, it crosses the longest of the
-/// other gates, which becomes its level. So a search that lowers its level has entered all cells that it can reach
-/// through longer gates. When the two meet, the shorter of the two levels is therefore the gate that the query asks
-/// for. If one end lies in a small enclosed area, its search soon leaves this area and runs straight towards the other
-/// end.
+/// that are not shorter than its level, those near the other end first. After that, it crosses the longest of the other
+/// gates, which becomes its level. So a search that lowers its level has entered all cells that it can reach through
+/// longer gates. When the two meet, the shorter of the two levels is therefore the gate that the query asks for. If one
+/// end lies in a small enclosed area, its search soon leaves this area and continues straight towards the other end.
 ///
 /// Source: the bottleneck path (Pollack, *The maximum capacity through a network*, 1960).
 class WidestSearch {

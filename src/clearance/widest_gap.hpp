@@ -10,9 +10,9 @@
 
 namespace waywright::clearance {
 
-/// The radius of the largest disc that gets from one position to another, and the gap that stops every larger disc.
+/// The radius of the largest disc that can move from one position to another, and the gap that stops every larger disc.
 struct WidestGap {
-  bool is_connected = false;  ///< whether a disc of some radius above 0 gets from one to the other
+  bool is_connected = false;  ///< whether a disc of some radius above 0 can move from one to the other
   bool is_limited = false;    ///< whether a gap limits the disc; if not, all of the following is empty
   double radius = 0.0;        ///< half the length of the gap, rounded down
   Point from;                 ///< the vertex at which the gap starts

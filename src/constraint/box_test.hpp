@@ -34,9 +34,9 @@ class BoxTest {
     int left = 0;
     int right = 0;
     for (const exact::ExactPoint& corner : corners_) {
-      const exact::Sign side = exact::orientation(p, q, corner);
-      left += side == exact::Sign::positive ? 1 : 0;
-      right += side == exact::Sign::negative ? 1 : 0;
+      const exact::Sign orientation = exact::orientation(p, q, corner);
+      left += orientation == exact::Sign::positive ? 1 : 0;
+      right += orientation == exact::Sign::negative ? 1 : 0;
     }
     return left < 4 && right < 4;
   }

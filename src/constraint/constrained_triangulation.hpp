@@ -24,7 +24,7 @@
 namespace waywright::constraint {
 
 /// A constrained Delaunay triangulation: the sides of items lie on its fixed edges. It records which items use each
-/// edge and each vertex. So it knows why each vertex exists.
+/// edge and each vertex. From these records it decides which vertices are still necessary.
 ///
 /// The label of an edge is the number of the list of the sides that lie on it (UseLists). A vertex exists because items
 /// have corners there (`corner_uses`, a list of item slots) or because two sides cross there. If a vertex has no

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "constraint/slot_sets.hpp"
-#include "constraint/turns.hpp"
+#include "constraint/winding.hpp"
 
 namespace waywright::constraint {
 
@@ -29,31 +29,31 @@ void append_polygons(const ExactTriangulation& triangulation, mesh::HalfEdge h, 
 }
 
 /// Appends an entry for each polygon side on the edge: twice the polygon's slot, plus 1 if the side runs against `h`.
-void append_turns(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& turns) {
+void append_directed(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& entries) {
   triangulation.for_each_side(h, [&](const Side& side) {
     if (!triangulation.items().is_polygon(side.item)) return;
-    turns.push_back(2 * side.item + (runs_along(triangulation, side, h) ? 0 : 1));
+    entries.push_back(2 * side.item + (runs_along(triangulation, side, h) ? 0 : 1));
   });
 }
 
-/// Replaces the entries of append_turns by the polygons that cover the face. The winding number of a polygon is the sum
-/// of its entries, and the fill rule says whether a polygon with this number covers the face.
-void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& turns) {
-  std::sort(turns.begin(), turns.end());
+/// Replaces the entries of append_directed() by the polygons that cover the face. The winding number of a polygon is
+/// the sum of its entries, and the fill rule says whether a polygon with this number covers the face.
+void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& entries) {
+  std::sort(entries.begin(), entries.end());
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < turns.size();) {
-    const std::uint32_t polygon = turns[i] / 2;
+  for (std::size_t i = 0; i < entries.size();) {
+    const std::uint32_t polygon = entries[i] / 2;
     std::int32_t sum = 0;
-    for (; i < turns.size() && turns[i] / 2 == polygon; ++i) sum += turns[i] % 2 == 0 ? 1 : -1;
-    if (items.covers(polygon, sum)) turns[kept++] = polygon;
+    for (; i < entries.size() && entries[i] / 2 == polygon; ++i) sum += entries[i] % 2 == 0 ? 1 : -1;
+    if (items.covers(polygon, sum)) entries[kept++] = polygon;
   }
-  turns.resize(kept);
+  entries.resize(kept);
 }
 
 /// Goes from the face of `h` through faces to the outside of the domain. Calls visit(edge) for each edge that the
-/// function crosses, with the half-edge in the face that it leaves. The function turns around a vertex to the vertex's
-/// first neighbour in (x, y) order, then around this neighbour, and so on. At the domain's first corner it leaves the
-/// domain. This ends, because every other vertex has a neighbour that comes before it.
+/// function crosses, with the half-edge in the face that it leaves. The function goes from face to face around a vertex
+/// to the vertex's first neighbour in (x, y) order, then around this neighbour, and so on. At the domain's first corner
+/// it leaves the domain. This ends, because every other vertex has a neighbour that comes before it.
 template <class Visit>
 void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -101,13 +101,13 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
   }
 }
 
-// The sides that are crossed between a face and the outside of the domain add up to the winding number of the face. If
-// all polygons are even-odd, the number of sides is enough.
+// The winding number of the face is the sum over the sides that leave_domain() crosses between the face and the outside
+// of the domain. If all polygons are even-odd, the number of sides is enough.
 const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
   if (triangulation.items().has_nonzero_polygons()) {
-    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_turns(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_directed(triangulation, edge, crossed_); });
     keep_covering(triangulation.items(), crossed_);
   } else {
     leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
@@ -116,12 +116,12 @@ const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& trian
   return crossed_;
 }
 
-std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
-  std::int32_t turns = 0;
+std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
+  std::int32_t sum = 0;
   with_winding(triangulation, polygon, [&](const auto& winding) {
-    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { turns += winding.across(edge); });
+    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { sum += winding.across(edge); });
   });
-  return turns;
+  return sum;
 }
 
 void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& location) {

@@ -62,7 +62,7 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
 
 /// The winding number of the polygon in the face of `h`. For an even-odd polygon only its parity counts. The function
 /// crosses the same edges as Cover::of_face.
-[[nodiscard]] std::int32_t turns_around(const ExactTriangulation& triangulation, mesh::HalfEdge h,
-                                        std::uint32_t polygon);
+[[nodiscard]] std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h,
+                                          std::uint32_t polygon);
 
 }  // namespace waywright::constraint

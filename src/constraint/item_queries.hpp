@@ -28,9 +28,9 @@ struct ItemQueryScratch {
 void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point, ItemQueryScratch& scratch,
               std::vector<ItemId>& result);
 
-/// Finds the items whose sides the segment meets, in order from `from` to `to`, each with the position, rounded to
-/// doubles. If the segment runs along a side, the position is the point where the overlap starts. Items at the same
-/// position are in ascending order of ids.
+/// Finds the items whose sides the segment meets, in order from `from` to `to`, each with the position where the
+/// segment meets it, rounded to doubles. If the segment runs along a side, the position is the point where the overlap
+/// starts. Items at the same position are in ascending order of ids.
 void items_crossed(const ExactTriangulation& triangulation, const Point& from, const Point& to,
                    ItemQueryScratch& scratch, std::vector<CrossedItem>& result);
 

@@ -62,8 +62,10 @@ class ItemTable {
   }
   /// The fill rule of a polygon; even_odd for all other items.
   [[nodiscard]] FillRule fill(std::uint32_t slot) const { return items_[slot].fill; }
-  /// Whether the polygon covers a face in which its winding number is `turns`.
-  [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t turns) const { return is_filled(fill(slot), turns); }
+  /// Whether the polygon covers a face in which it has this winding number.
+  [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t winding_number) const {
+    return is_filled(fill(slot), winding_number);
+  }
   [[nodiscard]] const Side& side(std::uint32_t slot) const { return sides_[slot].side; }
   /// The sum of the hashes of all items and of the domain.
   [[nodiscard]] const ItemHash::Words& hash() const { return hash_; }

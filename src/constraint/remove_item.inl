@@ -15,8 +15,8 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   const std::uint32_t slot = items_.slot(id);
   items_.outline(slot, outline_);
-  // In a large world, a removal mostly waits for memory. The code prefetches data as soon as it knows the address.
-  // Some of the faces that were made together with a corner probably still have it as a vertex.
+  // In a large world, a removal spends most of its time waiting for memory. The code prefetches data as soon as it
+  // knows the address. Some of the faces that were made together with a corner probably still have it as a vertex.
   for (const mesh::Vertex v : outline_.corners) {
     triangulation_.prefetch(v);
     triangulation_.prefetch_faces_made_with(v);
@@ -90,7 +90,7 @@ std::size_t ConstrainedTriangulation<Geometry>::remove_if_unneeded(mesh::Vertex 
   return degree;
 }
 
-// First looks at a few edges of `u`, then at the edges of both vertices in turn.
+// First looks at a few edges of `u`, then alternately at an edge of each of the two vertices.
 template <class Geometry>
 mesh::HalfEdge ConstrainedTriangulation<Geometry>::edge_of_side(mesh::Vertex u, mesh::Vertex w,
                                                                 std::uint32_t side) const {

@@ -10,9 +10,9 @@
 #include "constraint/mix.hpp"
 
 // The order in which an operation inserts or removes many vertices. Along a ring, each vertex is near the previous one,
-// which saves time. But if the ring runs beside another wall, half of the edges of each vertex can pass to the next
-// vertex that is inserted, and then the time is quadratic. In random order, the expected number of edges of the next
-// vertex is at most the mean of all vertices.
+// which saves time. But if the ring runs beside another wall, the insertion of the next vertex can replace half of the
+// edges of the previous vertex, and then the time is quadratic. In random order, the expected number of edges of the
+// next vertex is at most the mean of all vertices.
 
 namespace waywright::constraint {
 

@@ -165,8 +165,8 @@ typename Triangulation<Geometry>::Inserted Triangulation<Geometry>::insert(const
     remember(location.h);
     return {mesh_.origin(location.h), false, mesh::kNoHalfEdge};
   }
-  // In a large world, an insertion mostly waits for memory. So the code first prefetches the adjacent faces, and then
-  // makes the vertex.
+  // In a large world, an insertion spends most of its time waiting for memory. So the code first prefetches the
+  // adjacent faces, and then makes the vertex.
   for (const mesh::HalfEdge h : {location.h, next(location.h), previous(location.h)}) prefetch_face_beyond(h);
   const mesh::Vertex v = add_vertex(point);
   const bool splits_fixed_edge = location.kind == locate::LocatedKind::edge && mesh_.is_fixed(location.h);

@@ -268,9 +268,10 @@ TouchAnswer touch_wall(const Numbers& numbers, const Sweep& sweep, const Point& 
 /// Requires: at t = 0, the disc does not touch the wall.
 template <class Numbers>
 TouchAnswer touch_wall_ahead(const Numbers& numbers, const Sweep& sweep, const Point& a, const Point& b) {
-  const std::optional<Sign> side = sign_if_sure(cross(numbers.difference(b, a), numbers.difference(sweep.from, a)));
-  if (!side) return kUnsure;
-  return *side == Sign::negative ? touch_wall(numbers, sweep, b, a) : touch_wall(numbers, sweep, a, b);
+  const std::optional<Sign> orientation =
+      sign_if_sure(cross(numbers.difference(b, a), numbers.difference(sweep.from, a)));
+  if (!orientation) return kUnsure;
+  return *orientation == Sign::negative ? touch_wall(numbers, sweep, b, a) : touch_wall(numbers, sweep, a, b);
 }
 
 /// Compares two touches. Requires: neither of them is at the start.

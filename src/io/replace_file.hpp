@@ -9,8 +9,9 @@
 
 namespace waywright::io {
 
-/// A file that gets its new contents in one step, or not at all: the contents go to a temporary file in the same
-/// folder, and commit() renames it. The destructor removes the temporary file unless commit() has succeeded.
+/// A file that gets its new contents in one step, or not at all: the caller writes the contents to a temporary file in
+/// the same folder, and commit() renames this file. The destructor removes the temporary file unless commit() has
+/// succeeded.
 class FileReplacement {
  public:
   /// Opens the temporary file. If this is not possible, stream() is null, and error() says why.
@@ -21,8 +22,8 @@ class FileReplacement {
 
   /// The temporary file, or null.
   [[nodiscard]] std::FILE* stream() const { return file_; }
-  /// Brings the temporary file to the disk and gives it the name of the file. Returns whether this has succeeded. If it
-  /// has not, the file has not changed.
+  /// Waits until the temporary file is on the disk, and gives it the name of the file. Returns whether this has
+  /// succeeded. If not, the file has not changed.
   [[nodiscard]] bool commit();
   /// Records the system's reason for a failure to write to stream(), as errno gives it; 0 if it is not known.
   void note_fault(int fault) { static_cast<void>(keep(fault)); }

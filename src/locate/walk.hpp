@@ -64,8 +64,8 @@ template <class Geometry>
 
 /// The remembering stochastic walk. It goes from face to face, always across an edge beyond which the target lies. It
 /// never tests the edge that it has just crossed. If the target lies beyond both other edges, it chooses one of them at
-/// random. So no walk repeats the same circle of faces without an end. If a walk takes more than 16 steps plus 4 for
-/// each face, which is extremely unlikely, it ends and search_all() finds the location.
+/// random. So no walk repeats the same cycle of faces forever. If a walk takes more than 16 steps plus 4 for each face,
+/// which is extremely unlikely, it ends and search_all() finds the location.
 ///
 /// Cost: 2 orientation tests per face. (With tests in random order, 1.5 tests would be enough on average, but each test
 /// would also cost the time of a mispredicted branch.) Source: Chen 2009, section 3.2.1, algorithm 3; Devillers, Pion
@@ -81,9 +81,9 @@ template <class Geometry>
   const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
   Random random(seed);
   const HalfEdge start_edge = mesh::first(start);
-  // In a large world, a walk mostly waits for memory. The code therefore prefetches the data that a step may need
-  // before it knows the direction of the step: here the position of the third corner, and in every step the faces
-  // beyond the edges.
+  // In a large world, a walk spends most of its time waiting for memory. The code therefore prefetches the data that
+  // a step may need before it knows the direction of the step: here the position of the third corner, and in every step
+  // the faces beyond the edges.
   mesh.prefetch(mesh.twin(start_edge));
   if constexpr (requires { geometry.prefetch(0U); }) geometry.prefetch(number(mesh.apex(start_edge)));
   View p = view(mesh.origin(start_edge));

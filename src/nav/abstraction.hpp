@@ -14,8 +14,8 @@
 
 namespace waywright::nav {
 
-/// What the searches know about the faces of a world before they start: which faces are connected, which polygons cover
-/// them, and which faces lie in dead ends. update() changes only the entries that an operation concerns, and rebuilds
+/// The data about the faces of a world that the searches read: which faces are connected, which polygons cover them,
+/// and which faces lie in dead ends. update() changes only the entries that an operation concerns, and rebuilds
 /// everything only if most of the mesh has changed. The result always equals a rebuilt abstraction, apart from the ids
 /// of the components and the choice of roots.
 ///

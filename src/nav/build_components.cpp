@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "constraint/turns.hpp"
+#include "constraint/winding.hpp"
 #include "memory/count.hpp"
 #include "nav/components.hpp"
 #include "nav/point_agent.hpp"
@@ -18,35 +18,36 @@ using mesh::HalfEdge;
 namespace {
 
 /// The nonzero winding numbers of polygons, in ascending order of their slots.
-using Turns = std::vector<std::pair<std::uint32_t, std::int32_t>>;
+using WindingNumbers = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
 /// Returns the winding numbers in the face beyond `h`. `here` contains the winding numbers in the face of `h`.
-Turns turns_beyond(const constraint::ExactTriangulation& triangulation, const Turns& here, HalfEdge h) {
-  Turns turns = here;
+WindingNumbers numbers_beyond(const constraint::ExactTriangulation& triangulation, const WindingNumbers& here,
+                              HalfEdge h) {
+  WindingNumbers numbers = here;
   triangulation.for_each_side(h, [&](const constraint::Side& side) {
     if (!triangulation.items().is_polygon(side.item)) return;
-    turns.emplace_back(side.item, constraint::runs_along(triangulation, side, h) ? -1 : 1);
+    numbers.emplace_back(side.item, constraint::runs_along(triangulation, side, h) ? -1 : 1);
   });
-  std::sort(turns.begin(), turns.end());
+  std::sort(numbers.begin(), numbers.end());
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < turns.size();) {
-    const std::uint32_t polygon = turns[i].first;
+  for (std::size_t i = 0; i < numbers.size();) {
+    const std::uint32_t polygon = numbers[i].first;
     std::int32_t sum = 0;
-    for (; i < turns.size() && turns[i].first == polygon; ++i) sum += turns[i].second;
-    if (sum != 0) turns[kept++] = {polygon, sum};
+    for (; i < numbers.size() && numbers[i].first == polygon; ++i) sum += numbers[i].second;
+    if (sum != 0) numbers[kept++] = {polygon, sum};
   }
-  turns.resize(kept);
-  return turns;
+  numbers.resize(kept);
+  return numbers;
 }
 
 /// Lists the polygons that cover a face but not its neighbour, and those that cover the neighbour but not the face.
 /// `here` and `beyond` contain the winding numbers in the face and in its neighbour.
-void compare_covers(const constraint::ItemTable& items, const Turns& here, const Turns& beyond,
+void compare_covers(const constraint::ItemTable& items, const WindingNumbers& here, const WindingNumbers& beyond,
                     std::vector<std::uint32_t>& removed, std::vector<std::uint32_t>& added) {
   removed.clear();
   added.clear();
   auto to = beyond.begin();
-  const auto add = [&](const Turns::value_type& entry, std::vector<std::uint32_t>& list) {
+  const auto add = [&](const WindingNumbers::value_type& entry, std::vector<std::uint32_t>& list) {
     if (items.covers(entry.first, entry.second)) list.push_back(entry.first);
   };
   for (const auto& from : here) {
@@ -80,8 +81,8 @@ std::vector<Components::Id> Components::join_faces(const Triangulation& triangul
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
     if (!triangulation.triangulation().is_in_domain(Face{f})) continue;
     trees[f] = f;
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const HalfEdge h{3 * f + side};
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge h{3 * f + k};
       const Face other = mesh::face(mesh.twin(h));
       if (number(other) < f && PointAgent::can_cross(mesh, h)) unite(trees, f, number(other));
     }
@@ -106,7 +107,7 @@ void Components::cover_components(const Triangulation& triangulation) {
   const bool has_nonzero = triangulation.items().has_nonzero_polygons();
   const std::vector<SeparatingWall> walls = find_separating_walls(mesh);
   std::vector<bool> is_known(records_.size());
-  std::vector<std::pair<Id, Turns>> known(1, {kNone, {}});
+  std::vector<std::pair<Id, WindingNumbers>> known(1, {kNone, {}});
   const auto comes_before = [](const SeparatingWall& wall, Id component) { return wall.component < component; };
   for (std::size_t i = 0; i < known.size(); ++i) {
     const auto [component, here] = std::move(known[i]);
@@ -115,7 +116,7 @@ void Components::cover_components(const Triangulation& triangulation) {
       const Id beyond = component_of(mesh::face(mesh.twin(wall->h)));
       if (is_known[beyond]) continue;
       is_known[beyond] = true;
-      known.emplace_back(beyond, has_nonzero ? turns_beyond(triangulation, here, wall->h) : Turns());
+      known.emplace_back(beyond, has_nonzero ? numbers_beyond(triangulation, here, wall->h) : WindingNumbers());
       if (!has_nonzero) {
         set_cover(beyond, cover_beyond(triangulation, wall->h, {}));
       } else {

@@ -1,13 +1,13 @@
 #include <algorithm>
 
 #include "constraint/slot_sets.hpp"
-#include "constraint/turns.hpp"
+#include "constraint/winding.hpp"
 #include "nav/components.hpp"
 
 // Computes which polygons cover a component, apart from inserted polygons. A component stores only which polygons cover
 // it, not their winding numbers. Two facts decide whether a polygon covers the face beyond an edge: whether it covers
 // the face in front of the edge, and which of its sides lie on the edge. The exception is a nonzero polygon that covers
-// the face in front and whose winding number changes across the edge. For such a polygon, turns_around() computes the
+// the face in front and whose winding number changes across the edge. For such a polygon, winding_number() computes the
 // winding number along a chain of faces that leads out of the domain.
 
 namespace waywright::nav {
@@ -25,7 +25,7 @@ bool contains(std::span<const std::uint32_t> slots, std::uint32_t slot) {
 
 }  // namespace
 
-/// Removes the removed polygons from all covers.
+/// Removes the polygons in `changes.removed` from all covers.
 void Components::remove_from_covers(const Changes& changes) {
   for (const std::uint32_t polygon : changes.removed) {
     while (covers_.is_used(polygon)) {
@@ -96,8 +96,8 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
       const Group group = groups_[reached_.back()];
       reached_.pop_back();
       for (std::uint32_t k = group.begin; k < group.end; ++k) {
-        for (std::uint32_t side = 0; side < 3; ++side) {
-          const HalfEdge h{3 * number(faces_[k]) + side};
+        for (std::uint32_t j = 0; j < 3; ++j) {
+          const HalfEdge h{3 * number(faces_[k]) + j};
           const std::uint32_t other = mark(mesh::face(mesh.twin(h))) - group_mark_;
           if (other >= groups_.size() || groups_[other].id != kNone) continue;
           cover_group(triangulation, changes, other, h);
@@ -113,8 +113,8 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
 bool Components::cover_from_beyond(const Triangulation& triangulation, const Changes& changes, std::uint32_t group) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const HalfEdge beyond = mesh.twin(HalfEdge{3 * number(faces_[i]) + side});
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge beyond = mesh.twin(HalfEdge{3 * number(faces_[i]) + k});
       if (ids_[number(beyond) / 3] == kNone && !triangulation.triangulation().is_ghost_face(beyond)) continue;
       cover_group(triangulation, changes, group, beyond);
       return true;
@@ -153,7 +153,7 @@ Components::Set Components::cover_beyond(const Triangulation& triangulation, Hal
     if (triangulation.items().fill(polygon) == FillRule::even_odd) {
       is_beyond = is_here != (count % 2 == 1);
     } else if (constraint::Winding<FillRule::nonzero>(triangulation, polygon).changes_across(h)) {
-      is_beyond = !is_here || turns_around(triangulation, triangulation.topology().twin(h), polygon) != 0;
+      is_beyond = !is_here || winding_number(triangulation, triangulation.topology().twin(h), polygon) != 0;
     }
     if (is_here != is_beyond) (is_here ? removed_ : added_).push_back(polygon);
     return false;

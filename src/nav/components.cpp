@@ -139,7 +139,7 @@ void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_div
 }
 
 /// Finds the pieces of one old component by searches from its faces in `old_neighbours_`. Source: Even and Shiloach,
-/// *An on-line edge-deletion problem*, JACM 1981 (searches that run in turn).
+/// *An on-line edge-deletion problem*, JACM 1981 (searches that run alternately).
 void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
   start_searches({old_neighbours_.data() + begin, end - begin});
   const std::uint32_t rest = search_until_one_is_left(mesh);
@@ -175,8 +175,8 @@ void Components::start_searches(std::span<const OldNeighbour> old_neighbours) {
   }
 }
 
-/// Runs all searches in turn, one face each. Stops when at most one set of searches is unfinished. Returns that set, or
-/// an arbitrary set if all are finished.
+/// Runs all searches alternately, one face each. Stops when at most one set of searches is unfinished. Returns that
+/// set, or an arbitrary set if all are finished.
 std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mesh) {
   const std::span searches(searches_.data(), search_sets_.size());
   const auto is_unfinished = [](const Search& search) { return search.next < search.found.size(); };

@@ -21,14 +21,14 @@
 namespace waywright::nav {
 
 /// The components of the faces in the domain. Two faces are in one component if a chain of passages connects them. The
-/// same polygons cover all faces of a component. So the cover is stored once for each component.
+/// same polygons cover all faces of a component. So the class stores the cover once for each component.
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
-/// several searches start from those faces of the component that are adjacent to new faces. Searches that meet are
-/// united. The searches advance alternately, step by step, until at most one of them is unfinished. Then the faces of
-/// all pieces but one are known, and these are enough to give each piece its id. If a change connects components, the
-/// smaller ones take the id of the largest. Compare ids only for equality, because the id of a component depends on the
-/// history of changes. Memory: four bytes per face, and up to four more as scratch.
+/// several searches start from those faces of the component that are adjacent to new faces. If two searches meet, the
+/// class unites them. The searches advance alternately, step by step, until at most one of them is unfinished. Then the
+/// faces of all pieces but one are known, and these are enough to give each piece its id. If a change connects
+/// components, the smaller ones take the id of the largest. Compare ids only for equality, because the id of a
+/// component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Id = std::uint32_t;
@@ -214,21 +214,21 @@ class Components {
   std::uint32_t search_mark_ = 0;  ///< mark of the first search
   std::vector<mesh::Face> faces_;  ///< new faces, group by group
   std::vector<Group> groups_;
-  std::vector<std::uint32_t> group_sets_;
-  std::vector<OldNeighbour> old_neighbours_;
-  std::vector<Search> searches_;
-  std::vector<std::uint32_t> search_sets_;
-  std::vector<Remainder> remainders_;
-  std::vector<mesh::Face> piece_faces_;
-  std::vector<mesh::Face> stack_;
-  std::vector<Id> flooded_;
-  std::vector<std::uint32_t> reached_;
-  std::vector<mesh::HalfEdge> around_;
-  constraint::Outline outline_;
-  std::vector<std::uint32_t> sides_;
-  std::vector<std::uint32_t> polygons_;
-  std::vector<std::uint32_t> removed_;
-  std::vector<std::uint32_t> added_;
+  std::vector<std::uint32_t> group_sets_;     ///< the sets of connected groups, as root_of() reads them
+  std::vector<OldNeighbour> old_neighbours_;  ///< by component, then by group
+  std::vector<Search> searches_;              ///< the first search_sets_.size() of them search one old component
+  std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, as root_of() reads them
+  std::vector<Remainder> remainders_;         ///< of all old components
+  std::vector<mesh::Face> piece_faces_;       ///< the faces of all pieces, piece by piece
+  std::vector<mesh::Face> stack_;             ///< visited faces whose neighbours are not visited yet
+  std::vector<Id> flooded_;                   ///< the components that the flood has visited
+  std::vector<std::uint32_t> reached_;        ///< groups with a new component whose neighbours may have none yet
+  std::vector<mesh::HalfEdge> around_;        ///< the faces around the vertex of outer_half_edge()
+  constraint::Outline outline_;               ///< of the polygon `covering_`
+  std::vector<std::uint32_t> sides_;          ///< of the polygon `covering_`, by slot, ring after ring
+  std::vector<std::uint32_t> polygons_;       ///< an entry for each polygon side on the edge of cover_beyond()
+  std::vector<std::uint32_t> removed_;        ///< the polygons that CoverTree::change() removes from a set
+  std::vector<std::uint32_t> added_;          ///< the polygons that CoverTree::change() adds to it
 
   /// Something that refers to the set `set` in the tree of covers: a component with this cover, or a node of the tree
   /// with this parent. `index` is the component or the node.

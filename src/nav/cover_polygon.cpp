@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "constraint/turns.hpp"
+#include "constraint/winding.hpp"
 #include "nav/components.hpp"
 
 // Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
@@ -26,36 +26,36 @@ std::size_t first_corner(const constraint::ExactTriangulation& triangulation, st
 
 /// Follows one side of a polygon, edge by edge. At each vertex on the side except the last, calls visit(face) for the
 /// two faces of each edge around the vertex, if the winding number changes across that edge and the polygon covers the
-/// face. On entry `h` is a half-edge that starts at the side's first corner, and `turns` is the winding number in the
-/// face of `h`. On return, `h` starts at the side's last corner, and `turns` is the winding number in the face of the
+/// face. On entry `h` is a half-edge that starts at the side's first corner, and `here` is the winding number in the
+/// face of `h`. On return, `h` starts at the side's last corner, and `here` is the winding number in the face of the
 /// new `h`.
 template <class Winding, class Visit>
 void visit_inner_faces(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::uint32_t slot,
-                       HalfEdge& h, std::int32_t& turns, Visit&& visit) {
+                       HalfEdge& h, std::int32_t& here, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const Side side = triangulation.items().side(slot);
   HalfEdge edge_back = mesh::kNoHalfEdge;
   while (mesh.origin(h) != side.to) {
     HalfEdge edge_ahead = mesh::kNoHalfEdge;
-    std::int32_t turns_ahead = 0;
+    std::int32_t ahead = 0;
     const HalfEdge start = h;
     std::int32_t change = winding.across(h);
     do {
       if (change != 0) {
-        if (winding.covers(turns)) visit(mesh::face(h));
-        if (winding.covers(turns - change)) visit(mesh::face(mesh.twin(h)));
+        if (winding.covers(here)) visit(mesh::face(h));
+        if (winding.covers(here - change)) visit(mesh::face(mesh.twin(h)));
       }
       if (h != edge_back && triangulation.uses().contains(mesh.label(h), slot)) {
         edge_ahead = h;
-        turns_ahead = turns;
+        ahead = here;
       }
       h = mesh.next_around(h);
       change = winding.across(h);
-      turns += change;
+      here += change;
     } while (h != start);
     edge_back = mesh.twin(edge_ahead);
     h = mesh::next(edge_ahead);
-    turns = turns_ahead;
+    here = ahead;
   }
 }
 
@@ -86,7 +86,7 @@ class WindingOfSides {
     edges_.clear();
   }
 
-  [[nodiscard]] static bool covers(std::int32_t turns) { return Winding::covers(turns); }
+  [[nodiscard]] static bool covers(std::int32_t winding_number) { return Winding::covers(winding_number); }
   [[nodiscard]] bool changes_across(HalfEdge h) const { return covers(across(h)); }
   [[nodiscard]] std::int32_t across(HalfEdge h) const {
     const mesh::TriangleMesh& mesh = triangulation_.topology();
@@ -184,9 +184,9 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
     // The origin of `h` is the ring's first corner in (x, y) order, so the face on the right of `h` lies outside this
     // ring. If the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring
     // may lie inside another one.
-    std::int32_t turns = may_enclose_ ? winding.across(h) : turns_around(triangulation, h, covering_);
+    std::int32_t here = may_enclose_ ? winding.across(h) : winding_number(triangulation, h, covering_);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
-      visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, turns,
+      visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, here,
                         [&](Face f) { visit(f); });
     }
     ring_begin = ring_end;
@@ -200,8 +200,8 @@ void Components::flood(const Triangulation& triangulation, const Winding& windin
   while (!stack_.empty()) {
     const Face f = stack_.back();
     stack_.pop_back();
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const HalfEdge h{3 * number(f) + side};
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge h{3 * number(f) + k};
       if (!mesh.is_fixed(h) || (!winding.changes_across(h) && !is_on_enclosed(triangulation, h))) {
         visit(mesh::face(mesh.twin(h)));
       }

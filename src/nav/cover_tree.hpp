@@ -11,9 +11,9 @@
 
 namespace waywright::nav {
 
-/// The sets of polygons that cover components, as a tree. A node stands for the set of its parent and one more polygon.
+/// The sets of polygons that cover components, as a tree. A node represents the set of its parent and one more polygon.
 /// So covers share memory: each of n nested polygons takes one node, although n polygons cover the innermost component.
-/// Several nodes can stand for the same set. A node exists as long as it has a *reference*: a child, or a component
+/// Several nodes can represent the same set. A node exists as long as it has a *reference*: a child, or a component
 /// that it covers. An undo log records all changes; roll_back() returns to the last begin().
 class CoverTree {
  public:

@@ -179,9 +179,9 @@ void Optimal::follow(Node node) {
     case Kind::window:
       return follow_window(node);
     case Kind::left_turn:
-      return make_left_turn(node);
+      return make_turn<Kind::left_turn>(node);
     case Kind::right_turn:
-      return make_right_turn(node);
+      return make_turn<Kind::right_turn>(node);
   }
 }
 
@@ -355,86 +355,57 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   const Point& at = position_of(v);
   const Root& last = roots_[before];
   const Root& middle = roots_[last.jump];
-  // Equal jumps one after the other join to one long jump: so a chain of n roots needs about log n jumps.
+  // Two equal jumps, one after the other, become one long jump. So a chain of n roots needs about log n jumps.
   const bool joins = last.depth - middle.depth == middle.depth - roots_[middle.jump].depth;
   const std::uint32_t jump = joins ? middle.jump : before;
   roots_.push_back({at, v, before, last.length + distance(last.point, at), last.depth + 1, jump});
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
 
-//           apex   .       The path has come to v, the entry's left end, from below, and turns left around the walls
-//            |  \ .        there. The dotted line is the straight continuation of the path beyond v. From v, the path
-//            |  . \        sees the piece of the face's far edge between this line and the apex. It also sees the far
-//            | .    \      edges of the next faces around v, up to the walls.
-//   walls -- v -- target
-void Optimal::make_left_turn(const Node& turn) {
-  const std::uint32_t root = add_root(turn.left, turn.left_root);
-  if (roots_[root].length > reached(turn.left).length) return push_waiting(turn);
+//           apex   .       The picture shows a left turn: the path has come to v, the entry's left end, from below, and
+//            |  \ .        turns left around the walls there. The dotted line is the straight continuation of the path
+//            |  . \        beyond v. From v, the path sees the piece of the face's far edge between this line and the
+//            | .    \      apex. It also sees the far edges of the next faces around v, up to the walls. A right turn
+//            is
+//   walls -- v -- target   the mirror image.
+template <Optimal::Kind kTurn>
+void Optimal::make_turn(const Node& turn) {
+  constexpr bool kIsLeft = kTurn == Kind::left_turn;
+  constexpr Sign kInwards = kIsLeft ? Sign::positive : Sign::negative;
+  const auto next = [](mesh::HalfEdge h) { return kIsLeft ? mesh::next(h) : mesh::previous(h); };
+  const auto previous = [](mesh::HalfEdge h) { return kIsLeft ? mesh::previous(h) : mesh::next(h); };
+  const mesh::Vertex v = kIsLeft ? turn.left : turn.right;
+  const std::uint32_t root = add_root(v, kIsLeft ? turn.left_root : turn.right_root);
+  if (roots_[root].length > reached(v).length) return push_waiting(turn);
   ++expansions_;
-  const mesh::HalfEdge far_edge = mesh::next(turn.entry);
-  const mesh::HalfEdge beyond_far = mesh_->twin(far_edge);
-  Node window{Kind::window, false, beyond_far, root, root, mesh_->apex(turn.entry), kContinuation, turn.trace};
+  const mesh::HalfEdge far_edge = next(turn.entry);
+  const mesh::Vertex apex = mesh_->apex(turn.entry);
+  Node window{Kind::window, false, mesh_->twin(far_edge), root, root, kContinuation, kContinuation, turn.trace};
+  (kIsLeft ? window.left : window.right) = apex;
   enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
-  const bool sees_apex = cone.from_right(geometry_->view(number(window.left))) == Sign::positive;
+  const auto from_continuation = [&](const Geometry::View& position) {
+    return kIsLeft ? cone.from_right(position) : cone.from_left(position);
+  };
+  const bool sees_apex = from_continuation(geometry_->view(number(apex))) == kInwards;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
-    const bool is_seen = cone.from_right(Geometry::view(goals_[goal].point)) != Sign::negative;
+    const bool is_seen = from_continuation(Geometry::view(goals_[goal].point)) != -kInwards;
     if (is_seen) end_at(goal, root, turn.trace);
   });
   if (sees_apex && !is_excluded(far_edge)) {
     window.trace = traced(window.entry, turn.trace);
     if (turn.has_window) {
-      window.right_root = turn.right_root;
-      window.right = turn.right;
+      (kIsLeft ? window.right_root : window.left_root) = kIsLeft ? turn.right_root : turn.left_root;
+      (kIsLeft ? window.right : window.left) = kIsLeft ? turn.right : turn.left;
     }
     push(window);
   }
   std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::previous(h));) {
-    h = mesh_->next_around(h);
+  for (mesh::HalfEdge h = turn.entry; !is_excluded(previous(h));) {
+    h = mesh_->twin(previous(h));
     trace = traced(h, trace);
     ++expansions_;
-    const mesh::HalfEdge exit = mesh::next(h);
-    const mesh::HalfEdge entry = mesh_->twin(exit);
-    Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
-    enter(mesh::face(h), beyond);
-    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
-    if (is_excluded(exit)) continue;
-    beyond.trace = traced(entry, trace);
-    push(beyond);
-  }
-}
-
-/// The mirror image of make_left_turn(): the path turns at the target of `entry`, and goes right around the walls
-/// there.
-void Optimal::make_right_turn(const Node& turn) {
-  const std::uint32_t root = add_root(turn.right, turn.right_root);
-  if (roots_[root].length > reached(turn.right).length) return push_waiting(turn);
-  ++expansions_;
-  const mesh::HalfEdge far_edge = mesh::previous(turn.entry);
-  const mesh::HalfEdge beyond_far = mesh_->twin(far_edge);
-  Node window{Kind::window, false, beyond_far, root, root, kContinuation, mesh_->apex(turn.entry), turn.trace};
-  enter(mesh::face(turn.entry), window);
-  const Cone cone(*this, window);
-  const bool sees_apex = cone.from_left(geometry_->view(number(window.right))) == Sign::negative;
-  for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
-    const bool is_seen = cone.from_left(Geometry::view(goals_[goal].point)) != Sign::positive;
-    if (is_seen) end_at(goal, root, turn.trace);
-  });
-  if (sees_apex && !is_excluded(far_edge)) {
-    window.trace = traced(window.entry, turn.trace);
-    if (turn.has_window) {
-      window.left_root = turn.left_root;
-      window.left = turn.left;
-    }
-    push(window);
-  }
-  std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_excluded(mesh::next(h));) {
-    h = mesh_->twin(mesh::next(h));
-    trace = traced(h, trace);
-    ++expansions_;
-    const mesh::HalfEdge exit = mesh::previous(h);
+    const mesh::HalfEdge exit = next(h);
     const mesh::HalfEdge entry = mesh_->twin(exit);
     Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
     enter(mesh::face(h), beyond);

@@ -177,8 +177,8 @@ class Optimal {
   bool note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
   [[nodiscard]] bool can_wait(const Node& window, const Cone& cone, Kind kind, double least) const;
   void push_waiting(const Node& turn);
-  void make_left_turn(const Node& turn);
-  void make_right_turn(const Node& turn);
+  template <Kind kTurn>
+  void make_turn(const Node& turn);
   [[nodiscard]] std::uint32_t add_root(mesh::Vertex v, std::uint32_t before);
   void push(const Node& window, const Point& left, const Point& right);
   void push(const Node& window);

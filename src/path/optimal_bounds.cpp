@@ -60,7 +60,7 @@ std::uint32_t Optimal::root_that_sees(const Node& window, const Geometry::View& 
   });
 }
 
-/// No path from `p` to a goal is shorter than this.
+/// Returns a lower bound of the length of the paths from `p` to a goal.
 double Optimal::bound_from(const Point& p) const {
   return goals_.size() == 1 ? distance(p, goals_.front().point) : 0.0;
 }
@@ -88,10 +88,10 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   return end ? length + distance(p, *end) : length;
 }
 
-/// The same for a bundle. If the goal lies left of the leftmost window, the shortest path through the bundle leads
-/// along its left bound, because every other path from the first root through the bundle to the goal goes around this
-/// one. If the goal lies right of the rightmost window, the same is true of the right bound. With several goals, the
-/// function takes the distance from the first root to the edge.
+/// Returns a lower bound of the length of the paths through a bundle. If the goal lies left of the leftmost window, the
+/// shortest path through the bundle leads along its left bound, because every other path from the first root through
+/// the bundle to the goal goes around this one. If the goal lies right of the rightmost window, the same is true of the
+/// right bound. With several goals, the function takes the distance from the first root to the edge.
 double Optimal::bound_of_bundle(const Node& window, const Point& left, const Point& right) const {
   const Point& a = position_of(mesh_->origin(window.entry));
   const Point& b = position_of(mesh_->target(window.entry));

@@ -5,8 +5,8 @@
 namespace waywright::path {
 
 /// The cone of a window: the area between two rays from the root, its left and its right bound. (The function bound()
-/// is another thing: a lower bound of a length.) The class decides whether a position lies left or right of each of the
-/// two rays.
+/// has another meaning: it returns a lower bound of a length.) The class decides whether a position lies left or right
+/// of each of the two rays.
 class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)

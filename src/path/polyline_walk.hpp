@@ -27,14 +27,14 @@ class PolylineWalk {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Returns whether the agent can walk from the first point to the last along straight segments. A point between the
-  /// first and the last may stand for itself, or for any crossing of sides that has the same rounded coordinates,
-  /// because paths name a crossing by its rounded coordinates. Returns false if there are no points, or if the first
-  /// lies strictly inside a polygon. Requires: all points lie in the domain. Cost: the point location of the first
-  /// point, and the faces that the segments cross.
+  /// first and the last may mean this point, or any crossing of sides that has the same rounded coordinates, because a
+  /// path contains the rounded coordinates of a crossing. Returns false if there are no points, or if the first lies
+  /// strictly inside a polygon. Requires: all points lie in the domain. Cost: the point location of the first point,
+  /// and the faces that the segments cross.
   [[nodiscard]] bool is_clear(const Triangulation& triangulation, constraint::Cover& cover,
                               std::span<const Point> points);
 
-  /// What find_piece_state() knows about a piece of a polyline.
+  /// The answer of find_piece_state() about a piece of a polyline.
   enum class PieceState : std::uint8_t {
     clear,    ///< the agent can pass it, in the same wedges as before
     blocked,  ///< the agent cannot pass it

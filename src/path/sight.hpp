@@ -13,7 +13,7 @@ namespace waywright::path {
 /// root.
 ///
 /// A Sight is not a funnel: it decides in doubles and keeps only the cone. A vertex outside the cone does not change
-/// the cone, but it would become a corner of the funnel. When the string turns, the Sight does not know the vertices
+/// the cone, but the funnel would contain it as a node. When the string turns, the Sight has no record of the vertices
 /// between the new root and the next portal. So a length is right or a little too short.
 class Sight {
  public:
@@ -53,9 +53,9 @@ class Sight {
 
  private:
   [[nodiscard]] Point from_root(const Point& p) const { return {p.x - root_.x, p.y - root_.y}; }
-  void turn_at(const Point& corner) {
-    length_ += distance(root_, corner);
-    root_ = corner;
+  void turn_at(const Point& at) {
+    length_ += distance(root_, at);
+    root_ = at;
   }
 
   Point root_;

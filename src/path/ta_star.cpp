@@ -85,12 +85,12 @@ void TaStar::open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funne
 }
 
 bool TaStar::arrive(std::uint32_t position) {
-  const std::uint32_t corner = tree_.last_corner(nodes_[position].funnel, ends_->goal());
-  const double length = tree_.length(corner) + distance(tree_.point(corner), ends_->goal());
+  const std::uint32_t turn = tree_.last_turn(nodes_[position].funnel, ends_->goal());
+  const double length = tree_.length(turn) + distance(tree_.point(turn), ends_->goal());
   if (is_found_ && length >= best_length_) return false;
   is_found_ = true;
   best_length_ = length;
-  best_corner_ = corner;
+  best_turn_ = turn;
   best_node_ = position;
   return true;
 }
@@ -106,7 +106,7 @@ void TaStar::write_path(Path& path) const {
   path.lower_bound = lower_bound();
   path.points.clear();
   path.points.push_back(ends_->goal());
-  for (std::uint32_t node = best_corner_;; node = tree_.parent(node)) {
+  for (std::uint32_t node = best_turn_;; node = tree_.parent(node)) {
     if (tree_.point(node) != path.points.back()) path.points.push_back(tree_.point(node));
     if (node == TautTree::kRoot) break;
   }

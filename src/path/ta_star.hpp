@@ -75,7 +75,7 @@ class TaStar {
   memory::Stamp stamp_;
   bool is_found_ = false;
   double best_length_ = 0.0;
-  std::uint32_t best_corner_ = 0;
+  std::uint32_t best_turn_ = 0;
   std::uint32_t best_node_ = 0;
   double dropped_bound_ = 0.0;  ///< the least bound of the channels that reached a half-edge already entered
 };

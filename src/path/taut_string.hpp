@@ -30,7 +30,7 @@ class TautString {
 
   /// The start of the string and the points at which it turns, each coordinate rounded to the nearest double. The goal
   /// is not among them.
-  [[nodiscard]] std::span<const Point> corners() const { return corners_; }
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
   /// The length of the string. Requires: the string has ended.
   [[nodiscard]] double length() const { return length_; }
 
@@ -39,21 +39,21 @@ class TautString {
 
   struct Strings;
 
-  /// Moves the apex along the string to the right (or left) end, to the corner at index `apex`.
+  /// Moves the apex along the string to the right (or left) end, to the node at the index `apex`.
   void move_apex_right(std::size_t apex) {
     while (apex_ < apex) turn_at(row_[apex_++]);
   }
   void move_apex_left(std::size_t apex) {
     while (apex_ > apex) turn_at(row_[apex_--]);
   }
-  void turn_at(const View& corner) { corners_.push_back({corner.x, corner.y}); }
+  void turn_at(const View& node) { points_.push_back({node.x, node.y}); }
 
   const Geometry* geometry_ = nullptr;
   std::vector<View> row_;
   std::size_t left_ = 0;  ///< indices in `row_`: of the left end, of the apex, of the right end
   std::size_t apex_ = 0;
   std::size_t right_ = 0;
-  std::vector<Point> corners_;  ///< the corners before the apex; after end_at(), all corners
+  std::vector<Point> points_;  ///< the nodes before the apex; after end_at(), all nodes except the goal
   double length_ = 0.0;
 };
 

@@ -8,35 +8,35 @@ using exact::Sign;
 
 /// The two strings of a funnel, for the functions in `funnel.hpp`.
 struct TautTree::Strings {
-  using Corner = std::uint32_t;
+  using Node = std::uint32_t;
 
   struct Chain {
     [[nodiscard]] bool is_empty() const { return nodes->empty(); }
-    [[nodiscard]] Corner first() const { return nodes->back(); }
-    Corner take_first() {
-      const Corner corner = nodes->back();
+    [[nodiscard]] Node first() const { return nodes->back(); }
+    Node take_first() {
+      const Node node = nodes->back();
       nodes->pop_back();
-      return corner;
+      return node;
     }
-    std::vector<Corner>* nodes;
+    std::vector<Node>* nodes;
   };
 
-  [[nodiscard]] Corner apex() const { return funnel->apex; }
+  [[nodiscard]] Node apex() const { return funnel->apex; }
   template <Sign kString>
-  [[nodiscard]] Corner end() const {
+  [[nodiscard]] Node end() const {
     return kString == Sign::positive ? funnel->left : funnel->right;
   }
   template <Sign kString>
-  [[nodiscard]] Corner before(Corner corner) const {
-    return tree->nodes_[corner].parent;
+  [[nodiscard]] Node before(Node node) const {
+    return tree->nodes_[node].parent;
   }
   template <Sign kString>
   [[nodiscard]] Chain from_apex() const {
     tree->chain_.clear();
-    for (Corner node = end<kString>(); node != apex(); node = before<kString>(node)) tree->chain_.push_back(node);
+    for (Node node = end<kString>(); node != apex(); node = before<kString>(node)) tree->chain_.push_back(node);
     return {&tree->chain_};
   }
-  [[nodiscard]] Sign orientation(Corner p, Corner q, const Geometry::View& v) const {
+  [[nodiscard]] Sign orientation(Node p, Node q, const Geometry::View& v) const {
     return tree->geometry_->orientation(tree->nodes_[p].position, tree->nodes_[q].position, v);
   }
 
@@ -61,17 +61,17 @@ std::uint32_t TautTree::add_seen(mesh::Vertex v) {
 }
 
 Funnel TautTree::move_left(const Funnel& funnel, mesh::Vertex v) {
-  const auto [corner, apex] = find_turn<Sign::positive>(Strings{this, &funnel}, geometry_->view(number(v)));
-  return {apex, add(v, corner), funnel.right};
+  const auto [node, apex] = find_turn<Sign::positive>(Strings{this, &funnel}, geometry_->view(number(v)));
+  return {apex, add(v, node), funnel.right};
 }
 
 Funnel TautTree::move_right(const Funnel& funnel, mesh::Vertex v) {
-  const auto [corner, apex] = find_turn<Sign::negative>(Strings{this, &funnel}, geometry_->view(number(v)));
-  return {apex, funnel.left, add(v, corner)};
+  const auto [node, apex] = find_turn<Sign::negative>(Strings{this, &funnel}, geometry_->view(number(v)));
+  return {apex, funnel.left, add(v, node)};
 }
 
-std::uint32_t TautTree::last_corner(const Funnel& funnel, const Point& goal) {
-  return find_last_corner(Strings{this, &funnel}, Geometry::view(goal));
+std::uint32_t TautTree::last_turn(const Funnel& funnel, const Point& goal) {
+  return find_last_turn(Strings{this, &funnel}, Geometry::view(goal));
 }
 
 }  // namespace waywright::path

@@ -32,9 +32,9 @@ class TautTree {
   /// Returns the funnel after the left (or right) end of the portal has moved to `v`.
   [[nodiscard]] Funnel move_left(const Funnel& funnel, mesh::Vertex v);
   [[nodiscard]] Funnel move_right(const Funnel& funnel, mesh::Vertex v);
-  /// Returns the last node at which the taut string through the funnel to `goal` turns. Requires: `goal` lies in the
-  /// face beyond the portal.
-  [[nodiscard]] std::uint32_t last_corner(const Funnel& funnel, const Point& goal);
+  /// Returns the last node at which the taut string through the funnel to `goal` turns, or the apex if it does not turn
+  /// after the apex. Requires: `goal` lies in the face beyond the portal.
+  [[nodiscard]] std::uint32_t last_turn(const Funnel& funnel, const Point& goal);
 
   [[nodiscard]] Point point(std::uint32_t node) const { return {nodes_[node].position.x, nodes_[node].position.y}; }
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }

@@ -215,10 +215,10 @@ void TraStar::write_path(Path& path) {
   path.status = PathStatus::found;
   path.length = string_.length();
   path.lower_bound = std::min(distance(ends_->start(), goal), path.length);
-  const std::span<const Point> corners = string_.corners();
+  const std::span<const Point> points = string_.points();
   path.points.assign(1, goal);
-  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner) {
-    if (*corner != path.points.back()) path.points.push_back(*corner);
+  for (auto point = points.rbegin(); point != points.rend(); ++point) {
+    if (*point != path.points.back()) path.points.push_back(*point);
   }
   std::reverse(path.points.begin(), path.points.end());
 }

@@ -168,7 +168,7 @@ bool World::Impl::free_disc_end(PathQuery& query, bool is_start, const std::opti
 }
 
 /// Returns the nearest position to a blocked end, among the positions within the tolerance at which the disc fits. If
-/// the disc gets from some of these positions to `other`, returns the nearest of them.
+/// the disc can move from some of these positions to `other`, returns the nearest of these.
 std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Point& end,
                                                 const std::optional<Point>& other,
                                                 detail::QueryScratch& scratch) const {

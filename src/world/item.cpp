@@ -20,7 +20,7 @@ struct Moments {
 };
 
 /// Returns the moments about `origin`. A near origin keeps the result accurate for small shapes far from (0, 0). The
-/// area is positive if the ring turns counter-clockwise.
+/// area is positive if the ring is counter-clockwise.
 Moments moments(PointSpan ring, const Point& origin) {
   Moments sum;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -37,26 +37,26 @@ Moments moments(PointSpan ring, const Point& origin) {
   return sum;
 }
 
-/// The winding number of the ring around the point.
-int turns_around(const Point& point, PointSpan ring) {
-  int turns = 0;
+/// The number of times that the ring goes around the point.
+int winding_number(const Point& point, PointSpan ring) {
+  int number = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& p = ring[i];
     const Point& q = ring[(i + 1) % ring.size()];
     if ((p.y > point.y) == (q.y > point.y)) continue;
-    if (point.x < p.x + (q.x - p.x) * ((point.y - p.y) / (q.y - p.y))) turns += q.y > p.y ? 1 : -1;
+    if (point.x < p.x + (q.x - p.x) * ((point.y - p.y) / (q.y - p.y))) number += q.y > p.y ? 1 : -1;
   }
-  return turns;
+  return number;
 }
 
 /// Returns the factor by which the ring's area counts in the area of its shape: 1, -1 for a hole, or 0 if it makes no
 /// difference.
-double share_of_ring(const Shape& shape, std::size_t ring, bool turns_left) {
+double share_of_ring(const Shape& shape, std::size_t ring, bool is_counter_clockwise) {
   int outside = 0;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
-    if (i != ring) outside += turns_around(shape.rings[ring].front(), shape.rings[i]);
+    if (i != ring) outside += winding_number(shape.rings[ring].front(), shape.rings[i]);
   }
-  const int inside = outside + (turns_left ? 1 : -1);
+  const int inside = outside + (is_counter_clockwise ? 1 : -1);
   return static_cast<double>(is_filled(shape.fill, inside)) - static_cast<double>(is_filled(shape.fill, outside));
 }
 
@@ -85,8 +85,8 @@ Point direction(double angle) {
   return {cosine, angle * sine};
 }
 
-/// Returns the direction after i / n of a full turn. Computes it for an angle of at most an eighth of a turn, and then
-/// reflects it and rotates it by quarter turns.
+/// Returns the direction after i / n of a full circle. Computes it for an angle of at most an eighth of a circle, and
+/// then reflects it and rotates it by multiples of 90 degrees.
 Point direction(std::size_t i, std::size_t n) {
   const std::size_t eighth = 8 * i / n;
   const std::size_t rest = 8 * i % n;
@@ -127,8 +127,8 @@ Point centroid(const Shape& shape) {
   Moments sum;
   for (std::size_t i = 0; i < shape.rings.size(); ++i) {
     const Moments ring = moments(shape.rings[i], origin);
-    const bool turns_left = ring.area > 0.0;
-    const double share = share_of_ring(shape, i, turns_left) * (turns_left ? 1.0 : -1.0);
+    const bool is_counter_clockwise = ring.area > 0.0;
+    const double share = share_of_ring(shape, i, is_counter_clockwise) * (is_counter_clockwise ? 1.0 : -1.0);
     sum.area += share * ring.area;
     sum.x += share * ring.x;
     sum.y += share * ring.y;

@@ -10,7 +10,8 @@ namespace waywright {
 /// The context that a world keeps for queries without a context. If each such query made a new context, it would spend
 /// time on arrays as large as the mesh.
 ///
-/// Threads: several queries may borrow at the same time. One gets the kept context, the others get new ones.
+/// Threads: several queries may borrow a context at the same time. One of them gets the kept context, and the others
+/// get new contexts.
 class SpareContext {
  public:
   SpareContext() = default;

@@ -64,8 +64,8 @@ class TouchLog {
   /// Records the faces that an operation has touched. Returns whether the log has room for all of them (kLongest).
   [[nodiscard]] bool add_touched_faces(const constraint::ExactTriangulation& triangulation);
 
-  /// The largest number of entries. If an operation would make the log longer, the log is emptied and all searches
-  /// start again.
+  /// The largest number of entries. If an operation would make the log longer, the operation empties the log, and all
+  /// searches start again.
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
   /// The number of entries for which note_mesh() makes room, so that note_abstraction() can add them.
   static constexpr std::size_t kSpare = 4096;

@@ -33,9 +33,9 @@ class WAYWRIGHT_INTERNAL World::Operation {
  public:
   enum class Kind : std::uint8_t {
     change,   ///< the history records the changes
-    rewind,   ///< the history does not record the changes, and no limit holds: the world had these items before
+    rewind,   ///< the history does not record the changes, and no limit applies: the world had these items before
     attempt,  ///< calls update() instead of commit(), because its changes are always taken back
-    follow,   ///< a replica repeats a change of its world: no log records it, the version stays, and no limit holds
+    follow,   ///< a replica repeats a change of its world: no log records it, the version stays, and no limit applies
   };
 
   explicit Operation(Impl& impl, Kind kind = Kind::change);

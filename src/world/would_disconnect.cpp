@@ -22,8 +22,8 @@ namespace waywright {
 
 namespace {
 
-/// The connected areas to which a point belongs, by number, ascending. An agent gets from one point to another if they
-/// have an area in common. A point on a wall can belong to several areas, a blocked point belongs to none.
+/// The connected areas to which a point belongs, by number, ascending. An agent can move from one point to another if
+/// they have an area in common. A point on a wall can belong to several areas, a blocked point belongs to none.
 using Areas = std::vector<std::uint32_t>;
 
 bool have_common_area(const Areas& a, const Areas& b) {

@@ -165,8 +165,8 @@ TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
   }
 }
 
-// Vertex `near` lies close to the forced edge. The two faces that lie beyond the cavity on both sides of it share the
-// edge from `near` to `behind`: that edge dangles.
+// Vertex `near` lies close to the forced edge. The two faces that lie beyond the cavity, to the left and to the right
+// of `near`, share the edge from `near` to `behind`: that edge dangles.
 TEST(Triangulation, ForcedEdgePassesDanglingEdges) {
   Triangulation triangulation({{-10, -60}, {30, 60}}, kSides);
   const auto insert = [&](double x, double y) { return triangulation.insert({x, y}).vertex; };

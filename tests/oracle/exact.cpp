@@ -190,13 +190,13 @@ bool same_direction(const ExactPoint& at, const ExactPoint& u, const ExactPoint&
   return compare_xy(at, u) == compare_xy(at, v);
 }
 
-bool in_sector(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v) {
+bool in_angle(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v) {
   const int turn = orientation(at, u, v);
   const int from_u = orientation(at, u, t);
   const int to_v = orientation(at, t, v);
   if (turn > 0) return from_u > 0 && to_v > 0;
   if (turn == 0) return from_u > 0;
-  return !(to_v <= 0 && from_u <= 0);  // not in the closed sector from v to u, which is less than half a turn
+  return !(to_v <= 0 && from_u <= 0);  // not in the closed angle from v to u, which is less than half a turn
 }
 
 bool cross_properly(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {

@@ -73,9 +73,9 @@ class Grid {
 /// is not u or v.
 [[nodiscard]] bool same_direction(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v);
 
-/// Returns whether the ray from `at` through t lies strictly inside the sector that runs counter-clockwise from the ray
+/// Returns whether the ray from `at` through t lies strictly inside the angle that runs counter-clockwise from the ray
 /// through u to the ray through v. Requires: the rays through u and v have different directions.
-[[nodiscard]] bool in_sector(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v);
+[[nodiscard]] bool in_angle(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v);
 
 /// Returns whether two segments cross at a point inside both. The order of their ends does not matter.
 [[nodiscard]] bool cross_properly(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);

@@ -13,21 +13,21 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-/// On which sides of a line without width an agent may be, seen in its direction. Away from walls, both sides are
-/// equivalent.
-struct Sides {
+/// Whether an agent on a line may be on the left of a wall that lies on the line, and whether it may be on the right of
+/// it, seen in the direction of the line. Away from walls, the two are equivalent.
+struct LeftRight {
   bool left = true;
   bool right = true;
 
   [[nodiscard]] bool none() const { return !left && !right; }
 };
 
-/// An agent at a point: the point from which it came in a straight line (null at the start), and on which sides of that
-/// line it may be.
+/// An agent at a point: the point from which it came in a straight line (null at the start), and whether it may be left
+/// or right of a wall on that line.
 struct State {
   const ExactPoint* from = nullptr;
   const ExactPoint* at = nullptr;
-  Sides sides;
+  LeftRight may_be;
 };
 
 std::string name_of(const OraclePoint& p) {
@@ -55,17 +55,17 @@ class PathCheck {
     }
     for (const ExactPoint* next : stops_on(*state.at, to)) {
       const auto walls = walls_at(*state.at);
-      if (state.from != nullptr) state.sides = turn(state, *next, walls);
-      if (state.sides.none()) {
+      if (state.from != nullptr) state.may_be = turn(state, *next, walls);
+      if (state.may_be.none()) {
         fault = "passes a point where walls meet, " + name_of(arrangement_.grid.nearest(*state.at));
         return state;
       }
-      state.sides = along(state, *next, walls);
-      if (state.sides.none()) {
+      state.may_be = along(state, *next, walls);
+      if (state.may_be.none()) {
         fault = "runs through the inside of a solid after " + name_of(arrangement_.grid.nearest(*state.at));
         return state;
       }
-      state = {state.at, next, state.sides};
+      state = {state.at, next, state.may_be};
     }
     return state;
   }
@@ -93,10 +93,10 @@ class PathCheck {
     return walls;
   }
 
-  /// Returns the sides that remain possible when the agent turns at a point towards another point. Seen from the point,
-  /// the area to the left of the agent is the sector counter-clockwise from the outgoing to the incoming direction. No
-  /// wall may lie in that sector.
-  static Sides turn(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) {
+  /// Returns what remains possible when the agent turns at a point towards another point. Seen from the point, the area
+  /// to the left of the agent is the angle counter-clockwise from the outgoing to the incoming direction. No wall may
+  /// lie in that angle.
+  static LeftRight turn(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) {
     const ExactPoint& at = *state.at;
     const ExactPoint& in = *state.from;
     const bool back = orientation(at, in, next) == 0 && same_direction(at, in, next);
@@ -109,19 +109,21 @@ class PathCheck {
           const bool elsewhere = orientation(at, in, *end) != 0 || !same_direction(at, in, *end);
           left_open = right_open = left_open && !elsewhere;
         } else {
-          left_open = left_open && !in_sector(at, next, *end, in);
-          right_open = right_open && !in_sector(at, in, *end, next);
+          left_open = left_open && !in_angle(at, next, *end, in);
+          right_open = right_open && !in_angle(at, in, *end, next);
         }
       }
     }
-    const Sides before = state.sides;
-    const Sides kept{before.left && left_open, before.right && right_open};
-    // If the agent turns back, left and right are exchanged. If it goes around the end, it changes sides.
-    return back ? Sides{before.right || kept.left, before.left || kept.right} : kept;
+    const LeftRight before = state.may_be;
+    const LeftRight kept{before.left && left_open, before.right && right_open};
+    // If the agent turns back, left and right are exchanged. If it goes around the end of a wall, it is then right of
+    // the wall instead of left, or the reverse.
+    return back ? LeftRight{before.right || kept.left, before.left || kept.right} : kept;
   }
 
-  /// Returns the sides on which the agent can be between two stops of a piece.
-  [[nodiscard]] Sides along(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) const {
+  /// Returns where the agent can be between two stops of a piece.
+  [[nodiscard]] LeftRight along(const State& state, const ExactPoint& next,
+                                const std::vector<const Wall*>& walls) const {
     const bool walled = std::any_of(walls.begin(), walls.end(),
                                     [&](const Wall* wall) { return on_segment(wall->exact_a, wall->exact_b, next); });
     const bool vertical = compare_x(*state.at, next) == 0;
@@ -135,8 +137,8 @@ class PathCheck {
       free_before = free_before && !cover.inside_before;
     }
     const bool after_is_left = vertical ? compare_y(*state.at, next) > 0 : compare_x(*state.at, next) < 0;
-    const Sides free{after_is_left ? free_after : free_before, after_is_left ? free_before : free_after};
-    if (walled) return {state.sides.left && free.left, state.sides.right && free.right};
+    const LeftRight free{after_is_left ? free_after : free_before, after_is_left ? free_before : free_after};
+    if (walled) return {state.may_be.left && free.left, state.may_be.right && free.right};
     return {free.left, free.right};
   }
 
@@ -182,9 +184,9 @@ Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
       for (const State& state : states) {
         std::string reason;
         const State next = check.advance(state, *position, reason);
-        if (!next.sides.none()) next_states.push_back(next);
+        if (!next.may_be.none()) next_states.push_back(next);
         // The last meaning is the likeliest, so its reason is the best one.
-        if (next.sides.none()) fault = reason;
+        if (next.may_be.none()) fault = reason;
       }
     }
     if (next_states.empty()) return "piece " + std::to_string(i) + " of the path " + fault;

@@ -150,7 +150,7 @@ struct ShortestPaths::Impl {
     const ExactPoint& at = vertices[node.vertex];
     const ExactPoint& first = wedge_end(node, 0);
     const ExactPoint& last = wedge_end(node, 1);
-    if (!in_sector(at, first, vertices[towards], last)) return false;
+    if (!in_angle(at, first, vertices[towards], last)) return false;
     return is_end || orientation(at, vertices[towards], first) * orientation(at, vertices[towards], last) >= 0;
   }
 

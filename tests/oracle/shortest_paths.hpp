@@ -16,7 +16,7 @@ struct ShortestPath {
 
 /// Computes the lengths of a point agent's shortest paths through a scene, between given points. Uses Dijkstra's
 /// algorithm on an exact visibility graph of the items themselves, without a triangulation. A node is a vertex in one
-/// of the *wedges*, the free sectors between the walls at that vertex. So no path changes from one wedge to another
+/// of the *wedges*, the free areas between the walls at that vertex. So no path changes from one wedge to another
 /// through a point where walls meet. Decisions are exact; lengths are sums in long double between nearest doubles.
 /// Source: Lozano-Pérez and Wesley, *An algorithm for planning collision-free paths among polyhedral obstacles*, 1979.
 class ShortestPaths {

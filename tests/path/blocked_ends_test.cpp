@@ -110,7 +110,7 @@ TEST(BlockedEnds, GoWhereTheOtherEndCanBeReached) {
   EXPECT_EQ(paths[2].moved_goal->to, (Point{6, 8}));
 }
 
-// A point on a closed chain of walls that was rounded to the inner side of the chain.
+// The point lies on a closed polyline. The program has rounded it into the area that the polyline encloses.
 TEST(BlockedEnds, BesideAThinWallChangeSidesOnlyByRounding) {
   World world = World::create({{0, 0}, {16, 16}}).value();
   world.insert_polyline(std::vector<Point>{{4, 4}, {8, 4}, {8, 8}, {4, 8}, {4, 4}}).value();

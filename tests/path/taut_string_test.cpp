@@ -137,11 +137,11 @@ class TautStrings : public testing::Test {
   }
 };
 
-std::vector<Point> corners_of(const path::TautTree& tree, std::uint32_t last) {
-  std::vector<Point> corners = {tree.point(last)};
-  for (; last != path::TautTree::kRoot; last = tree.parent(last)) corners.push_back(tree.point(tree.parent(last)));
-  std::reverse(corners.begin(), corners.end());
-  return corners;
+std::vector<Point> points_of(const path::TautTree& tree, std::uint32_t last) {
+  std::vector<Point> points = {tree.point(last)};
+  for (; last != path::TautTree::kRoot; last = tree.parent(last)) points.push_back(tree.point(tree.parent(last)));
+  std::reverse(points.begin(), points.end());
+  return points;
 }
 
 /// Calls one of the two functions for each portal after the first: the one for the end that changed.
@@ -157,7 +157,7 @@ TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
   Random random(1);
   path::TautString string;
   path::TautTree tree;
-  std::size_t corners = 0;
+  std::size_t turns = 0;
   for (int scene = 0; scene < 200; ++scene) {
     const Triangulation triangulation = random_mesh(random, 5 + random.below(60));
     const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -181,12 +181,12 @@ TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
       string.end_at(channel.goal);
       ASSERT_NEAR(string.length(), shortest_by_trying_all(triangulation, channel), 1e-9)
           << "scene " << scene << ", channel " << i;
-      const std::vector<Point> of_string(string.corners().begin(), string.corners().end());
-      ASSERT_EQ(of_string, corners_of(tree, tree.last_corner(funnel, channel.goal)));
-      corners += string.corners().size() - 1;
+      const std::vector<Point> of_string(string.points().begin(), string.points().end());
+      ASSERT_EQ(of_string, points_of(tree, tree.last_turn(funnel, channel.goal)));
+      turns += string.points().size() - 1;
     }
   }
-  EXPECT_GT(corners, 2000U);
+  EXPECT_GT(turns, 2000U);
 }
 
 }  // namespace

@@ -99,108 +99,41 @@ std::vector<Flavour> flavours_of(const Settings& settings) {
   return {kFlavours.begin(), kFlavours.end()};
 }
 
-void print(const ChangeCounts& counts, std::size_t faults) {
+void print(const ChangeCounts& counts) {
   std::cout << counts.steps << " operations (" << counts.batches << " batches, " << counts.refusals << " refused), "
             << counts.insertions << " insertions, " << counts.removals << " removals, " << counts.replacements
             << " replacements, " << counts.validations << " validations, " << counts.rebuilds
-            << " comparisons with rebuilds, " << counts.oracles << " with the oracle, " << faults << " faults";
+            << " comparisons with rebuilds, " << counts.oracles << " with the oracle";
 }
 
-/// Runs one world after another through random changes, until the flavour has made its share of the steps.
-ChangeCounts change_flavour(Flavour flavour, std::uint64_t steps, std::uint64_t seed, std::size_t& faults) {
-  constexpr std::uint64_t kStepsOfWorld = 500;
-  ChangeCounts counts;
-  for (; counts.steps < steps; ++seed) {
-    const std::uint64_t left = steps - counts.steps;
-    const std::size_t live_count = 10 + seed % 6 * 10;
-    const ChangeScript script = random_changes(flavour, seed, std::min(left, kStepsOfWorld), live_count);
-    const ChangesReport report = check_changes(script, seed, {.with_rebuild = 200, .with_oracle = 20});
-    counts += report.counts;
-    if (!report.fault) continue;
-    ++faults;
-    const std::string name = "changes-" + std::string(to_string(flavour)) + "-" + std::to_string(seed);
-    std::cout << report_failure(script, name, seed) << std::endl;
+struct BridgesCounts {
+  std::size_t steps = 0;
+  std::size_t undone = 0;
+
+  BridgesCounts& operator+=(const BridgesCounts& other) {
+    steps += other.steps;
+    undone += other.undone;
+    return *this;
   }
-  return counts;
+};
+
+void print(const BridgesCounts& counts) {
+  std::cout << counts.steps << " changes, " << counts.undone << " steps undone";
 }
 
-int run_changes(const Settings& settings) {
-  const std::vector<Flavour> flavours = flavours_of(settings);
-  ChangeCounts all;
-  std::size_t all_faults = 0;
-  for (std::size_t i = 0; i < flavours.size(); ++i) {
-    const std::uint64_t steps = (settings.changes + flavours.size() - 1 - i) / flavours.size();
-    const auto start = std::chrono::steady_clock::now();
-    std::size_t faults = 0;
-    const ChangeCounts counts = change_flavour(flavours[i], steps, settings.seed, faults);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::cout << to_string(flavours[i]) << ": ";
-    print(counts, faults);
-    std::cout << ", " << seconds.count() << " s" << std::endl;
-    all += counts;
-    all_faults += faults;
-  }
-  std::cout << "all: ";
-  print(all, all_faults);
-  std::cout << std::endl;
-  return all_faults == 0 ? 0 : 1;
-}
+struct RollbackCounts {
+  std::size_t steps = 0;
+  std::size_t changes = 0;
 
-/// Changes one world after another, and compares the bridges with a rebuild after every step.
-int run_bridges(const Settings& settings) {
-  constexpr std::size_t kStepsOfWorld = 500;
-  const std::vector<Flavour> flavours = flavours_of(settings);
-  Progress progress(settings.bridges);
-  std::size_t faults = 0;
-  BridgesReport all;
-  for (const Flavour flavour : flavours) {
-    const auto start = std::chrono::steady_clock::now();
-    BridgesReport some;
-    for (std::uint64_t seed = settings.seed; some.changes < settings.bridges / flavours.size(); ++seed) {
-      const std::size_t live_count = 20 + seed % 5 * 10;
-      const ChangeScript script = random_changes(flavour, seed, kStepsOfWorld, live_count);
-      const BridgesReport report = check_bridges(script, seed);
-      progress.show(to_string(flavour), seed, report.changes);
-      some.changes += report.changes;
-      some.undone += report.undone;
-      if (!report.fault) continue;
-      ++faults;
-      std::cout << to_string(flavour) << ", seed " << seed << ": " << report_bridges_failure(script, seed) << std::endl;
-    }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::cout << to_string(flavour) << ": " << some.changes << " changes, " << some.undone << " steps undone, "
-              << seconds.count() << " s" << std::endl;
-    all.changes += some.changes;
-    all.undone += some.undone;
+  RollbackCounts& operator+=(const RollbackCounts& other) {
+    steps += other.steps;
+    changes += other.changes;
+    return *this;
   }
-  progress.end();
-  std::cout << "all: " << all.changes << " changes, " << all.undone << " steps undone, " << faults << " faults"
-            << std::endl;
-  return faults == 0 ? 0 : 1;
-}
+};
 
-/// Plays games with rollback.
-int run_rollbacks(const Settings& settings) {
-  constexpr std::size_t kRollbacksOfWorld = 25;
-  const std::vector<Flavour> flavours = flavours_of(settings);
-  Progress progress(settings.rollbacks);
-  std::size_t faults = 0;
-  for (const Flavour flavour : flavours) {
-    RollbackReport some;
-    for (std::uint64_t seed = settings.seed; some.rollbacks < settings.rollbacks / flavours.size(); ++seed) {
-      const RollbackReport report = check_rollbacks(flavour, seed, kRollbacksOfWorld);
-      progress.show(to_string(flavour), seed, report.rollbacks);
-      some.rollbacks += report.rollbacks;
-      some.changes += report.changes;
-      if (report.fault.empty()) continue;
-      ++faults;
-      std::cout << to_string(flavour) << ", seed " << seed << ": " << report.fault << std::endl;
-    }
-    std::cout << to_string(flavour) << ": " << some.rollbacks << " rollbacks, " << some.changes
-              << " changes taken back, " << faults << " faults so far" << std::endl;
-  }
-  progress.end();
-  return faults == 0 ? 0 : 1;
+void print(const RollbackCounts& counts) {
+  std::cout << counts.steps << " rollbacks, " << counts.changes << " changes taken back";
 }
 
 void print(const HistoryCounts& counts) {
@@ -210,27 +143,33 @@ void print(const HistoryCounts& counts) {
             << counts.clones << " clones, " << counts.saves << " saves";
 }
 
-/// Mixes operations, marks, rewinds, attempts, snapshots, clones and saves.
-int run_history(const Settings& settings) {
-  constexpr std::uint64_t kStepsOfWorld = 500;
+/// Checks random worlds of each flavour, one seed after another, until the worlds of the flavour have made its share of
+/// `total` steps. check(flavour, seed, left, counts) checks one world, which makes at most `left` steps if it can make
+/// so few. It adds what the world has done to `counts`, and returns a description of the first fault, or an empty text.
+/// Prints the counts of each flavour and of all together.
+template <class Counts, class Check>
+int run_worlds(const Settings& settings, std::uint64_t total, Check&& check) {
   const std::vector<Flavour> flavours = flavours_of(settings);
-  Progress progress(settings.history);
+  Progress progress(total);
   std::size_t faults = 0;
-  HistoryCounts all;
+  Counts all;
   for (std::size_t i = 0; i < flavours.size(); ++i) {
-    const std::uint64_t steps = (settings.history + flavours.size() - 1 - i) / flavours.size();
-    HistoryCounts some;
+    const std::string_view name = to_string(flavours[i]);
+    const std::uint64_t steps = (total + flavours.size() - 1 - i) / flavours.size();
+    const auto start = std::chrono::steady_clock::now();
+    Counts some;
     for (std::uint64_t seed = settings.seed; some.steps < steps; ++seed) {
-      const HistoryReport report = check_history(flavours[i], seed, std::min(steps - some.steps, kStepsOfWorld));
-      progress.show(to_string(flavours[i]), seed, report.counts.steps);
-      some += report.counts;
-      if (report.fault.empty()) continue;
+      const std::uint64_t before = some.steps;
+      const std::string fault = check(flavours[i], seed, steps - before, some);
+      progress.show(name, seed, some.steps - before);
+      if (fault.empty()) continue;
       ++faults;
-      std::cout << to_string(flavours[i]) << ", seed " << seed << ": " << report.fault << std::endl;
+      std::cout << name << ", seed " << seed << ": " << fault << std::endl;
     }
-    std::cout << to_string(flavours[i]) << ": ";
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::cout << name << ": ";
     print(some);
-    std::cout << ", " << faults << " faults so far" << std::endl;
+    std::cout << ", " << faults << " faults so far, " << seconds.count() << " s" << std::endl;
     all += some;
   }
   progress.end();
@@ -238,6 +177,54 @@ int run_history(const Settings& settings) {
   print(all);
   std::cout << ", " << faults << " faults" << std::endl;
   return faults == 0 ? 0 : 1;
+}
+
+int run_changes(const Settings& settings) {
+  static constexpr std::uint64_t kStepsOfWorld = 500;
+  const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t left, ChangeCounts& counts) {
+    const std::size_t live_count = 10 + seed % 6 * 10;
+    const ChangeScript script = random_changes(flavour, seed, std::min(left, kStepsOfWorld), live_count);
+    const ChangesReport report = check_changes(script, seed, {.with_rebuild = 200, .with_oracle = 20});
+    counts += report.counts;
+    if (!report.fault) return std::string();
+    return report_failure(script, "changes-" + std::string(to_string(flavour)) + "-" + std::to_string(seed), seed);
+  };
+  return run_worlds<ChangeCounts>(settings, settings.changes, check);
+}
+
+/// Compares the bridges with a rebuild after every step.
+int run_bridges(const Settings& settings) {
+  constexpr std::size_t kStepsOfWorld = 500;
+  const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t /*left*/, BridgesCounts& counts) {
+    const std::size_t live_count = 20 + seed % 5 * 10;
+    const ChangeScript script = random_changes(flavour, seed, kStepsOfWorld, live_count);
+    const BridgesReport report = check_bridges(script, seed);
+    counts += {report.changes, report.undone};
+    return report.fault ? report_bridges_failure(script, seed) : std::string();
+  };
+  return run_worlds<BridgesCounts>(settings, settings.bridges, check);
+}
+
+/// Plays games with rollback.
+int run_rollbacks(const Settings& settings) {
+  static constexpr std::uint64_t kRollbacksOfWorld = 25;
+  const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t left, RollbackCounts& counts) {
+    const RollbackReport report = check_rollbacks(flavour, seed, std::min(left, kRollbacksOfWorld));
+    counts += {report.rollbacks, report.changes};
+    return report.fault;
+  };
+  return run_worlds<RollbackCounts>(settings, settings.rollbacks, check);
+}
+
+/// Mixes operations, marks, rewinds, attempts, snapshots, clones and saves.
+int run_history(const Settings& settings) {
+  static constexpr std::uint64_t kStepsOfWorld = 500;
+  const auto check = [](Flavour flavour, std::uint64_t seed, std::uint64_t left, HistoryCounts& counts) {
+    const HistoryReport report = check_history(flavour, seed, std::min(left, kStepsOfWorld));
+    counts += report.counts;
+    return report.fault;
+  };
+  return run_worlds<HistoryCounts>(settings, settings.history, check);
 }
 
 /// The kind of scenes to find paths in: their obstacles or their flavour.

@@ -90,7 +90,7 @@ class Connectivity {
   [[nodiscard]] bool connected(Point start, Point goal, double r) const;
   /// Returns the widest disc that can move from start to goal, if both ends are taken as free for every radius. Returns
   /// nothing if the walls alone separate start and goal, or if one of them lies on a wall. A position on a bridge
-  /// belongs to the cells on both sides of the bridge.
+  /// belongs to the cells on the left and on the right of the bridge.
   ///
   /// The function works on the arrangement of the walls and all bridges, and `connected` on another arrangement for
   /// each radius. If both ends are free for r, then connected(start, goal, r) == (result && (!result->is_limited ||

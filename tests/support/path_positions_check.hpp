@@ -23,7 +23,7 @@ struct PathPositionsReport {
 /// searches for a path from each position to the goal. It must exist, and must not be longer than the rest of the first
 /// path, except for rounding and for what `ta` and `tra` allow. Path::at gives some of the positions, for doubles and
 /// for floats; a program computes the others itself, in double and in float arithmetic. A program may round a position
-/// to the other side of a wall without thickness, where the path is different. So the length of paths from a program's
+/// to a position beyond a wall without thickness, where the path is different. So the length of paths from a program's
 /// positions is checked only with `has_solids_only`, that is if all walls are sides of polygons.
 [[nodiscard]] PathPositionsReport check_path_positions(const PathCase& path_case, std::size_t positions_per_path,
                                                        bool has_solids_only);

@@ -172,9 +172,9 @@ void check_gap(const WidestPath& widest, const NamedScene& scene) {
                   1e-13 * std::abs(scene.domain.max.x));
 }
 
-// If another wall touches the circle whose diameter is a gap, the library does not call this gap a bridge. A disc that
-// is longer than the gap then fits at no position on one side of it. So the two agree about all discs that fit at both
-// ends.
+// If another wall touches the circle whose diameter is a gap, the library does not call this gap a bridge. A disc whose
+// diameter is longer than the gap then fits at no position left of the gap, or at no position right of it. So the
+// library and the oracle agree about all discs that fit at both ends.
 void check_widest(const World& world, const NamedScene& scene, const disc::Connectivity& oracle, const Point& start,
                   const Point& goal) {
   const WidestPath widest = world.widest_path(start, goal).value();

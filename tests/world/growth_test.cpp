@@ -102,7 +102,7 @@ TEST(Growth, VerticesWithManyNeighbours) {
   }
 }
 
-// Rows of whole points on both sides of a vertex: many neighbours on one line, and many on circles.
+// Rows of whole points to the left and to the right of a vertex: many neighbours on one line, and many on circles.
 TEST(Growth, VerticesWithManyNeighboursOnLines) {
   for (const double height : {1.0, 40.0, 200.0, 900.0}) {
     World world = World::create(kDomain).value();

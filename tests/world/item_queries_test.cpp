@@ -67,7 +67,7 @@ TEST(Ray, StopsAtTheFirstWallItTouches) {
   const auto hit = [&](Point from, Point to) { return world.ray(from, to).value(); };
   EXPECT_EQ(hit({2.5, 0.5}, {2.5, 10}), (RayHit{true, {2.5, 2}, ids({1}), {2.5, 2}}));
   EXPECT_EQ(hit({2.5, 9}, {2.5, 0}), (RayHit{true, {2.5, 5}, ids({3}), {2.5, 5}}));
-  // At a corner that the ray only touches, at the end of a chain of walls, and where walls cross.
+  // At a corner that the ray only touches, at the end of a polyline, and where walls cross.
   EXPECT_EQ(hit({1, 3}, {3, 1}), (RayHit{true, {2, 2}, ids({1}), {2, 2}}));
   EXPECT_EQ(hit({7, 1}, {9, 1}), (RayHit{true, {8, 1}, ids({5}), {8, 1}}));
   EXPECT_EQ(hit({2.75, 4.25}, {7, 0}), (RayHit{true, {3, 4}, ids({1, 2}), {3, 4}}));

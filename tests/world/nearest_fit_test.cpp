@@ -242,7 +242,7 @@ TEST(NearestFit, OfRadiusZeroIsWhereAPathCanStart) {
   world.insert(Shape::rectangle({{12, 1}, {18, 9}}), 4).value();
   world.insert_segment({10, 4}, {10, 6}, 5).value();
   const NearestFit left = world.nearest_fit({.point = {13, 5}, .goal = Point{6, 6}}).value();
-  EXPECT_EQ(left.at, (Point{10, 5})) << "the rectangle lies on the other side of the wall";
+  EXPECT_EQ(left.at, (Point{10, 5})) << "the rectangle lies beyond the wall";
   EXPECT_FALSE(world.nearest_fit({.point = {13, 5}, .goal = Point{3, 3}}).value().is_found);
   EXPECT_EQ(world.nearest_fit({.point = {6, 5}, .goal = Point{6, 6}}).value().at, (Point{6, 5}));
 }

@@ -104,7 +104,7 @@ TEST(World, RingsThatRepeatTheirFirstPointAtTheEnd) {
   World world = empty_world();
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{1, 1}, {3, 1}, {1, 3}, {1, 1}, {1, 1}}, {1}).ok());
   EXPECT_EQ(world.shape({1}).value().rings[0], (std::vector<Point>{{1, 1}, {3, 1}, {1, 3}}));
-  // An open chain may end where it starts.
+  // A polyline may end where it starts.
   ASSERT_TRUE(world.insert_polyline(std::vector<Point>{{1, 1}, {3, 1}, {1, 1}, {1, 1}}, {2}).ok());
   EXPECT_EQ(world.shape({2}).value().rings[0], (std::vector<Point>{{1, 1}, {3, 1}, {1, 1}}));
   EXPECT_TRUE(world.validate().ok) << world.validate().fault;

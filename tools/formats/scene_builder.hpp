@@ -45,7 +45,7 @@ class SceneBuilder {
 /// Returns the smallest box that contains `box` and `point`.
 [[nodiscard]] Box with_point(const Box& box, const Point& point);
 
-/// Returns the item for an open chain of points: a segment for two points, otherwise a polyline.
+/// Returns the item for a list of points: a segment for two points, otherwise a polyline.
 [[nodiscard]] Shape line_of_points(std::vector<Point> points);
 
 }  // namespace waywright::formats

@@ -129,7 +129,7 @@ void bind_fits(py::module_& module) {
 
 void bind_widest(py::module_& module) {
   py::class_<WidestPath>(module, "WidestPath",
-                         "The largest disc that gets from a start to a goal, and the gap that stops "
+                         "The largest disc that can move from a start to a goal, and the gap that stops "
                          "every larger disc.")
       .def_property_readonly(
           "is_connected", [](const WidestPath& self) { return self.is_connected; },

@@ -62,7 +62,7 @@ class Reporter {
   ///
   /// Exceptions: throws py::error_already_set if a signal handler or the function has raised an exception.
   void operator()(std::size_t done, std::size_t total);
-  /// Returns a function for BulkOptions::progress. The reporter must live as long as this function.
+  /// Returns a function for BulkOptions::progress. The reporter must exist as long as this function.
   [[nodiscard]] std::function<void(std::size_t, std::size_t)> function() {
     return [this](std::size_t done, std::size_t total) { (*this)(done, total); };
   }

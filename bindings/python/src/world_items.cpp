@@ -157,7 +157,7 @@ void bind_single(WorldClass& world) {
           [](WorldHandle& self, const PointsArg& points, ItemId id) {
             return self.write([&](World& w) { return w.insert_polyline(points.span(), id).value(); });
           },
-          py::arg("points"), py::arg("id") = py::none(), "Inserts an open chain of walls. Returns the id.")
+          py::arg("points"), py::arg("id") = py::none(), "Inserts an open polyline. Returns the id.")
       .def(
           "insert_polygon",
           [](WorldHandle& self, const py::object& rings, FillRule fill, ItemId id) {

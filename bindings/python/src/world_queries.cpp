@@ -128,7 +128,7 @@ void bind_discs(Class& world) {
           py::arg("limit") = std::numeric_limits<double>::infinity(),
           R"(Finds the nearest point to ``point``, among all points where a disc fits.
 
-With ``goal``, finds the nearest point from which the disc gets to the goal.
+With ``goal``, finds the nearest point from which the disc can move to the goal.
 
 >>> world.nearest_fit((45, 50), 5)
 <waywright.NearestFit at (35, 50), 10.0 away>
@@ -141,7 +141,7 @@ With ``goal``, finds the nearest point from which the disc gets to the goal.
             self.read_long([&](const World& w) { w.widest_path(start, goal, *context, widest).value(); });
             return widest;
           },
-          py::arg("start"), py::arg("goal"), R"(Finds the largest disc that gets from a start to a goal.
+          py::arg("start"), py::arg("goal"), R"(Finds the largest disc that can move from a start to a goal.
 
 >>> world.widest_path((10, 70), (90, 70)).radius
 20.0

@@ -121,7 +121,7 @@ export interface PathPiece {
   readonly endAngle: number;
 }
 
-/** The radius of the largest disc that gets from start to goal, and the gap that limits it. */
+/** The radius of the largest disc that can move from start to goal, and the gap that limits it. */
 export interface WidestPath {
   readonly isConnected: boolean;
   /** Whether a gap limits the disc. */
@@ -374,7 +374,7 @@ export class Path extends Handle {
     return readIds(readList(8, (buffer, capacity, count) => lib.ww_path_blockers(address, buffer, capacity, count)));
   }
 
-  /** The largest disc that gets from start to goal, if there is no path for the disc of the query; otherwise null. */
+  /** The largest disc that can move from start to goal, if no path for the disc of the query exists; otherwise null. */
   widest(): WidestPath | null {
     const { address } = this;
     if (!this.info.hasWidest) return null;

@@ -59,7 +59,7 @@ export interface NearestFitQuery {
   readonly point: Point;
   /** The default is 0. */
   readonly radius?: number;
-  /** If you set it, the answer is the nearest of the points from which the disc gets to this point. */
+  /** If you set it, the answer is the nearest of the points from which the disc can move to this point. */
   readonly goal?: Point;
   /** The largest distance of the answer from `point`. The default is infinity. */
   readonly limit?: number;
@@ -266,7 +266,7 @@ export class World extends WorldHistory {
     };
   }
 
-  /** Finds the largest disc that gets from start to goal. */
+  /** Finds the largest disc that can move from start to goal. */
   widestPath(start: Point, goal: Point, context?: QueryContext): WidestPath {
     const [a, b] = writeEnds(start, goal);
     const [world, asked] = [this.address, contextAddress(context)];

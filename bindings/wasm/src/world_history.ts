@@ -78,8 +78,8 @@ export abstract class WorldHistory extends WorldItems {
   }
 
   /**
-   * Whether changes would enclose an agent: an agent gets from one of the points to another now but not after the changes,
-   * or it can stand at one of the points now but not after the changes. The function makes no change.
+   * Whether changes would enclose an agent: the agent can move from one of the points to another now but not after the
+   * changes, or one of the points is not blocked now but is blocked after the changes. The function makes no change.
    */
   wouldDisconnect(changes: readonly Change[], points: Points, radius = 0): boolean {
     const [copies, coordinates, size] = [copyChanges(changes), flatten(points), toNumber(radius, 'the radius')];

@@ -4,7 +4,7 @@
 
 #include "constraint/exact_triangulation.hpp"
 
-// The winding number of a polygon in a face: how many times its rings turn around the face. Across an edge, the number
+// The winding number of a polygon in a face: how many times its rings go around the face. Across an edge, the number
 // changes by the polygon's sides on the edge. For an even-odd polygon only the parity of the number counts, and every
 // side changes the parity, whatever its direction. So the code never reads the directions of the sides of an even-odd
 // polygon.
@@ -30,21 +30,21 @@ class Winding {
 
   [[nodiscard]] std::uint32_t polygon() const { return polygon_; }
 
-  /// Whether the polygon covers a face in which its winding number is `turns`.
-  [[nodiscard]] static bool covers(std::int32_t turns) { return is_filled(rule, turns); }
+  /// Whether the polygon covers a face in which it has this winding number.
+  [[nodiscard]] static bool covers(std::int32_t winding_number) { return is_filled(rule, winding_number); }
 
   /// The winding number in the face of `h` minus the winding number in the face of the twin of `h`.
   [[nodiscard]] std::int32_t across(mesh::HalfEdge h) const {
-    std::int32_t turns = 0;
+    std::int32_t change = 0;
     triangulation_.for_each_side(h, [&](const Side& side) {
       if (side.item != polygon_) return;
       if constexpr (rule == FillRule::even_odd) {
-        turns ^= 1;
+        change ^= 1;
       } else {
-        turns += runs_along(triangulation_, side, h) ? 1 : -1;
+        change += runs_along(triangulation_, side, h) ? 1 : -1;
       }
     });
-    return turns;
+    return change;
   }
 
   /// Whether the winding number changes across the edge. If it does not, the polygon covers both faces or neither.
