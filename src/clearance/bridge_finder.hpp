@@ -1,11 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "clearance/changed_walls.hpp"
 #include "clearance/disc.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/rounding.hpp"
@@ -99,12 +100,13 @@ class BridgeFinder {
     return disc.may_touch(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
   }
 
-  /// Returns false only if no point of the boxes lies in the closed exact disc.
-  [[nodiscard]] bool may_touch(const Disc& disc, std::span<const Box> boxes) const {
-    for (const Box& box : boxes) {
-      if (disc.may_touch(box, rounding_)) return true;
-    }
-    return false;
+  /// Returns false only if no point of the box lies in the closed exact disc.
+  [[nodiscard]] bool may_touch(const Disc& disc, const Box& box) const { return disc.may_touch(box, rounding_); }
+  /// Returns false only if no changed wall touches the closed exact disc.
+  [[nodiscard]] bool may_touch(const Disc& disc, const ChangedWalls& changed) const {
+    if (changed.are_all()) return true;
+    const auto& boxes = changed.boxes();
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return may_touch(disc, box); });
   }
 
   /// The first function returns the gap of a bridge along an edge. The second one returns the gap of a bridge from the

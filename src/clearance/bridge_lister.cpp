@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <tuple>
 
 #include "clearance/bridge_items.hpp"
@@ -107,7 +106,7 @@ void BridgeLister::search_beyond(const Query& query, BridgeFinder& finder, const
     const HalfEdge entry = to_visit_.back();
     to_visit_.pop_back();
     const Face f = mesh::face(entry);
-    if (!scratch_.visit(f) || !finder.may_touch(finder.circle_of(entry), std::span(&near, 1))) continue;
+    if (!scratch_.visit(f) || !finder.may_touch(finder.circle_of(entry), near)) continue;
     if (!finder.may_circle_meet(entry, border)) continue;
     if (!has(f, kSearched)) offer_feet(query, f, mesh::face(border));
     add(f, kSearched);

@@ -127,7 +127,7 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
       const HalfEdge twin = mesh.twin(h);
       if (region_.contains(mesh::face(twin))) {
         if (h < twin) find_at_edge(triangulation, finder, h);
-      } else if (changed.are_all() || finder.may_touch(finder.disc_of(h), changed.boxes())) {
+      } else if (finder.may_touch(finder.disc_of(h), changed)) {
         find_at_edge(triangulation, finder, h);
       } else {
         set_bridge(h, is_bridge(twin));
