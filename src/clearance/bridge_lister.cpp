@@ -52,8 +52,9 @@ struct BridgeLister::Query {
 // A bridge along an edge meets the box only if the faces of the edge do. A foot bridge that starts in another face
 // enters the faces that meet the box through an edge `border`, at a position q. The disc of the bridge contains no
 // vertex except its start. As in changed_region.cpp, the circle of each face that the bridge crosses before q contains
-// q strictly inside, and also each later position of the bridge, for example one in the box. So a search beyond `border`
-// that crosses free edges, and enters a face if its circle meets `border` and the box, finds the start of the bridge.
+// q strictly inside, and also each later position of the bridge, for example one in the box. So a search beyond
+// `border` that crosses free edges, and enters a face if its circle meets `border` and the box, finds the start of the
+// bridge.
 void BridgeLister::list(const Triangulation& triangulation, const Bridges& bridges, constraint::Cover& cover,
                         const Box& box, BridgeList& result) {
   result.bridges.clear();
@@ -133,8 +134,8 @@ void BridgeLister::offer(const Query& query, const CellEdge& gate, Face connecte
   if (is_open(query, connected)) listed_.push_back({gate, gap, to});
 }
 
-/// Returns whether no polygon covers a face of faces_. No bridge crosses a wall, so the answer is the same for all faces
-/// that free edges connect with this face: notes it for those in faces_.
+/// Returns whether no polygon covers a face of faces_. No bridge crosses a wall, so the answer is the same for all
+/// faces that free edges connect with this face: notes it for those in faces_.
 bool BridgeLister::is_open(const Query& query, Face f) {
   if (has(f, kOpen) || has(f, kCovered)) return has(f, kOpen);
   const mesh::TriangleMesh& mesh = query.triangulation.topology();

@@ -31,10 +31,10 @@ class BridgeLister {
  private:
   /// What a query knows about a face. The member marks_ stores a sum of these values.
   enum Mark : std::uint32_t {
-    kMeets = 1,    ///< the face is in faces_
-    kSearched = 2, ///< a search beyond the box has looked for foot bridges that start in the face
-    kOpen = 4,     ///< the face is in faces_, and no polygon covers it
-    kCovered = 8,  ///< the face is in faces_, and a polygon covers it
+    kMeets = 1,     ///< the face is in faces_
+    kSearched = 2,  ///< a search beyond the box has looked for foot bridges that start in the face
+    kOpen = 4,      ///< the face is in faces_, and no polygon covers it
+    kCovered = 8,   ///< the face is in faces_, and a polygon covers it
     kMarks = 16,
   };
 

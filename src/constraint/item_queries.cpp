@@ -138,8 +138,8 @@ class FirstWall : public SegmentVisitor {
   RayHit& hit_;
 };
 
-/// Appends the items whose sides or corners meet the box to `slots` of the scratch. Requires: a position of the box lies
-/// in the face of `start`. The ends of sides are explicit, so the test of sides and corners is exact.
+/// Appends the items whose sides or corners meet the box to `slots` of the scratch. Requires: a position of the box
+/// lies in the face of `start`. The ends of sides are explicit, so the test of sides and corners is exact.
 void append_items_in(const ExactTriangulation& triangulation, const Box& box, mesh::HalfEdge start,
                      ItemQueryScratch& scratch) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
