@@ -29,10 +29,11 @@ class BoxBucket {
     entries_[i] = entries_.back();
     entries_.pop_back();
   }
+  /// Calls visit(value, box) for each entry whose box overlaps `box`.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     for (const Entry& entry : entries_) {
-      if (entry.box.overlaps(box)) visit(entry.value);
+      if (entry.box.overlaps(box)) visit(entry.value, entry.box);
     }
   }
 
@@ -70,8 +71,8 @@ class BoxTree {
   /// Removes a box. Allocates nothing. Cost: the depth of the tree.
   void remove(Handle handle);
 
-  /// Calls visit(value) for each box that overlaps `box`. Boxes overlap if they have a point in common. Allocates
-  /// nothing. `visit` must not change the set.
+  /// Calls visit(value, box of the value) for each box that overlaps `box`. Boxes overlap if they have a point in
+  /// common. Allocates nothing. `visit` must not change the set. A `Bucket` may call `visit` with other arguments.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     if (!nodes_.empty()) visit_below(0, box, visit);
