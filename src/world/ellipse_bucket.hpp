@@ -81,9 +81,9 @@ class EllipseBucket {
       const Bounds& bounds = block.bounds;
       unsigned overlapping = 0;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const bool overlaps = (bounds.min_x[lane] <= max_x) & (bounds.max_x[lane] >= min_x) &
-                              (bounds.min_y[lane] <= max_y) & (bounds.max_y[lane] >= min_y);
-        overlapping |= (overlaps ? 1U : 0U) << lane;
+        const unsigned overlaps_x = unsigned{bounds.min_x[lane] <= max_x} & unsigned{bounds.max_x[lane] >= min_x};
+        const unsigned overlaps_y = unsigned{bounds.min_y[lane] <= max_y} & unsigned{bounds.max_y[lane] >= min_y};
+        overlapping |= (overlaps_x & overlaps_y) << lane;
       }
       for (; overlapping != 0; overlapping &= overlapping - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(overlapping));
