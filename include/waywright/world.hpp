@@ -423,8 +423,9 @@ class WAYWRIGHT_API World {
   /// Lists the bridges, so that a program can draw or inspect them. The list contains a bridge if the straight line
   /// from Bridge::from to Bridge::to has a position in common with the closed box. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max; no_bridges, if the world does not keep its bridges.
-  /// Cost: linear in the mesh, and n log n in the listed bridges. Allocates nothing if `context` and `list` have been
-  /// used for a query of the same size before.
+  /// Cost: the location of a corner, the triangles that meet the box or that bridges through the box cross, and n log n
+  /// in the listed bridges. Allocates nothing if `context` and `list` have been used for a query of the same size
+  /// before.
   [[nodiscard]] Result<void> bridges(const Box& box, QueryContext& context, BridgeList& list) const;
   /// @copydoc bridges(const Box&, QueryContext&, BridgeList&) const
   [[nodiscard]] Result<BridgeList> bridges(const Box& box) const;

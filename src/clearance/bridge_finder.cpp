@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/compiler.hpp"
+
 namespace waywright::clearance {
 
 using exact::Gap;
@@ -11,6 +13,22 @@ using mesh::HalfEdge;
 using mesh::Vertex;
 using Seen = BridgeScratch::Seen;
 using View = BridgeScratch::View;
+using Around = BridgeScratch::Around;
+using Beyond = BridgeScratch::Beyond;
+
+namespace {
+
+/// Returns false only if the angle between two successive sides of a polygon is at least 90 degrees: the dot product of
+/// acute sides is negative. Each coordinate of a corner may be wrong by `rounding`.
+bool is_acute(const Point& before, const Point& after, double rounding) {
+  const double x = before.x * after.x;
+  const double y = before.y * after.y;
+  if (x + y < 0.0) return true;
+  const double extent = std::abs(before.x) + std::abs(before.y) + std::abs(after.x) + std::abs(after.y);
+  return x + y < 0x1p-48 * (std::abs(x) + std::abs(y)) + 4.0 * rounding * (extent + 4.0 * rounding);
+}
+
+}  // namespace
 
 Gap BridgeFinder::gap_to_wall(HalfEdge corner, HalfEdge wall) const {
   const constraint::Side& side = triangulation_.any_side(wall);
@@ -40,6 +58,57 @@ bool BridgeFinder::may_disc_meet(HalfEdge h, HalfEdge border) const {
   return may_touch(disc_of(h), border);
 }
 
+/// Notes the face beyond an edge. Returns false if the edge is a wall that touches the closed disc.
+WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::enter(const Candidate& candidate, HalfEdge h, const Around& origin,
+                                                 const Around& target) {
+  if (mesh_.is_fixed(h)) return !is_blocked_by(candidate.gap, h);
+  scratch_.to_clear.push_back({mesh_.twin(h), target, origin});
+  return true;
+}
+
+/// Looks at an edge, whose ends are `origin` and `target`, relative to the centre. Returns false if it is a wall that
+/// touches the closed disc. An edge at an end of the candidate contains a position strictly inside the disc, or no
+/// position of the disc except the end.
+WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::is_clear_at(const Candidate& candidate, HalfEdge h, const Around& origin,
+                                                       const Around& target) {
+  const Vertex p = mesh_.origin(h);
+  const Vertex q = mesh_.target(h);
+  bool may_meet = false;
+  if (p == candidate.from || p == candidate.to) {
+    may_meet = candidate.may_enter_from(p, position_of(q), rounding_);
+  } else if (q == candidate.from || q == candidate.to) {
+    may_meet = candidate.may_enter_from(q, position_of(p), rounding_);
+  } else {
+    may_meet = may_touch(candidate, origin, target);
+  }
+  return !may_meet || enter(candidate, h, origin, target);
+}
+
+/// Looks at a face that the disc may meet. Returns false if its apex lies in the closed disc, or if one of the two
+/// edges of the apex is a wall that touches the disc.
+bool BridgeFinder::is_clear_in(const Candidate& candidate, const Beyond& beyond) {
+  const HalfEdge h = beyond.entry;
+  if (!scratch_.visit(mesh::face(h))) return true;
+  const Vertex v = mesh_.apex(h);
+  const Around apex = around(candidate, v);
+  if (!(apex.square > candidate.limit) && is_blocked_by(candidate, v)) return false;
+  return is_clear_at(candidate, mesh::next(h), beyond.target, apex) &&
+         is_clear_at(candidate, mesh::previous(h), apex, beyond.origin);
+}
+
+void BridgeFinder::note_angles(mesh::Face f) {
+  const HalfEdge h = mesh::first(f);
+  const Point& a = position_of(mesh_.origin(h));
+  const Point& b = position_of(mesh_.target(h));
+  const Point& c = position_of(mesh_.apex(h));
+  const Point ab = b - a;
+  const Point bc = c - b;
+  const Point ca = a - c;
+  const unsigned acute = (is_acute(ca, ab, rounding_) ? 1U : 0U) | (is_acute(ab, bc, rounding_) ? 2U : 0U) |
+                         (is_acute(bc, ca, rounding_) ? 4U : 0U);
+  scratch_.acute[number(f)] = static_cast<std::uint8_t>(acute);
+}
+
 // If the apex of a face lies in the closed disc, a wall does, too, because every vertex is the end of a wall. This test
 // rejects nearly all edges that are no bridges.
 bool BridgeFinder::is_bridge(HalfEdge h) {
@@ -47,25 +116,18 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
   const Vertex v = mesh_.target(h);
   if (!is_explicit(u) || !is_explicit(v)) return false;
   const HalfEdge twin = mesh_.twin(h);
-  const Vertex left = mesh_.apex(h);
-  const Vertex right = mesh_.apex(twin);
-  const bool contains_left = is_not_acute(u, left, v);
-  const bool contains_right = is_not_acute(u, right, v);
-  if (contains_left | contains_right) return false;
-  for (const Vertex apex : {left, right}) {
+  for (const Vertex apex : {mesh_.apex(h), mesh_.apex(twin)}) {
     const Point& p = position_of(apex);
-    if (is_explicit(apex) && exact::dot(p, position_of(u), p, position_of(v)) != Sign::positive) return false;
+    const bool is_acute = is_explicit(apex) ? exact::dot(p, position_of(u), p, position_of(v)) == Sign::positive
+                                            : !is_not_acute(u, apex, v);
+    if (!is_acute) return false;
   }
-  const Gap gap = gap_along(h);
-  const Candidate candidate{gap, u, v, Disc::of_gap(gap.from, gap.a, gap.b)};
-  scratch_.to_enter.clear();
+  const Candidate candidate = candidate_of(gap_along(h), u, v);
+  const Around at_u = around(candidate, u);
+  const Around at_v = around(candidate, v);
+  scratch_.to_clear.clear();
   scratch_.begin();
-  (void)scratch_.visit(mesh::face(h));
-  (void)scratch_.visit(mesh::face(twin));
-  for (const HalfEdge at : {h, twin}) {
-    if (!enter(candidate, mesh::next(at)) || !enter(candidate, mesh::previous(at))) return false;
-  }
-  return is_clear(candidate);
+  return is_clear_in(candidate, {h, at_u, at_v}) && is_clear_in(candidate, {twin, at_v, at_u}) && is_clear(candidate);
 }
 
 // Let w be the origin of `corner`, and f the foot of a bridge from w. The disc of the bridge contains a vertex v
@@ -81,15 +143,29 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
 // w. So the search does not leave this circle.
 HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   const Vertex w = mesh_.origin(corner);
-  if (!may_have_foot(corner) || !is_explicit(w)) return mesh::kNoHalfEdge;
+  if (!is_explicit(w)) return mesh::kNoHalfEdge;
   const HalfEdge opposite = mesh::next(corner);
   if (mesh_.is_fixed(opposite)) return is_bridge_to(corner, opposite) ? opposite : mesh::kNoHalfEdge;
-  const Seen x = seen_from(position_of(w), mesh_.origin(opposite));
-  const Seen y = seen_from(position_of(w), mesh_.target(opposite));
+  const Vertex x = mesh_.origin(opposite);
+  const Vertex y = mesh_.target(opposite);
+  const HalfEdge entry = mesh_.twin(opposite);
+  const Vertex z = mesh_.apex(entry);
+  const bool crosses_right = !is_not_acute(w, x, z);
+  const bool crosses_left = !is_not_acute(w, y, z);
+  if (!(crosses_left | crosses_right)) return mesh::kNoHalfEdge;
+  const Point from = position_of(w);
+  auto& seen = scratch_.seen;
+  seen.clear();
+  seen.push_back(seen_from(from, x));
+  seen.push_back(seen_from(from, y));
+  Seen apex = seen_from(from, z);
+  apex.beyond = beyond_lines(apex);
+  const bool sees_left = is_left_of(w, seen[1], apex);
+  const bool sees_right = is_left_of(w, apex, seen[0]);
+  const Choice first{crosses_left && sees_left, crosses_right && sees_right, sees_left, sees_right};
   scratch_.to_cross.clear();
-  View view{mesh_.twin(opposite), mesh_.target(opposite), mesh_.origin(opposite), y, x};
-  for (;;) {
-    const HalfEdge wall = cross(corner, x, y, view);
+  View view{entry, 1, 0, 1, 0};
+  for (HalfEdge wall = go_on(corner, apex, first, view);; wall = cross(corner, from, view)) {
     if (wall != mesh::kNoHalfEdge) return wall;
     if (view.entry != mesh::kNoHalfEdge) continue;
     if (scratch_.to_cross.empty()) return mesh::kNoHalfEdge;
@@ -98,60 +174,76 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   }
 }
 
-/// Looks at the two edges beyond the view. Returns the first one that is the wall, or kNoHalfEdge. Replaces the view by
-/// the view through an edge that a bridge may cross, or sets its `entry` to kNoHalfEdge. If both edges may be crossed,
-/// stores the second view in `to_cross`. The operators & and | avoid branches that are hard to predict.
-HalfEdge BridgeFinder::cross(HalfEdge corner, const Seen& x, const Seen& y, View& view) {
+/// Looks at the apex of the face beyond the view. Returns the first of its two edges that is the wall, or kNoHalfEdge.
+/// Replaces the view by the view through an edge that a bridge may cross, or sets its `entry` to kNoHalfEdge.
+WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::cross(HalfEdge corner, const Point& from, View& view) {
+  const auto& seen = scratch_.seen;
+  Seen apex = seen_from(from, mesh_.apex(view.entry));
+  bool crosses_left = may_cross(apex, seen[view.entry_left]);
+  bool crosses_right = may_cross(apex, seen[view.entry_right]);
+  if (!(crosses_left | crosses_right)) {  // one branch that is easier to predict than two
+    view.entry = mesh::kNoHalfEdge;
+    return mesh::kNoHalfEdge;
+  }
+  apex.beyond = beyond_lines(apex);
   const Vertex w = mesh_.origin(corner);
-  const Vertex apex = mesh_.apex(view.entry);
-  Seen seen = seen_from(position_of(w), apex);
-  seen.beyond = std::uint32_t{is_not_acute(x, seen)} | std::uint32_t{is_not_acute(y, seen)} << 1;
-  const bool may_cross_left = may_cross(seen, view.entry_left);
-  const bool may_cross_right = may_cross(seen, view.entry_right);
+  const bool sees_left = is_left_of(w, seen[view.left], apex);
+  const bool sees_right = is_left_of(w, apex, seen[view.right]);
+  crosses_left = crosses_left && sees_left && (apex.beyond & seen[view.entry_left].beyond) == 0;
+  crosses_right = crosses_right && sees_right && (apex.beyond & seen[view.entry_right].beyond) == 0;
+  return go_on(corner, apex, {crosses_left, crosses_right, sees_left, sees_right}, view);
+}
+
+/// Does the rest of cross(). If both edges may be crossed, stores the second view in `to_cross`.
+WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::go_on(HalfEdge corner, const Seen& apex, Choice choice, View& view) {
   const HalfEdge left = mesh::previous(view.entry);
   const HalfEdge right = mesh::next(view.entry);
   view.entry = mesh::kNoHalfEdge;
-  if (!(may_cross_left | may_cross_right)) return mesh::kNoHalfEdge;
-  const bool sees_left = orientation(w, view.left, apex) == Sign::negative;
-  const bool sees_right = orientation(w, view.right, apex) == Sign::positive;
-  const bool is_left_wall = may_cross_left && sees_left && mesh_.is_fixed(left);
-  const bool is_right_wall = may_cross_right && sees_right && mesh_.is_fixed(right);
-  if (is_left_wall && is_bridge_to(corner, left)) return left;
-  if (is_right_wall && is_bridge_to(corner, right)) return right;
-  const bool crosses_left = may_cross_left && sees_left && !is_left_wall;
-  const bool crosses_right = may_cross_right && sees_right && !is_right_wall;
-  const Vertex middle_left = sees_left ? apex : view.left;
-  const Vertex middle_right = sees_right ? apex : view.right;
-  if (crosses_left) {
-    if (crosses_right) {
-      scratch_.to_cross.push_back({mesh_.twin(right), middle_left, view.right, seen, view.entry_right});
-    }
-    view = {mesh_.twin(left), view.left, middle_right, view.entry_left, seen};
-  } else if (crosses_right) {
-    view = {mesh_.twin(right), middle_left, view.right, seen, view.entry_right};
+  if (choice.crosses_left && mesh_.is_fixed(left)) {
+    if (is_bridge_to(corner, left)) return left;
+    choice.crosses_left = false;
   }
+  if (choice.crosses_right && mesh_.is_fixed(right)) {
+    if (is_bridge_to(corner, right)) return right;
+    choice.crosses_right = false;
+  }
+  if (!choice.crosses_left && !choice.crosses_right) return mesh::kNoHalfEdge;
+  const auto at = static_cast<std::uint32_t>(scratch_.seen.size());
+  scratch_.seen.push_back(apex);
+  const View beyond_right{mesh_.twin(right), choice.sees_left ? at : view.left, view.right, at, view.entry_right};
+  if (!choice.crosses_left) {
+    view = beyond_right;
+    return mesh::kNoHalfEdge;
+  }
+  if (choice.crosses_right) scratch_.to_cross.push_back(beyond_right);
+  view = {mesh_.twin(left), view.left, choice.sees_right ? at : view.right, view.entry_left, at};
   return mesh::kNoHalfEdge;
 }
 
 bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
   const Gap gap = gap_to_wall(corner, wall);
   if (!has_foot_on(gap, corner, wall)) return false;
-  const Candidate candidate{gap, mesh_.origin(corner), mesh::kNoVertex, Disc::of_gap(gap.from, gap.a, gap.b)};
-  const HalfEdge opposite = mesh::next(corner);
-  if (is_blocked_by(candidate, mesh_.origin(opposite)) || is_blocked_by(candidate, mesh_.target(opposite)))
-    return false;
-  scratch_.to_enter.clear();
+  const Vertex w = mesh_.origin(corner);
+  const Vertex x = mesh_.target(corner);
+  const Vertex y = mesh_.apex(corner);
+  const Candidate candidate = candidate_of(gap, w, mesh::kNoVertex);
+  if (is_blocked_by(candidate, x) || is_blocked_by(candidate, y)) return false;
+  const Around at_w = around(candidate, w);
+  const Around at_x = around(candidate, x);
+  const Around at_y = around(candidate, y);
+  scratch_.to_clear.clear();
   scratch_.begin();
   (void)scratch_.visit(mesh::face(corner));
-  return enter(candidate, corner) && enter(candidate, opposite) && enter(candidate, mesh::previous(corner)) &&
-         is_clear(candidate);
+  return is_clear_at(candidate, corner, at_w, at_x) && enter(candidate, mesh::next(corner), at_x, at_y) &&
+         is_clear_at(candidate, mesh::previous(corner), at_y, at_w) && is_clear(candidate);
 }
 
 // A constructed vertex lies strictly inside both of its sides. If one of these sides ends at the start of the gap, the
 // other end of this side gives the same sign, and needs no integers. In worlds of rectangles, this is frequent.
 Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
+  if (is_explicit(v)) return exact::dot(gap.from, position_of(v), gap.a, gap.b);
   const exact::ExactPoint point = geometry_.exact(number(v));
-  if (!point.is_explicit()) {
+  {
     const exact::Crossing& crossing = *point.crossing;
     if (gap.from == crossing.a) return exact::dot(gap.from, crossing.b, gap.a, gap.b);
     if (gap.from == crossing.b) return exact::dot(gap.from, crossing.a, gap.a, gap.b);
@@ -178,47 +270,15 @@ bool BridgeFinder::is_blocked_by(const Gap& gap, HalfEdge wall) const {
   return exact::touches(gap, position_of(side.from), position_of(side.to));
 }
 
-/// Returns whether no wall in the faces that the search enters, and in the faces beyond, touches the closed disc. The
-/// search starts with the half-edges in `to_enter`.
+/// Returns whether no wall in the faces of `to_clear`, and in those to which the search continues, touches the closed
+/// disc.
 bool BridgeFinder::is_clear(const Candidate& candidate) {
-  auto& to_enter = scratch_.to_enter;
-  while (!to_enter.empty()) {
-    const HalfEdge h = to_enter.back();
-    to_enter.pop_back();
-    if (!scratch_.visit(mesh::face(h))) continue;
-    if (is_blocked_by(candidate, mesh_.apex(h))) return false;
-    if (!enter(candidate, mesh::next(h)) || !enter(candidate, mesh::previous(h))) return false;
+  auto& to_clear = scratch_.to_clear;
+  while (!to_clear.empty()) {
+    const Beyond beyond = to_clear.back();
+    to_clear.pop_back();
+    if (!is_clear_in(candidate, beyond)) return false;
   }
-  return true;
-}
-
-/// Looks at an edge of a face that the search has entered. Returns false if it is a wall that touches the closed disc.
-bool BridgeFinder::enter(const Candidate& candidate, HalfEdge h) {
-  const Vertex p = mesh_.origin(h);
-  const Vertex q = mesh_.target(h);
-  if (p == candidate.from || p == candidate.to) return enter_at_end(candidate, h, p, q);
-  if (q == candidate.from || q == candidate.to) return enter_at_end(candidate, h, q, p);
-  return !may_touch(candidate.disc, h) || enter_untested(candidate, h);
-}
-
-/// Looks at an edge from an end of the candidate to `v`. Such an edge contains a position strictly inside the disc, or
-/// no position of the disc except the end.
-bool BridgeFinder::enter_at_end(const Candidate& candidate, HalfEdge h, Vertex end, Vertex v) {
-  if (candidate.to == mesh::kNoVertex || !is_explicit(v)) {
-    return !candidate.may_enter_from(end, position_of(v), rounding_) || enter_untested(candidate, h);
-  }
-  const Point& from = position_of(end);
-  const Point& to = end == candidate.from ? candidate.gap.a : candidate.gap.from;
-  if (exact::dot(from, position_of(v), from, to) != Sign::positive) return true;
-  if (mesh_.is_fixed(h)) return false;
-  scratch_.to_enter.push_back(mesh_.twin(h));
-  return true;
-}
-
-/// Does the same as enter(), without the test in doubles.
-bool BridgeFinder::enter_untested(const Candidate& candidate, HalfEdge h) {
-  if (mesh_.is_fixed(h)) return !is_blocked_by(candidate.gap, h);
-  scratch_.to_enter.push_back(mesh_.twin(h));
   return true;
 }
 

@@ -42,16 +42,20 @@ Bridges::Bridges(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   grow_to_mesh(mesh);
   BridgeFinder finder(triangulation, scratch_);
-  for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
-    const HalfEdge h{i};
-    if (i % 3 == 0 && !triangulation.triangulation().is_in_domain(mesh::face(h))) {
-      i += 2;
-      continue;
+  const auto for_each_face = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+      if (triangulation.triangulation().is_in_domain(Face{i})) visit(Face{i});
     }
-    find_at_corner(triangulation, finder, h);
-    if (!mesh.is_fixed(h) && h < mesh.twin(h)) find_at_edge(triangulation, finder, h);
-    if (i % 3 == 0) begin();  // empties the logs: there is no earlier state to go back to
-  }
+  };
+  for_each_face([&](Face f) { finder.note_angles(f); });
+  for_each_face([&](Face f) {
+    find_at_corners(triangulation, finder, f);
+    for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
+      const HalfEdge h{i};
+      if (!mesh.is_fixed(h) && h < mesh.twin(h) && finder.may_be_bridge(h)) find_at_edge(triangulation, finder, h);
+    }
+    begin();  // empties the logs: there is no earlier state to go back to
+  });
   begin();
   shrink_to_fit();
 }
@@ -117,22 +121,35 @@ void Bridges::swap_bridges(Bridges& other) {
 /// changed only if a changed wall touches the closed disc of the edge.
 void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  for (const Face f : region_.faces()) clear_face(f);
+  const auto is_in_domain = [&](Face f) { return triangulation.triangulation().is_in_domain(f); };
   for (const Face f : region_.faces()) {
-    if (!triangulation.triangulation().is_in_domain(f)) continue;
+    clear_face(f);
+    if (is_in_domain(f)) finder.note_angles(f);
+  }
+  for (const Face f : region_.faces()) {
+    if (!is_in_domain(f)) continue;
+    find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
-      find_at_corner(triangulation, finder, h);
       if (mesh.is_fixed(h)) continue;
       const HalfEdge twin = mesh.twin(h);
       if (region_.contains(mesh::face(twin))) {
-        if (h < twin) find_at_edge(triangulation, finder, h);
-      } else if (changed.are_all() || finder.may_touch(finder.disc_of(h), changed.boxes())) {
+        if (h < twin && finder.may_be_bridge(h)) find_at_edge(triangulation, finder, h);
+      } else if (finder.may_touch(finder.disc_of(h), changed)) {
         find_at_edge(triangulation, finder, h);
       } else {
         set_bridge(h, is_bridge(twin));
       }
     }
+  }
+}
+
+/// Finds the foot bridges that start at the corners of a face. Requires: BridgeFinder::note_angles() was called for the
+/// face.
+void Bridges::find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, Face f) {
+  const unsigned acute = finder.acute_angles(f);
+  for (unsigned i = 0; i < 3; ++i) {
+    if (BridgeFinder::may_have_foot(acute, i)) find_at_corner(triangulation, finder, HalfEdge{3 * number(f) + i});
   }
 }
 
@@ -262,8 +279,8 @@ void Bridges::count_memory(MemoryUse& use) const {
   walls_.count_memory(use, &MemoryUse::bridges);
   feet_.count_memory(use, &MemoryUse::bridges);
   region_.count_memory(use);
-  memory::count_spare(use, scratch_.to_enter, scratch_.to_cross);
-  use.spare += scratch_.visited.size() * sizeof(std::uint32_t);
+  memory::count_spare(use, scratch_.to_enter, scratch_.seen, scratch_.to_cross, scratch_.to_clear);
+  use.spare += scratch_.acute.size() + scratch_.visited.size() * sizeof(std::uint32_t);
 }
 
 void Bridges::shrink_to_fit() {

@@ -96,6 +96,7 @@ class Bridges {
   void clear_face(mesh::Face f);
   void find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
+  void find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, mesh::Face f);
   void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
   void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);
   void set_bridge(mesh::HalfEdge h, bool is_bridge);

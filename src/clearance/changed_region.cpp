@@ -75,11 +75,9 @@ void ChangedRegion::collect_beyond(const Triangulation& triangulation, const Cha
 void ChangedRegion::search_beyond(const Search& search, HalfEdge border) {
   const HalfEdge first = mesh_->twin(border);
   const Disc circle = search.finder.circle_of(first);
+  if (!search.may_touch(circle.scaled(0x1.6a09e667f3bcdp+0))) return;  // the square root of 2, rounded up
   const bool is_first_near = search.may_touch(circle);
-  if (!is_first_near) {
-    if (!search.may_touch(circle.scaled(0x1.6a09e667f3bcdp+0))) return;  // the square root of 2, rounded up
-    if (search.may_touch(search.finder.disc_of(border))) add_corners({first, mesh::next(first)});
-  }
+  if (!is_first_near && search.may_touch(search.finder.disc_of(border))) add_corners({first, mesh::next(first)});
   auto& to_enter = search.scratch.to_enter;
   search.scratch.begin();
   to_enter.clear();

@@ -50,10 +50,7 @@ class ChangedRegion {
     BridgeFinder& finder;
     BridgeScratch& scratch;
 
-    /// Returns false only if the disc touches no changed wall.
-    [[nodiscard]] bool may_touch(const Disc& disc) const {
-      return changed.are_all() || finder.may_touch(disc, changed.boxes());
-    }
+    [[nodiscard]] bool may_touch(const Disc& disc) const { return finder.may_touch(disc, changed); }
     /// Returns false only if the disc whose diameter is the edge of `h` touches no changed wall, or `border` does not
     /// meet the open disc. Requires: `border` is another edge.
     [[nodiscard]] bool may_be_near(mesh::HalfEdge h, mesh::HalfEdge border) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -17,8 +18,17 @@ class ChangedWalls {
 
   /// Removes all boxes: no wall has changed.
   void clear() { count_ = 0; }
-  /// Adds a box that contains the walls of an item.
+  /// Adds a box that contains the walls of an item. If another box is nearly the same, for example because an item has
+  /// moved a little, one box replaces the two.
   void add(const Box& box) {
+    for (std::size_t i = 0; i < count_ && !are_all(); ++i) {
+      Box both = boxes_[i];
+      both.expand(box.min);
+      both.expand(box.max);
+      if (size_of(both) > 1.25 * std::min(size_of(boxes_[i]), size_of(box))) continue;
+      boxes_[i] = both;
+      return;
+    }
     if (count_ < kMost) boxes_[count_] = box;
     if (count_ <= kMost) ++count_;
   }
@@ -30,6 +40,8 @@ class ChangedWalls {
   [[nodiscard]] std::span<const Box> boxes() const { return {boxes_.data(), count_}; }
 
  private:
+  [[nodiscard]] static double size_of(const Box& box) { return box.width() + box.height(); }
+
   std::array<Box, kMost> boxes_{};
   std::size_t count_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "constraint/box_flood.hpp"
 #include "constraint/box_test.hpp"
 #include "constraint/segment_walk.hpp"
 #include "constraint/slot_sets.hpp"
@@ -137,53 +138,28 @@ class FirstWall : public SegmentVisitor {
   RayHit& hit_;
 };
 
-/// Floods the faces that meet a box, and appends the items whose sides or corners meet the box to `slots` of the
-/// scratch.
-class BoxFlood {
- public:
-  BoxFlood(const ExactTriangulation& triangulation, const Box& box, ItemQueryScratch& scratch)
-      : triangulation_(triangulation), test_(box), scratch_(scratch) {}
-
-  void run(mesh::HalfEdge start) {
-    std::vector<mesh::HalfEdge>& faces = scratch_.faces;
-    faces.clear();
-    scratch_.reached.clear();
-    reach(start);
-    while (!faces.empty()) {
-      const mesh::HalfEdge face = faces.back();
-      faces.pop_back();
-      for (const mesh::HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) visit(h);
-    }
-  }
-
- private:
-  void reach(mesh::HalfEdge h) {
-    if (triangulation_.triangulation().is_ghost_face(h)) return;
-    if (scratch_.reached.insert(number(mesh::face(h)))) scratch_.faces.push_back(h);
-  }
-
-  // The ends of sides are explicit, so the test of sides and corners is exact. The test of an edge may be true although
-  // the edge misses the box: then the flood reaches a few faces more than necessary.
-  void visit(mesh::HalfEdge h) {
-    const mesh::TriangleMesh& mesh = triangulation_.topology();
-    const exact::Geometry& geometry = triangulation_.triangulation().geometry();
+/// Appends the items whose sides or corners meet the box to `slots` of the scratch. Requires: a position of the box
+/// lies in the face of `start`. The ends of sides are explicit, so the test of sides and corners is exact.
+void append_items_in(const ExactTriangulation& triangulation, const Box& box, mesh::HalfEdge start,
+                     ItemQueryScratch& scratch) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const BoxTest test(box);
+  scratch.reached.clear();
+  const auto reach = [&](mesh::Face f) { return scratch.reached.insert(number(f)); };
+  flood_box(triangulation, test, start, scratch.faces, reach, [&](mesh::HalfEdge h, bool meets) {
     const mesh::Vertex v = mesh.origin(h);
-    if (geometry.is_explicit(number(v)) && test_.contains(geometry.rounded(number(v)))) {
-      triangulation_.uses().for_each(triangulation_.corner_uses(v),
-                                     [&](std::uint32_t item) { scratch_.slots.push_back(item); });
+    if (geometry.is_explicit(number(v)) && test.contains(geometry.rounded(number(v)))) {
+      triangulation.uses().for_each(triangulation.corner_uses(v),
+                                    [&](std::uint32_t item) { scratch.slots.push_back(item); });
     }
-    if (!test_.meets(geometry.exact(number(v)), geometry.exact(number(mesh.target(h))))) return;
-    triangulation_.for_each_side(h, [&](const Side& side) {
-      const bool is_met = test_.meets(geometry.exact(number(side.from)), geometry.exact(number(side.to)));
-      if (is_met) scratch_.slots.push_back(side.item);
+    if (!meets) return;
+    triangulation.for_each_side(h, [&](const Side& side) {
+      const bool is_met = test.meets(geometry.exact(number(side.from)), geometry.exact(number(side.to)));
+      if (is_met) scratch.slots.push_back(side.item);
     });
-    reach(mesh.twin(h));
-  }
-
-  const ExactTriangulation& triangulation_;
-  BoxTest test_;
-  ItemQueryScratch& scratch_;
-};
+  });
+}
 
 }  // namespace
 
@@ -230,7 +206,7 @@ void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& 
   const locate::Located location = delaunay.locate(clipped.min);
   scratch.slots = cover.of_location(triangulation, location);
   faces_at(triangulation, location, scratch.faces);
-  BoxFlood(triangulation, clipped, scratch).run(scratch.faces.front());
+  append_items_in(triangulation, clipped, scratch.faces.front(), scratch);
   fill_ids(triangulation, scratch.slots, result);
 }
 

@@ -13,6 +13,40 @@
 
 namespace waywright {
 
+/// The boxes of a node of BoxTree, and their values.
+template <class Value>
+class BoxBucket {
+ public:
+  using Handle = std::uint32_t;
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  /// The handle of the entry `i`.
+  [[nodiscard]] Handle handle(std::size_t i) const { return entries_[i].handle; }
+  /// Adds a box as the last entry. If memory runs out, nothing changes.
+  void add(const Box& box, const Value& value, Handle handle) { entries_.push_back({box, value, handle}); }
+  /// Removes the entry `i`. The last entry takes its place.
+  void remove(std::size_t i) {
+    entries_[i] = entries_.back();
+    entries_.pop_back();
+  }
+  /// Calls visit(value, box) for each entry whose box overlaps `box`.
+  template <class Visit>
+  void for_each_overlapping(const Box& box, const Visit& visit) const {
+    for (const Entry& entry : entries_) {
+      if (entry.box.overlaps(box)) visit(entry.value, entry.box);
+    }
+  }
+
+ private:
+  struct Entry {
+    Box box;
+    Value value;
+    Handle handle;
+  };
+
+  std::vector<Entry> entries_;
+};
+
 /// A set of boxes, each with a value. The set finds its boxes that overlap a given box.
 ///
 /// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
@@ -22,7 +56,9 @@ namespace waywright {
 /// one after the other, because a search may visit thousands of them.
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
-template <class Value>
+///
+/// `Bucket` stores the boxes and values of a node: see BoxBucket.
+template <class Value, class Bucket = BoxBucket<Value>>
 class BoxTree {
  public:
   using Handle = std::uint32_t;
@@ -35,8 +71,8 @@ class BoxTree {
   /// Removes a box. Allocates nothing. Cost: the depth of the tree.
   void remove(Handle handle);
 
-  /// Calls visit(value) for each box that overlaps `box`. Boxes overlap if they have a point in common. Allocates
-  /// nothing. `visit` must not change the set.
+  /// Calls visit(value, box of the value) for each box that overlaps `box`. Boxes overlap if they have a point in
+  /// common. Allocates nothing. `visit` must not change the set. A `Bucket` may call `visit` with other arguments.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     if (!nodes_.empty()) visit_below(0, box, visit);
@@ -46,29 +82,22 @@ class BoxTree {
   static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
   static constexpr std::size_t kDeepest = 12;
 
-  struct Entry {
-    Box box;
-    Value value;
-    Handle handle;
-  };
   struct Node {
     std::array<std::uint32_t, 4> children{kNone, kNone, kNone, kNone};
     std::uint32_t parent = kNone;  ///< of a free node: the next free one
     std::size_t count = 0;         ///< the number of entries here and below
     Box bounds;                    ///< contains all boxes here and below
-    std::vector<Entry> entries;
+    Bucket entries;
   };
   /// Where the entry of a handle is.
   struct Place {
     std::uint32_t node;
-    std::uint32_t index;  ///< in Node::entries; of a free handle: the next free one
+    std::uint32_t index;  ///< of the entry; of a free handle: the next free one
   };
 
   template <class Visit>
   void visit_below(std::uint32_t node, const Box& box, const Visit& visit) const {
-    for (const Entry& entry : nodes_[node].entries) {
-      if (entry.box.overlaps(box)) visit(entry.value);
-    }
+    nodes_[node].entries.for_each_overlapping(box, visit);
     for (const std::uint32_t child : nodes_[node].children) {
       if (child != kNone && nodes_[child].count != 0 && nodes_[child].bounds.overlaps(box)) {
         visit_below(child, box, visit);
@@ -86,8 +115,8 @@ class BoxTree {
   memory::FreeList free_handles_;  ///< linked by Place::index
 };
 
-template <class Value>
-std::uint32_t BoxTree<Value>::make_node(std::uint32_t parent) {
+template <class Value, class Bucket>
+std::uint32_t BoxTree<Value, Bucket>::make_node(std::uint32_t parent) {
   if (free_nodes_.is_empty()) {
     nodes_.emplace_back();
     nodes_.back().parent = free_nodes_.push(static_cast<std::uint32_t>(nodes_.size() - 1));
@@ -99,8 +128,8 @@ std::uint32_t BoxTree<Value>::make_node(std::uint32_t parent) {
 }
 
 /// Returns the node for a box. Makes this node and its ancestors if they do not exist.
-template <class Value>
-std::uint32_t BoxTree<Value>::node_for(const Box& box) {
+template <class Value, class Bucket>
+std::uint32_t BoxTree<Value, Bucket>::node_for(const Box& box) {
   if (nodes_.empty()) static_cast<void>(make_node(kNone));
   std::uint32_t node = 0;
   Box cell = domain_;
@@ -123,15 +152,15 @@ std::uint32_t BoxTree<Value>::node_for(const Box& box) {
   return node;
 }
 
-template <class Value>
-auto BoxTree<Value>::insert(const Box& box, const Value& value) -> Handle {
+template <class Value, class Bucket>
+auto BoxTree<Value, Bucket>::insert(const Box& box, const Value& value) -> Handle {
   if (free_handles_.is_empty()) {
     places_.push_back({});
     places_.back().index = free_handles_.push(static_cast<std::uint32_t>(places_.size() - 1));
   }
   const std::uint32_t node = node_for(box);
-  std::vector<Entry>& entries = nodes_[node].entries;
-  entries.push_back({box, value, free_handles_.first()});
+  Bucket& entries = nodes_[node].entries;
+  entries.add(box, value, free_handles_.first());
   // Nothing can fail from here on.
   const Handle handle = free_handles_.pop(places_[free_handles_.first()].index);
   places_[handle] = {node, static_cast<std::uint32_t>(entries.size() - 1)};
@@ -144,13 +173,12 @@ auto BoxTree<Value>::insert(const Box& box, const Value& value) -> Handle {
   return handle;
 }
 
-template <class Value>
-void BoxTree<Value>::remove(Handle handle) {
+template <class Value, class Bucket>
+void BoxTree<Value, Bucket>::remove(Handle handle) {
   const auto [node, index] = places_[handle];
-  std::vector<Entry>& entries = nodes_[node].entries;
-  entries[index] = entries.back();
-  places_[entries[index].handle].index = index;
-  entries.pop_back();
+  Bucket& entries = nodes_[node].entries;
+  entries.remove(index);
+  if (index < entries.size()) places_[entries.handle(index)].index = index;
   places_[handle].index = free_handles_.push(handle);
   for (std::uint32_t at = node; at != kNone;) {
     const std::uint32_t parent = nodes_[at].parent;
@@ -161,8 +189,8 @@ void BoxTree<Value>::remove(Handle handle) {
 }
 
 /// Frees a node without boxes. The root stays.
-template <class Value>
-void BoxTree<Value>::free_if_empty(std::uint32_t node) {
+template <class Value, class Bucket>
+void BoxTree<Value, Bucket>::free_if_empty(std::uint32_t node) {
   const std::uint32_t parent = nodes_[node].parent;
   const auto is_node = [](std::uint32_t child) { return child != kNone; };
   if (nodes_[node].count != 0 || parent == kNone) return;

@@ -126,7 +126,10 @@ Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& l
   if (auto error = find_box_error(box)) return *std::move(error);
   if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
   const clearance::Clearance& clearance = *impl_->clearance;
-  context.scratch_->bridge_lister.list(clearance.walls(impl_->triangulation), clearance.bridges(), box, list);
+  const constraint::ExactTriangulation& walls = clearance.walls(impl_->triangulation);
+  nav::KeptCover& cover = context.scratch_->cover;
+  cover.use(&walls == &impl_->triangulation ? impl_->kept_abstraction() : nullptr);
+  context.scratch_->bridge_lister.list(walls, clearance.bridges(), cover, box, list);
   return {};
 }
 

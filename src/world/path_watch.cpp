@@ -1,6 +1,7 @@
 #include "waywright/path_watch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -11,10 +12,13 @@
 
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
+#include "constraint/box_flood.hpp"
+#include "constraint/slot_sets.hpp"
 #include "nav/kept_cover.hpp"
 #include "path/pieces.hpp"
 #include "path/polyline_walk.hpp"
 #include "world/box_tree.hpp"
+#include "world/ellipse_bucket.hpp"
 #include "world/key_sort.hpp"
 #include "world/point_error.hpp"
 #include "world/world_impl.hpp"
@@ -52,38 +56,56 @@ void for_each_box_of_line(const Point& a, const Point& b, double reach, const Bo
   }
 }
 
-double distance_to(const Box& box, const Point& p) {
-  const double x = std::max({box.min.x - p.x, 0.0, p.x - box.max.x});
-  const double y = std::max({box.min.y - p.y, 0.0, p.y - box.max.y});
-  return length({x, y});
+/// Returns true only if the two segments surely cross, also if each coordinate of their ends is wrong by a rounding
+/// error: the ends of each one lie on different sides of the line of the other.
+bool surely_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double slack = slack_of(a, b) + slack_of(c, d);
+  const auto extent = [](const Point& p) { return std::abs(p.x) + std::abs(p.y); };
+  const auto are_apart = [&](const Point& from, const Point& along, const Point& p, const Point& q) {
+    const Point to_p = p - from;
+    const Point to_q = q - from;
+    const double error = 8.0 * slack * (extent(along) + extent(to_p) + extent(to_q) + slack);
+    const double at_p = cross(along, to_p);
+    const double at_q = cross(along, to_q);
+    return std::min(at_p, at_q) < -error && std::max(at_p, at_q) > error;
+  };
+  return are_apart(a, b - a, c, d) && are_apart(c, d - c, a, b);
 }
 
-/// The positions from which the sum of the distances to two foci is at most `length`, and all positions that are at
-/// most `reach` away from them.
-struct Ellipse {
-  Point start;
-  Point goal;
-  double length = std::numeric_limits<double>::infinity();
-  double reach = 0.0;
+enum class Diagonal : std::uint8_t { none, rising, falling };
 
-  [[nodiscard]] Box bounds() const {
-    constexpr double kBeyondAllDomains = 2 * kLargestCoordinate;
-    if (length > kBeyondAllDomains) {
-      return {{-kBeyondAllDomains, -kBeyondAllDomains}, {kBeyondAllDomains, kBeyondAllDomains}};
-    }
-    const Point centre = 0.5 * (start + goal);
-    const Point across{half_extent(std::abs(goal.y - start.y)), half_extent(std::abs(goal.x - start.x))};
-    return Box{centre - across, centre + across}.expanded(reach + slack_of(start, goal));
+/// Returns false only if the box misses the diagonal of `around`, and all positions whose coordinates differ from it by
+/// at most 2 `slack`. Requires: the boxes overlap. A watch calls it for hundreds of boxes of an update, because it
+/// reads no path: the paths are rarely in the cache.
+bool may_touch_diagonal(const Box& around, Diagonal diagonal, const Box& box, double slack) {
+  if (diagonal == Diagonal::none) return true;
+  const bool rises = diagonal == Diagonal::rising;
+  const Point from{around.min.x, rises ? around.min.y : around.max.y};
+  const Point along = Point{around.max.x, rises ? around.max.y : around.min.y} - from;
+  const double extent = std::abs(along.x) + std::abs(along.y);
+  const double error = extent * (8.0 * slack + 0x1p-48 * (extent + box.width() + box.height()));
+  const auto [least, most] =
+      std::minmax({cross(along, box.min - from), cross(along, box.max - from),
+                   cross(along, Point{box.min.x, box.max.y} - from), cross(along, Point{box.max.x, box.min.y} - from)});
+  return least <= error && most >= -error;
+}
+
+/// A box that contains the ellipse.
+Box bounds_of(const Ellipse& ellipse) {
+  constexpr double kBeyondAllDomains = 2 * kLargestCoordinate;
+  if (ellipse.length > kBeyondAllDomains) {
+    return {{-kBeyondAllDomains, -kBeyondAllDomains}, {kBeyondAllDomains, kBeyondAllDomains}};
   }
-  /// Half the extent of the ellipse in one axis, if the foci differ by `other` in the other axis.
-  [[nodiscard]] double half_extent(double other) const {
-    return 0.5 * std::sqrt(std::max(length - other, 0.0) * (length + other));
-  }
-  /// Returns true if a position of the box lies in the ellipse. Can also return true if the box is near it.
-  [[nodiscard]] bool may_meet(const Box& box) const {
-    return distance_to(box, start) + distance_to(box, goal) <= length + 2.0 * reach + slack_of(start, goal);
-  }
-};
+  // Half the extent of the ellipse in one axis, if the foci differ by `other` in the other axis.
+  const auto half_extent = [&](double other) {
+    return 0.5 * std::sqrt(std::max(ellipse.length - other, 0.0) * (ellipse.length + other));
+  };
+  const Point& start = ellipse.start;
+  const Point& goal = ellipse.goal;
+  const Point centre = 0.5 * (start + goal);
+  const Point across{half_extent(std::abs(goal.y - start.y)), half_extent(std::abs(goal.x - start.x))};
+  return Box{centre - across, centre + across}.expanded(ellipse.reach + slack_of(start, goal));
+}
 
 /// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
 /// position that is nearer to the end in the query than the moved end is. Let the search have moved the start from `s`
@@ -117,17 +139,18 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   struct Part {
     std::uint32_t slot;
     std::uint32_t index;
-  };
-  /// What the search for paths that may be too long reads of a path.
-  struct Reach {
-    Ellipse ellipse;
-    std::uint64_t key = 0;
-    std::uint32_t slot = 0;
+    Diagonal diagonal;  ///< the part of the segment in a box of the tree is this diagonal of the box
   };
   using Parts = BoxTree<Part>;
-  using Reaches = BoxTree<Reach>;
+  using Reaches = BoxTree<EllipseOfPath, EllipseBucket>;
   using Boxes = std::span<const ChangedBox>;
+  using ExactTriangulation = constraint::ExactTriangulation;
 
+  /// What an update needs to name a path that may be too long. Thousands of these fit into the cache.
+  struct Named {
+    std::uint64_t key = 0;
+    std::uint64_t too_long_by = 0;  ///< the last update that has found that the path may be too long
+  };
   struct Watched {
     std::uint64_t key = 0;
     std::vector<Point> points;
@@ -142,7 +165,15 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   };
 
   explicit Impl(const World& world)
-      : domain(world.domain()), version(world.version()), parts(domain), reaches(domain) {}
+      : domain(world.domain()),
+        version(world.version()),
+        had_crossings(has_crossings(world)),
+        parts(domain),
+        reaches(domain) {}
+
+  static bool has_crossings(const World& world) {
+    return world.impl_->triangulation.triangulation().geometry().has_constructed();
+  }
 
   /// The slot of a new path. If memory runs out while PathWatch::add() adds the path, the destructor removes the path
   /// again.
@@ -153,7 +184,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
         // Room for all slots, so that drop() allocates nothing.
         const std::size_t needed = impl_.watched.size() + 1;
         if (impl_.free_slots.capacity() < needed) impl_.free_slots.reserve(2 * needed);
-        if (impl_.too_long_by.size() < needed) impl_.too_long_by.resize(needed);
+        if (impl_.named.size() < needed) impl_.named.resize(needed);
         impl_.watched.emplace_back();
         impl_.free_slots.push_back(static_cast<std::uint32_t>(impl_.watched.size() - 1));
       }
@@ -178,22 +209,30 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   void add_boxes(std::uint32_t slot);
   void add_box(const Part& part, const Box& box);
   void drop(std::uint32_t slot) noexcept;
-  void check(std::uint32_t slot, const World& world, Boxes boxes, PathChanges& changes);
+  void check(const Part& part, const World& world, Boxes boxes, PathChanges& changes);
+  void collect_walls(const ExactTriangulation& triangulation, const Box& box);
+  [[nodiscard]] bool crosses_wall(std::span<const Point> points) const;
+  [[nodiscard]] bool may_lose_crossing(const Watched& path, const ChangedBox& changed, Boxes boxes) const;
   [[nodiscard]] static bool turns_in(const Watched& path, const Box& box);
-  [[nodiscard]] static bool has_easy_pieces(const Watched& path, Boxes boxes);
+  [[nodiscard]] bool has_easy_pieces(const Watched& path, Boxes boxes) const;
   [[nodiscard]] bool is_clear(const Watched& path, const World& world, Boxes boxes);
   void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
 
   Box domain;
   std::uint64_t version;  ///< of the world at the last update
+  bool had_crossings;     ///< whether the world had crossings at the last update, or before it
   std::uint64_t updates = 0;
   Parts parts;
   Reaches reaches;  ///< by the bounding boxes of the ellipses
   std::vector<Watched> watched;
-  std::vector<std::uint64_t> too_long_by;  ///< by slot: the last update that has found that the path may be too long
+  std::vector<Named> named;  ///< by slot
   std::vector<std::uint32_t> free_slots;
   std::unordered_map<std::uint64_t, std::uint32_t> slots;  ///< by key
+  std::vector<std::array<Point, 2>> walls;  ///< some walls that meet the box that check_box() is looking at
+  bool has_walls = false;                   ///< whether `walls` is up to date
+  constraint::SlotSet reached;
+  std::vector<mesh::HalfEdge> faces;
   nav::KeptCover cover;
   path::PolylineWalk walk;
   std::vector<std::uint64_t> sort_scratch;
@@ -208,12 +247,16 @@ void PathWatch::Impl::add_box(const Part& part, const Box& box) {
 /// Adds the boxes of all parts of a path.
 void PathWatch::Impl::add_boxes(std::uint32_t slot) {
   const Watched& path = watched[slot];
-  Part part{slot, 0};
+  Part part{slot, 0, Diagonal::none};
   const auto add = [&](const Box& box) { add_box(part, box); };
   if (path.pieces.empty()) {
     if (path.points.size() == 1) for_each_box_of_line(path.points[0], path.points[0], 0.0, domain, add);
     for (; part.index + 1 < path.points.size(); ++part.index) {
-      for_each_box_of_line(path.points[part.index], path.points[part.index + 1], 0.0, domain, add);
+      const Point& from = path.points[part.index];
+      const Point& to = path.points[part.index + 1];
+      const bool rises = (from.x <= to.x) == (from.y <= to.y);
+      if (path.is_in_domain) part.diagonal = rises ? Diagonal::rising : Diagonal::falling;
+      for_each_box_of_line(from, to, 0.0, domain, add);
     }
     return;
   }
@@ -240,23 +283,63 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   free_slots.push_back(slot);
 }
 
-/// Checks a path of a point agent near which a changed box may lie. Adds the path to `changes` if it is blocked.
-/// `boxes` are all boxes that have changed, or empty if they are not known.
-void PathWatch::Impl::check(std::uint32_t slot, const World& world, Boxes boxes, PathChanges& changes) {
-  Watched& path = watched[slot];
+/// Checks a path of a point agent, if a changed box may lie near this part of the path. Adds the path to `changes` if
+/// it is blocked. `boxes` are all boxes that have changed, or empty if they are not known. A path that surely crosses a
+/// wall is blocked. This is true of most blocked paths, and costs less than a walk along the path.
+void PathWatch::Impl::check(const Part& part, const World& world, Boxes boxes, PathChanges& changes) {
+  Watched& path = watched[part.slot];
   if (std::exchange(path.seen_by, updates) == updates) return;
-  path.is_blocked = !path.is_in_domain || !is_clear(path, world, boxes);
+  const std::span<const Point> points = path.points;
+  const bool is_across = part.index + 1 < points.size() && crosses_wall(points.subspan(part.index, 2));
+  path.is_blocked = !path.is_in_domain || is_across || !is_clear(path, world, boxes);
   if (path.is_blocked) changes.blocked.push_back(path.key);
+}
+
+/// Sets `walls` to walls that meet the box: to all of them, if the box meets few faces.
+void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, const Box& box) {
+  constexpr std::size_t kMostFaces = 64;
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  walls.clear();
+  reached.clear();
+  has_walls = true;
+  std::size_t count = 0;
+  const auto reach = [&](mesh::Face f) {
+    if (count == kMostFaces || !reached.insert(number(f))) return false;
+    ++count;
+    return true;
+  };
+  constraint::faces_at(triangulation, triangulation.triangulation().locate(box.min), faces);
+  const mesh::HalfEdge start = faces.front();
+  constraint::flood_box(
+      triangulation, constraint::BoxTest(box), start, faces, reach, [&](mesh::HalfEdge h, bool meets) {
+        if (!meets || !mesh.is_fixed(h) || mesh.twin(h) < h) return;
+        walls.push_back({geometry.rounded(number(mesh.origin(h))), geometry.rounded(number(mesh.target(h)))});
+      });
+}
+
+bool PathWatch::Impl::crosses_wall(std::span<const Point> points) const {
+  const auto is_crossed = [&](const auto& wall) { return surely_cross(points[0], points[1], wall[0], wall[1]); };
+  return has_walls && std::any_of(walls.begin(), walls.end(), is_crossed);
 }
 
 /// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. A
 /// removed item where the path turns is not allowed, because the point may have stood for a crossing that no longer
 /// exists.
-bool PathWatch::Impl::has_easy_pieces(const Watched& path, Boxes boxes) {
+bool PathWatch::Impl::has_easy_pieces(const Watched& path, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
   if (path.is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
   return std::none_of(boxes.begin(), boxes.end(),
-                      [&](const ChangedBox& changed) { return changed.is_removal && turns_in(path, changed.box); });
+                      [&](const ChangedBox& changed) { return may_lose_crossing(path, changed, boxes); });
+}
+
+/// Returns whether a removed item may have been a side of a crossing for which a point of the path stands. The world
+/// had no such crossing if it had none at the last update, and no item inserted since then meets the box of the removed
+/// item.
+bool PathWatch::Impl::may_lose_crossing(const Watched& path, const ChangedBox& changed, Boxes boxes) const {
+  if (!changed.is_removal || !turns_in(path, changed.box)) return false;
+  const auto may_cross = [&](const ChangedBox& other) { return other.is_insertion && other.box.overlaps(changed.box); };
+  return had_crossings || std::any_of(boxes.begin(), boxes.end(), may_cross);
 }
 
 /// Returns whether the path turns in the box, or less than rounding errors away from it.
@@ -292,14 +375,18 @@ bool PathWatch::Impl::is_clear(const Watched& path, const World& world, Boxes bo
 // A removal blocks the path of a point agent only if the path turns at the rounded coordinates of a crossing that no
 // longer exists. The removal of an item never blocks a disc.
 void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes) {
-  parts.for_each_overlapping(changed.box, [&](const Part& part) {
+  has_walls = false;
+  const double slack = slack_of(domain.min, domain.max);
+  parts.for_each_overlapping(changed.box, [&](const Part& part, const Box& around) {
+    if (!may_touch_diagonal(around, part.diagonal, changed.box, slack)) return;
     Watched& path = watched[part.slot];
     if (path.seen_by == updates) return;
     if (path.pieces.empty()) {
       const std::span<const Point> points = path.points;
       if (!path::may_touch(points.subspan(part.index, std::min<std::size_t>(points.size(), 2)), changed.box)) return;
-      if (!changed.is_insertion && !path.is_blocked && !turns_in(path, changed.box)) return;
-      return check(part.slot, world, boxes, changes);
+      if (!changed.is_insertion && !path.is_blocked && !may_lose_crossing(path, changed, boxes)) return;
+      if (changed.is_insertion && !has_walls) collect_walls(world.impl_->triangulation, changed.box);
+      return check(part, world, boxes, changes);
     }
     const std::span<const PathPiece> pieces = path.pieces;
     if (!changed.is_insertion || !path::may_touch(pieces.subspan(part.index, 1), path.radius, changed.box)) return;
@@ -307,20 +394,20 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, B
     changes.may_be_blocked.push_back(path.key);
   });
   if (!changed.is_removal) return;
-  reaches.for_each_overlapping(changed.box, [&](const Reach& reach) {
-    if (too_long_by[reach.slot] == updates || !reach.ellipse.may_meet(changed.box)) return;
-    too_long_by[reach.slot] = updates;
-    changes.may_be_too_long.push_back(reach.key);
+  reaches.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
+    if (std::exchange(named[slot].too_long_by, updates) == updates) return;
+    changes.may_be_too_long.push_back(named[slot].key);
   });
 }
 
 void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
+  has_walls = false;
   for (const auto& [key, slot] : slots) {
     changes.may_be_too_long.push_back(key);
     if (!watched[slot].pieces.empty()) {
       changes.may_be_blocked.push_back(key);
     } else if (!watched[slot].points.empty()) {
-      check(slot, world, {}, changes);
+      check({slot, 0, Diagonal::none}, world, {}, changes);
     }
   }
 }
@@ -342,10 +429,10 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   added.is_in_domain = std::all_of(path.points.begin(), path.points.end(),
                                    [&](const Point& p) { return is_point_of(impl_->domain, p); });
   added.is_blocked = false;
-  impl_->too_long_by[addition.slot()] = 0;
+  impl_->named[addition.slot()] = {key, 0};
   impl_->add_boxes(addition.slot());
   const Ellipse ellipse = ellipse_of(path);
-  added.reach = impl_->reaches.insert(ellipse.bounds(), {ellipse, key, addition.slot()});
+  added.reach = impl_->reaches.insert(bounds_of(ellipse), {ellipse, addition.slot()});
   added.has_reach = true;
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.
@@ -380,6 +467,7 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   sort_keys(changes.may_be_blocked, impl_->sort_scratch);
   sort_keys(changes.may_be_too_long, impl_->sort_scratch);
   impl_->version = world.version();
+  impl_->had_crossings = Impl::has_crossings(world);
 }
 
 }  // namespace waywright

@@ -41,7 +41,10 @@ TEST(BoxTree, FindsTheBoxesThatAListFinds) {
     if (i % 10 != 0) continue;
     const Box asked = random_box();
     std::vector<std::uint32_t> numbers;
-    tree.for_each_overlapping(asked, [&](std::uint32_t number) { numbers.push_back(number); });
+    tree.for_each_overlapping(asked, [&](std::uint32_t number, const Box& box) {
+      numbers.push_back(number);
+      EXPECT_TRUE(box.overlaps(asked));
+    });
     std::sort(numbers.begin(), numbers.end());
     std::vector<std::uint32_t> expected;
     for (const auto& [handle, entry] : boxes) {

@@ -99,6 +99,7 @@ TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
     const Point right{80, 40 + 20 * share()};
     const Point top{40 + 20 * share(), 80};
     world.insert_segment({20, 40 + 20 * share()}, right, 1).value();
+    PathWatch before_crossing(world);
     world.insert_segment({40 + 20 * share(), 20}, top, 2).value();
     const std::vector<Point> vertices = world.snapshot().vertices;
     const auto is_crossing = [](const Point& p) { return p.x > 21 && p.x < 79 && p.y > 21 && p.y < 79; };
@@ -109,11 +110,12 @@ TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
     path.length = distance(path.points[0], crossing) + distance(crossing, path.points[2]);
     ASSERT_TRUE(world.is_clear(path.points).value());
     PathWatch watch(world);
-    watch.add(1, path);
+    for (PathWatch* each : {&watch, &before_crossing}) each->add(1, path);
     world.remove(2).value();
     const bool is_clear = world.is_clear(path.points).value();
     blocked += is_clear ? 0 : 1;
     ASSERT_EQ(changes_of(watch, world).blocked, is_clear ? Keys{} : Keys{1});
+    ASSERT_EQ(changes_of(before_crossing, world).blocked, is_clear ? Keys{} : Keys{1});
   }
   EXPECT_GT(blocked, 20U);
 }
@@ -178,8 +180,14 @@ TEST(PathWatch, ChecksAllPathsIfTheWorldHasForgottenTheBoxes) {
 /// Random agents in a random world. The model knows each path and asks for all of them anew.
 class Agents {
  public:
-  Agents(std::uint64_t seed, std::size_t count)
-      : random_(seed), world_(world_of_hundred()), watch_(world_), radius_of_discs_(seed % 2 == 0 ? 0.0 : 1.0) {
+  enum class Walls : std::uint8_t { that_cross, that_are_parallel };
+
+  Agents(std::uint64_t seed, std::size_t count, Walls walls)
+      : random_(seed),
+        world_(world_of_hundred()),
+        watch_(world_),
+        walls_(walls),
+        radius_of_discs_(seed % 2 == 0 ? 0.0 : 1.0) {
     for (int i = 0; i < 30; ++i) items_.push_back(world_.insert(shape()).value());
     watch_ = PathWatch(world_);
     for (std::uint64_t key = 0; key < count; ++key) send(key);
@@ -213,6 +221,7 @@ class Agents {
                     at.y + static_cast<double>(random_.between(-12, 12))};
       return Point{std::clamp(p.x, 0.0, 100.0), std::clamp(p.y, 0.0, 100.0)};
     };
+    if (walls_ == Walls::that_are_parallel) return Shape::segment(at, {at.x, near().y});
     if (random_.chance(50)) return Shape::segment(at, near());
     return random_.chance(80) ? Shape::polygon({at, near(), near()}) : Shape::point(at);
   }
@@ -281,6 +290,7 @@ class Agents {
   Random random_;
   World world_;
   PathWatch watch_;
+  Walls walls_;
   double radius_of_discs_;
   std::vector<ItemId> items_;
   std::map<std::uint64_t, PathQuery> queries_;
@@ -289,17 +299,16 @@ class Agents {
   std::optional<std::uint64_t> tick_;
 };
 
-// With WAYWRIGHT_SCRIPTS=1000 the test makes 10,000 rounds of operations.
-TEST(PathWatch, AgreesWithQuestionsAboutAllPaths) {
+void compare_with_questions_about_all_paths(Agents::Walls walls) {
   std::size_t blocked = 0;
   std::size_t shortened = 0;
   std::size_t named = 0;
   std::size_t asked = 0;
   for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(case_count() / 5, 2); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Agents agents(seed, 60);
+    Agents agents(seed, 60, walls);
     agents.run(50);
-    if (HasFailure()) return;
+    if (testing::Test::HasFailure()) return;
     blocked += agents.blocked;
     shortened += agents.shortened;
     named += agents.named;
@@ -308,6 +317,14 @@ TEST(PathWatch, AgreesWithQuestionsAboutAllPaths) {
   EXPECT_GT(blocked, 100U);
   EXPECT_GT(shortened, 50U);
   EXPECT_LT(named, asked / 2) << "most paths are not near a change";
+}
+
+// With WAYWRIGHT_SCRIPTS=1000, each of the two tests makes 10,000 rounds of operations.
+TEST(PathWatch, AgreesWithQuestionsAboutAllPaths) { compare_with_questions_about_all_paths(Agents::Walls::that_cross); }
+
+// Without crossings, the removal of an item blocks no path.
+TEST(PathWatch, AgreesWithQuestionsAboutAllPathsInAWorldWithoutCrossings) {
+  compare_with_questions_about_all_paths(Agents::Walls::that_are_parallel);
 }
 
 }  // namespace
