@@ -40,9 +40,8 @@ void DiscChannel::leave_start(const locate::Located& location) {
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       const Point left = map_->position(mesh.target(h));
       const Point right = map_->position(mesh.origin(h));
-      const bool is_passage =
-          (ends_->dead_ends().passages(mesh::face(h)) >> (number(h) - 3 * number(mesh::face(h))) & 1U) != 0;
-      if ((h == first && is_on_edge) || !is_passage || !can_cross(h, squared_length(left - right))) continue;
+      const bool leads_on = is_passage(ends_->dead_ends().passages(mesh::face(h)), mesh::face(h), h);
+      if ((h == first && is_on_edge) || !leads_on || !can_cross(h, squared_length(left - right))) continue;
       follow({h, left, right, {ends_->start(), left, right}}, ChannelNode::kNone);
     }
   }
@@ -79,12 +78,6 @@ bool DiscChannel::is_visited(HalfEdge entry) const {
          (marks_faces_ && visited_[3 * number(mesh::face(entry))] == stamp_.value());
 }
 
-/// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
-/// as the disc is wide needs the exact decision.
-bool DiscChannel::can_cross(HalfEdge exit, double squared) const {
-  return squared > map_->surely_long || (squared >= map_->surely_short && !map_->is_closed(exit));
-}
-
 //          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
 //        /   \           the right end its target. It leaves to the left across c - origin, to the right across
 //      /       \         target - c. A foot bridge that starts at the origin separates the left edge from the entry.
@@ -95,17 +88,17 @@ WAYWRIGHT_ALWAYS_INLINE
 DiscChannel::Exits DiscChannel::exits_of(HalfEdge entry, const Point& left, const Point& right) {
   const HalfEdge left_exit = mesh::previous(entry);
   const HalfEdge right_exit = mesh::next(entry);
-  const unsigned passages = ends_->dead_ends().passages(mesh::face(entry));
+  const mesh::Face f = mesh::face(entry);
+  const unsigned passages = ends_->dead_ends().passages(f);
   const Point apex = map_->position(map_->mesh().origin(left_exit));
-  return {is_open(passages, left_exit, apex, left, entry), is_open(passages, right_exit, right, apex, right_exit),
-          apex};
+  return {is_passage(passages, f, left_exit) && is_open(left_exit, apex, left, entry),
+          is_passage(passages, f, right_exit) && is_open(right_exit, right, apex, right_exit), apex};
 }
 
-/// Returns whether the channel can leave a face across `exit`, whose ends lie at `p` and `q`. A foot bridge that
-/// separates this edge from the entry starts at the origin of `corner`.
+/// Returns whether the channel can leave a face across the passage `exit`, whose ends lie at `p` and `q`. A foot bridge
+/// that separates this edge from the entry starts at the origin of `corner`.
 WAYWRIGHT_ALWAYS_INLINE
-bool DiscChannel::is_open(unsigned passages, HalfEdge exit, const Point& p, const Point& q, HalfEdge corner) {
-  if ((passages >> (number(exit) - 3 * number(mesh::face(exit))) & 1U) == 0) return false;
+bool DiscChannel::is_open(HalfEdge exit, const Point& p, const Point& q, HalfEdge corner) {
   if (!can_cross(exit, squared_length(q - p))) return false;
   if (!map_->has_closed_foot(corner)) return true;
   has_seen_foot_ = true;
@@ -183,10 +176,11 @@ void DiscChannel::collect(std::uint32_t node) {
       if (entry == nodes_[i].channel.entry) break;
       // One of the two other edges of the face is open.
       const HalfEdge left_exit = mesh::previous(entry);
+      const mesh::Face f = mesh::face(entry);
+      const bool leads_left = is_passage(ends_->dead_ends().passages(f), f, left_exit);
       const Point apex = map_->position(mesh.origin(left_exit));
       const Point left = map_->position(mesh.origin(entry));
-      const unsigned passages = ends_->dead_ends().passages(mesh::face(entry));
-      exit = is_open(passages, left_exit, apex, left, entry) ? left_exit : mesh::next(entry);
+      exit = leads_left && is_open(left_exit, apex, left, entry) ? left_exit : mesh::next(entry);
     }
     std::reverse(exits_.begin() + static_cast<std::ptrdiff_t>(first), exits_.end());
   }

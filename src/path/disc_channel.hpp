@@ -63,10 +63,17 @@ class DiscChannel {
   void leave(const Node& node, std::uint32_t index);
   void collect(std::uint32_t node);
   [[nodiscard]] bool is_visited(mesh::HalfEdge entry) const;
-  [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const;
+  /// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
+  /// as the disc is wide needs the exact decision.
+  [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const {
+    return squared > map_->surely_long || (squared >= map_->surely_short && !map_->is_closed(exit));
+  }
+  /// Returns whether `exit` is one of the passages of its face `f`, which DeadEnds::passages() returns.
+  [[nodiscard]] static bool is_passage(unsigned passages, mesh::Face f, mesh::HalfEdge exit) {
+    return (passages >> (number(exit) - 3 * number(f)) & 1U) != 0;
+  }
   [[nodiscard]] Exits exits_of(mesh::HalfEdge entry, const Point& left, const Point& right);
-  [[nodiscard]] bool is_open(unsigned passages, mesh::HalfEdge exit, const Point& p, const Point& q,
-                             mesh::HalfEdge corner);
+  [[nodiscard]] bool is_open(mesh::HalfEdge exit, const Point& p, const Point& q, mesh::HalfEdge corner);
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;
