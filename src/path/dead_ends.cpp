@@ -1,7 +1,5 @@
 #include "path/dead_ends.hpp"
 
-#include "nav/point_agent.hpp"
-
 namespace waywright::path {
 
 void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals) {
@@ -33,7 +31,7 @@ unsigned DeadEnds::find_passages(mesh::Face f) const {
   unsigned passages = 0;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const mesh::HalfEdge exit{3 * number(f) + i};
-    if (nav::PointAgent::can_cross(*mesh_, exit) && !is_before(exit)) passages |= 1U << i;
+    if (!is_no_exit(f, exit)) passages |= 1U << i;
   }
   return passages;
 }

@@ -7,6 +7,7 @@
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "nav/point_agent.hpp"
 #include "nav/two_core.hpp"
 
 namespace waywright::path {
@@ -17,9 +18,10 @@ class DeadEnds {
   /// Starts a search with goal faces. `core` may be null: then the class knows no dead end. Cost: the length of the
   /// chains from the goal faces to the core.
   void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
-  /// Returns whether only a dead end without a goal lies beyond the edge. Requires: the edge is no wall.
-  [[nodiscard]] bool is_before(mesh::HalfEdge exit) const {
-    return core_ != nullptr && !core_->is_passage(exit) && is_before_tree(exit);
+  /// Returns whether the edge `exit` of the face `f` is a wall, or only a dead end without a goal lies beyond it.
+  [[nodiscard]] bool is_no_exit(mesh::Face f, mesh::HalfEdge exit) const {
+    if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
+    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_before_tree(exit));
   }
   /// Returns the edges of a face that are no walls and beyond which more lies than a dead end without a goal. The
   /// result has one bit for each half-edge of the face.
@@ -31,8 +33,8 @@ class DeadEnds {
   }
 
  private:
-  /// Does the same as is_before(). Requires: there is a core, and the edge does not lead from one face of it to
-  /// another.
+  /// Returns whether only a dead end without a goal lies beyond the edge. Requires: there is a core, the edge is no
+  /// wall, and it does not lead from one face of the core to another.
   [[nodiscard]] bool is_before_tree(mesh::HalfEdge exit) const;
   [[nodiscard]] unsigned find_passages(mesh::Face f) const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/compiler.hpp"
+
 namespace waywright::path {
 
 using mesh::HalfEdge;
@@ -38,9 +40,8 @@ void DiscChannel::leave_start(const locate::Located& location) {
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       const Point left = map_->position(mesh.target(h));
       const Point right = map_->position(mesh.origin(h));
-      const bool is_passage =
-          (ends_->dead_ends().passages(mesh::face(h)) >> (number(h) - 3 * number(mesh::face(h))) & 1U) != 0;
-      if ((h == first && is_on_edge) || !is_passage || !can_cross(h, squared_length(left - right))) continue;
+      const bool leads_on = is_passage(ends_->dead_ends().passages(mesh::face(h)), mesh::face(h), h);
+      if ((h == first && is_on_edge) || !leads_on || !can_cross(h, squared_length(left - right))) continue;
       follow({h, left, right, {ends_->start(), left, right}}, ChannelNode::kNone);
     }
   }
@@ -56,14 +57,15 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
       continue;
     }
     const std::uint32_t index = open_.pop();
-    const ChannelNode node = nodes_[index];
+    const Node node = nodes_[index];
+    const HalfEdge entry = node.channel.entry;
     ++expansions;
-    if (ends_->is_goal_face(mesh::face(node.entry))) {
+    if (ends_->is_goal_face(mesh::face(entry))) {
       collect(index);
       return true;
     }
-    if (is_visited(node.entry)) continue;
-    visited_[marks_faces_ ? 3 * number(mesh::face(node.entry)) : number(node.entry)] = stamp_.value();
+    if (is_visited(entry)) continue;
+    visited_[marks_faces_ ? 3 * number(mesh::face(entry)) : number(entry)] = stamp_.value();
     leave(node, index);
   }
   return is_found_;
@@ -76,38 +78,31 @@ bool DiscChannel::is_visited(HalfEdge entry) const {
          (marks_faces_ && visited_[3 * number(mesh::face(entry))] == stamp_.value());
 }
 
-/// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
-/// as the disc is wide needs the exact decision.
-bool DiscChannel::can_cross(HalfEdge exit, double squared) const {
-  return squared > map_->surely_long || (squared >= map_->surely_short && !map_->is_closed(exit));
-}
-
 //          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
 //        /   \           the right end its target. It leaves to the left across c - origin, to the right across
 //      /       \         target - c. A foot bridge that starts at the origin separates the left edge from the entry.
 //  origin --> target
 //
 /// Finds the exits of the face of `entry`, whose ends lie at `left` and `right`.
+WAYWRIGHT_ALWAYS_INLINE
 DiscChannel::Exits DiscChannel::exits_of(HalfEdge entry, const Point& left, const Point& right) {
   const HalfEdge left_exit = mesh::previous(entry);
   const HalfEdge right_exit = mesh::next(entry);
-  const std::uint32_t first = 3 * number(mesh::face(entry));
-  const unsigned passages = ends_->dead_ends().passages(mesh::face(entry));
-  Exits exits;
-  exits.apex = map_->position(map_->mesh().origin(left_exit));
-  exits.is_left_open =
-      (passages >> (number(left_exit) - first) & 1U) != 0 && can_cross(left_exit, squared_length(exits.apex - left));
-  exits.is_right_open =
-      (passages >> (number(right_exit) - first) & 1U) != 0 && can_cross(right_exit, squared_length(right - exits.apex));
-  if (exits.is_left_open && map_->has_closed_foot(entry)) {
-    exits.is_left_open = false;
-    has_seen_foot_ = true;
-  }
-  if (exits.is_right_open && map_->has_closed_foot(right_exit)) {
-    exits.is_right_open = false;
-    has_seen_foot_ = true;
-  }
-  return exits;
+  const mesh::Face f = mesh::face(entry);
+  const unsigned passages = ends_->dead_ends().passages(f);
+  const Point apex = map_->position(map_->mesh().origin(left_exit));
+  return {is_passage(passages, f, left_exit) && is_open(left_exit, apex, left, entry),
+          is_passage(passages, f, right_exit) && is_open(right_exit, right, apex, right_exit), apex};
+}
+
+/// Returns whether the channel can leave a face across the passage `exit`, whose ends lie at `p` and `q`. A foot bridge
+/// that separates this edge from the entry starts at the origin of `corner`.
+WAYWRIGHT_ALWAYS_INLINE
+bool DiscChannel::is_open(HalfEdge exit, const Point& p, const Point& q, HalfEdge corner) {
+  if (!can_cross(exit, squared_length(q - p))) return false;
+  if (!map_->has_closed_foot(corner)) return true;
+  has_seen_foot_ = true;
+  return false;
 }
 
 /// Moves the left end of the portal to `to`.
@@ -123,19 +118,19 @@ void DiscChannel::Channel::move_right(HalfEdge exit, const Point& to) {
   sight.move_right(right, left);
 }
 
-void DiscChannel::leave(const ChannelNode& node, std::uint32_t index) {
+void DiscChannel::leave(const Node& node, std::uint32_t index) {
   const mesh::TriangleMesh& mesh = map_->mesh();
-  const Channel channel{mesh::kNoHalfEdge, map_->position(mesh.origin(node.entry)),
-                        map_->position(mesh.target(node.entry)), node.sight};
-  const Exits exits = exits_of(node.entry, channel.left, channel.right);
-  if (exits.is_right_open) {
+  const HalfEdge entry = node.channel.entry;
+  const Channel channel{mesh::kNoHalfEdge, map_->position(mesh.origin(entry)), map_->position(mesh.target(entry)),
+                        node.channel.sight};
+  if (node.exits.is_right_open) {
     Channel right = channel;
-    right.move_left(mesh::next(node.entry), exits.apex);
+    right.move_left(mesh::next(entry), node.exits.apex);
     follow(right, index);
   }
-  if (exits.is_left_open) {
+  if (node.exits.is_left_open) {
     Channel left = channel;
-    left.move_right(mesh::previous(node.entry), exits.apex);
+    left.move_right(mesh::previous(entry), node.exits.apex);
     follow(left, index);
   }
 }
@@ -144,9 +139,10 @@ void DiscChannel::leave(const ChannelNode& node, std::uint32_t index) {
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
   // Of channels of about the same length, the search prefers those that are nearer to the goal.
   constexpr double kTieBreakWeight = 1.0 / 128;
+  const mesh::TriangleMesh& mesh = map_->mesh();
   const HalfEdge exit = channel.out;
   for (;;) {
-    const HalfEdge entry = map_->mesh().twin(channel.out);
+    const HalfEdge entry = mesh.twin(channel.out);
     const mesh::Face f = mesh::face(entry);
     if (is_visited(entry)) return;
     const Exits exits = exits_of(entry, channel.left, channel.right);
@@ -154,7 +150,7 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
       const double bound =
           channel.sight.length_to(ends_->goal()) + kTieBreakWeight * distance(channel.left, ends_->goal());
       open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
-      nodes_.push_back({exit, entry, before, channel.sight});
+      nodes_.push_back({{exit, entry, before, channel.sight}, exits});
       return;
     }
     if (!exits.is_left_open && !exits.is_right_open) return;
@@ -169,17 +165,22 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
 
 void DiscChannel::collect(std::uint32_t node) {
   is_found_ = true;
-  goal_face_ = nodes_[node].entry;
-  for (std::uint32_t i = node; i != ChannelNode::kNone; i = nodes_[i].before) {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  goal_face_ = nodes_[node].channel.entry;
+  for (std::uint32_t i = node; i != ChannelNode::kNone; i = nodes_[i].channel.before) {
     // The exits between two nodes, backwards: go on from the first one, and reverse the piece.
     const std::size_t first = exits_.size();
-    for (HalfEdge exit = nodes_[i].exit;;) {
+    for (HalfEdge exit = nodes_[i].channel.exit;;) {
       exits_.push_back(exit);
-      const HalfEdge entry = map_->mesh().twin(exit);
-      if (entry == nodes_[i].entry) break;
-      const mesh::TriangleMesh& mesh = map_->mesh();
-      const Exits exits = exits_of(entry, map_->position(mesh.origin(entry)), map_->position(mesh.target(entry)));
-      exit = exits.is_left_open ? mesh::previous(entry) : mesh::next(entry);
+      const HalfEdge entry = mesh.twin(exit);
+      if (entry == nodes_[i].channel.entry) break;
+      // One of the two other edges of the face is open.
+      const HalfEdge left_exit = mesh::previous(entry);
+      const mesh::Face f = mesh::face(entry);
+      const bool leads_left = is_passage(ends_->dead_ends().passages(f), f, left_exit);
+      const Point apex = map_->position(mesh.origin(left_exit));
+      const Point left = map_->position(mesh.origin(entry));
+      exit = leads_left && is_open(left_exit, apex, left, entry) ? left_exit : mesh::next(entry);
     }
     std::reverse(exits_.begin() + static_cast<std::ptrdiff_t>(first), exits_.end());
   }

@@ -52,15 +52,28 @@ class DiscChannel {
     bool is_right_open;
     Point apex;  ///< the position of the vertex between the two exits
   };
+  struct Node {
+    ChannelNode channel;
+    Exits exits;
+  };
 
   void restart();
   void leave_start(const locate::Located& location);
   void follow(Channel channel, std::uint32_t before);
-  void leave(const ChannelNode& node, std::uint32_t index);
+  void leave(const Node& node, std::uint32_t index);
   void collect(std::uint32_t node);
   [[nodiscard]] bool is_visited(mesh::HalfEdge entry) const;
-  [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const;
+  /// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
+  /// as the disc is wide needs the exact decision.
+  [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const {
+    return squared > map_->surely_long || (squared >= map_->surely_short && !map_->is_closed(exit));
+  }
+  /// Returns whether `exit` is one of the passages of its face `f`, which DeadEnds::passages() returns.
+  [[nodiscard]] static bool is_passage(unsigned passages, mesh::Face f, mesh::HalfEdge exit) {
+    return (passages >> (number(exit) - 3 * number(f)) & 1U) != 0;
+  }
   [[nodiscard]] Exits exits_of(mesh::HalfEdge entry, const Point& left, const Point& right);
+  [[nodiscard]] bool is_open(mesh::HalfEdge exit, const Point& p, const Point& q, mesh::HalfEdge corner);
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;
@@ -69,7 +82,7 @@ class DiscChannel {
   bool marks_faces_ = true;     ///< whether the search makes its choice at each face only once
   bool has_seen_foot_ = false;  ///< whether a foot bridge closed a passage from one edge of a face to another
 
-  std::vector<ChannelNode> nodes_;
+  std::vector<Node> nodes_;
   OpenList open_;                               ///< indices in `nodes_`
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by half-edge: where channels have entered a face
   memory::Stamp stamp_;

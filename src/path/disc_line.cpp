@@ -44,8 +44,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   start_ = touching_point(from.contact, direction_, map.radius);
   end_ = touching_point(to.contact, direction_, map.radius);
   least_ = map.least_distance() * map.least_distance();
-  const double touched = map.radius + kTouching * map.slack;
-  touched_ = touched * touched;
+  reach_ = map.radius + kTouching * map.slack;
   is_blocked_ = false;
   obstacles_[0].vertex = obstacles_[1].vertex = mesh::kNoVertex;
   visited_.grow_to(map.mesh().face_slots());
@@ -81,7 +80,7 @@ void DiscLine::walk(HalfEdge face) {
   Offset right = ends[first];
   Offset left = ends[(first + 1) % 3];
   for (;;) {
-    if (map_->is_closed(exit)) return look_at_closed(exit);
+    if (map_->is_closed(exit, squared_length(left.position - right.position))) return look_at_closed(exit);
     const HalfEdge entry = mesh.twin(exit);
     visited_[number(mesh::face(entry))] = stamp_.value();
     const Offset apex = offset(mesh.apex(entry));
@@ -124,8 +123,7 @@ bool DiscLine::is_edge_near(const Offset& a, const Offset& b) const {
          (std::max(a.along, b.along) > length_ && is_near(start_));
 }
 
-/// Visits the faces beyond `h` that are near the line.
-void DiscLine::look_beside(HalfEdge h, const Offset& origin, const Offset& target) {
+void DiscLine::visit_beside(HalfEdge h, const Offset& origin, const Offset& target) {
   if (!enter_beside(h, origin, target)) return;
   to_enter_.clear();
   to_enter_.push_back({h, origin, target});
@@ -145,9 +143,7 @@ void DiscLine::look_beside(HalfEdge h, const Offset& origin, const Offset& targe
 /// Returns whether the visit enters the face beyond the edge: it is near the line, and the visit has not been there. If
 /// the edge is a wall, the function looks at it.
 bool DiscLine::enter_beside(HalfEdge at, const Offset& origin, const Offset& target) {
-  const bool is_aside =
-      std::min(origin.across, target.across) > map_->radius || std::max(origin.across, target.across) < -map_->radius;
-  if (is_aside) return false;
+  if (is_aside(origin, target)) return false;
   const mesh::TriangleMesh& mesh = map_->mesh();
   if (mesh.is_fixed(at)) {
     look_at_wall(origin.position, target.position);
@@ -172,10 +168,9 @@ void DiscLine::look_at_wall(const Point& a, const Point& b) {
   if (is_near(end_) || is_near(start_)) is_blocked_ = true;
 }
 
-/// Looks at the vertex at which `corner` starts.
-void DiscLine::look_at_vertex(HalfEdge corner, const Offset& at) {
+void DiscLine::look_at_near_vertex(HalfEdge corner, const Offset& at) {
   const double squared = squared_distance(at);
-  if (squared > touched_) return;
+  if (squared > reach_ * reach_) return;
   const Vertex v = map_->mesh().origin(corner);
   if (v == from_.vertex || v == to_.vertex) return;
   look_at_feet(v);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -63,11 +65,24 @@ class DiscLine {
   [[nodiscard]] double squared_distance(const Offset& at) const;
   [[nodiscard]] bool is_edge_near(const Offset& a, const Offset& b) const;
   void walk(mesh::HalfEdge face);
-  void look_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target);
+  /// Visits the faces beyond `h` that are near the line.
+  void look_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target) {
+    if (!is_aside(origin, target)) visit_beside(h, origin, target);
+  }
+  /// Returns whether the edge lies on one side of the line, farther than the radius from it.
+  [[nodiscard]] bool is_aside(const Offset& origin, const Offset& target) const {
+    return std::min(origin.across, target.across) > map_->radius ||
+           std::max(origin.across, target.across) < -map_->radius;
+  }
+  void visit_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target);
   [[nodiscard]] bool enter_beside(mesh::HalfEdge at, const Offset& origin, const Offset& target);
   void look_at_wall(const Point& a, const Point& b);
   void look_at_closed(mesh::HalfEdge exit);
-  void look_at_vertex(mesh::HalfEdge corner, const Offset& at);
+  /// Looks at the vertex at which `corner` starts.
+  void look_at_vertex(mesh::HalfEdge corner, const Offset& at) {
+    if (std::abs(at.across) <= reach_) look_at_near_vertex(corner, at);
+  }
+  void look_at_near_vertex(mesh::HalfEdge corner, const Offset& at);
   void note_obstacle(mesh::HalfEdge corner);
   [[nodiscard]] bool crosses_foot(mesh::HalfEdge corner) const;
   void look_at_feet(mesh::Vertex v);
@@ -87,8 +102,8 @@ class DiscLine {
   Point direction_;  ///< of the line
   Point back_;       ///< the opposite direction
   double length_ = 0.0;
-  double least_ = 0.0;    ///< the square of the least distance that a wall may have
-  double touched_ = 0.0;  ///< the square of a distance: the disc touches vertices that are not farther
+  double least_ = 0.0;  ///< the square of the least distance that a wall may have
+  double reach_ = 0.0;  ///< the disc touches vertices that are not farther than this
   bool is_blocked_ = false;
   Obstacle obstacles_[2];  ///< on the right, on the left
   std::vector<Beside> to_enter_;

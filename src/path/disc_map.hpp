@@ -71,6 +71,11 @@ class DiscMap {
     return exact::compare_to_diameter({from, to, to}, exact_radius) < 0;
   }
 
+  /// Does the same for an edge of a given squared length. Saves most of the exact decisions.
+  [[nodiscard]] bool is_closed(mesh::HalfEdge h, double squared) const {
+    return mesh().is_fixed(h) || (squared <= surely_long && is_closed(h));
+  }
+
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
   /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.
   [[nodiscard]] std::optional<Point> closed_foot(mesh::HalfEdge corner) const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/compiler.hpp"
 #include "path/distance.hpp"
 
 namespace waywright::path {
@@ -49,40 +50,37 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
   leave_start(ends.at_start());
 }
 
-/// Returns whether the search does not follow lines from a contact across the edge: no disc has its centre there, or a
-/// dead end lies beyond. If the edge is shorter than the disc is wide, the disc fits at no position on it; but a line
-/// may begin beyond the edge.
-bool DiscOptimal::is_excluded(const Contact& from, HalfEdge exit) const {
-  if (map_->mesh().is_fixed(exit) || ends_->dead_ends().is_before(exit)) return true;
-  const Point a = map_->position(map_->mesh().origin(exit));
-  const Point b = map_->position(map_->mesh().target(exit));
-  const double squared = squared_length(b - a);
-  if (squared > map_->surely_long) return false;
+/// Returns whether no disc has its centre on the edge `exit`, which is not surely long. If the edge is shorter than the
+/// disc is wide, the disc fits at no position on it; but a line may begin beyond the edge.
+bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
-  return from.turn == kNoTurn || squared_distance_to_segment(from.centre, a, b) > map_->radius * map_->radius;
+  return from.turn == kNoTurn ||
+         squared_distance_to_segment(from.centre, edge.right, edge.left) > map_->radius * map_->radius;
 }
 
-/// Returns whether the search does not follow the window across the edge. These are the edges of is_excluded(), and
-/// edges that are too far from the line on which the path arrives at the root: the circle around the root lies left of
-/// this line and the part of the edge that the window sees lies right of it, or the reverse. A line from the root to a
-/// vertex that the window sees beyond this edge would turn back, because the distance of the vertex from the line is
-/// larger than the diameter of the disc.
-bool DiscOptimal::is_outside(const Window& window, HalfEdge exit) const {
-  const Root& root = roots_[window.root];
+/// Returns whether the search does not follow a window with the bounds `left` and `right` across the edge `exit`, whose
+/// ends are `edge`. These are the edges of is_excluded(), and edges that are too far from the line on which the path
+/// arrives at the root: the circle around the root lies left of this line and the part of the edge that the window sees
+/// lies right of it, or the reverse. A line from the root to a vertex that the window sees beyond this edge would turn
+/// back, because the distance of the vertex from the line is larger than the diameter of the disc.
+WAYWRIGHT_ALWAYS_INLINE
+bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& right, HalfEdge exit,
+                             const Edge& edge) const {
   const Contact& from = root.end.contact;
-  if (is_excluded(from, exit)) return true;
+  if (is_excluded(from, exit, edge)) return true;
   const bool is_left = from.turn == kTurnLeft;
-  const Point& nearer_bound = is_left ? window.left.direction : window.right.direction;
+  const Point& nearer_bound = is_left ? left : right;
   if (from.turn * cross(root.direction, nearer_bound) >= 0.0) return false;
-  const Point& other_bound = is_left ? window.right.direction : window.left.direction;
-  const Point a = map_->position(map_->mesh().origin(exit)) - from.centre;
-  const Point edge = map_->position(map_->mesh().target(exit)) - from.centre - a;
-  const auto is_far = [&](const Point& bound) {
-    const std::optional<Point> end = meeting({0.0, 0.0}, bound, a, edge);
-    return end && from.turn * cross(root.direction, *end) < -kOutside * map_->radius;
-  };
-  return is_far(nearer_bound) && is_far(other_bound);
+  return is_far_behind(root, nearer_bound, edge) && is_far_behind(root, is_left ? right : left, edge);
+}
+
+/// Returns whether the point where a bound of a window meets the edge is too far from the line on which the path
+/// arrives at the root.
+bool DiscOptimal::is_far_behind(const Root& root, const Point& bound, const Edge& edge) const {
+  const Contact& from = root.end.contact;
+  const std::optional<Point> end = meeting({0.0, 0.0}, bound, edge.right - from.centre, edge.left - edge.right);
+  return end && from.turn * cross(root.direction, *end) < -kOutside * map_->radius;
 }
 
 std::uint32_t DiscOptimal::add_root(const Root& root) {
@@ -113,10 +111,6 @@ bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
   return is_found_ || open_.empty();
 }
 
-double DiscOptimal::orientation(std::uint32_t root, const Bound& bound, const Point& position) const {
-  return cross(bound.direction, position - roots_[root].end.contact.centre);
-}
-
 /// Returns whether a path that leaves the root in this direction turns back there. Allows for rounding.
 bool DiscOptimal::turns_back(const Root& root, const Point& direction) const {
   return root.end.contact.turn * cross(root.direction, direction) < -kTurnsBack;
@@ -131,13 +125,11 @@ void DiscOptimal::leave_start(const locate::Located& location) {
     if (ends_->is_goal_face(mesh::face(first)))
       push_goal(0, {unit(ends_->goal() - ends_->start()), waywright::length(ends_->goal() - ends_->start())});
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
-      if ((h == first && is_on_edge) || is_excluded(roots_[0].end.contact, h)) continue;
-      const Vertex left = mesh.target(h);
-      const Vertex right = mesh.origin(h);
-      offer({mesh.twin(h),
-             0,
-             {map_->position(right) - ends_->start(), right},
-             {map_->position(left) - ends_->start(), left}});
+      const Edge edge = edge_of(h);
+      if ((h == first && is_on_edge) || is_excluded(roots_[0].end.contact, h, edge)) continue;
+      const Bound right{edge.right - ends_->start(), mesh.origin(h)};
+      const Bound left{edge.left - ends_->start(), mesh.target(h)};
+      offer({mesh.twin(h), 0, right, left}, edge);
     }
   }
 }
@@ -147,45 +139,56 @@ void DiscOptimal::leave_start(const locate::Located& location) {
 //   origin - target
 void DiscOptimal::follow(Window window) {
   const mesh::TriangleMesh& mesh = map_->mesh();
+  const Root& root = roots_[window.root];
+  Edge edge{map_->position(mesh.origin(window.entry)), map_->position(mesh.target(window.entry))};
   for (int faces = 1;; ++faces) {
     ++expansions_;
     if (ends_->is_goal_face(mesh::face(window.entry))) reach_goal(window);
     const Point apex = map_->position(mesh.apex(window.entry));
-    const HalfEdge right_exit = mesh::next(window.entry);
-    const HalfEdge left_exit = mesh::previous(window.entry);
-    HalfEdge exit{};
-    if (const double from_left = orientation(window.root, window.left, apex); from_left >= 0.0) {
+    HalfEdge exit = mesh::kNoHalfEdge;
+    if (const double from_left = orientation(root, window.left, apex); from_left >= 0.0) {
       if (window.left.anchor == mesh.origin(window.entry)) note_turn(window, kTurnLeft, from_left > 0.0);
-      exit = right_exit;
+      exit = mesh::next(window.entry);
+      edge.left = apex;
       if (from_left == 0.0) window.left.anchor = mesh.apex(window.entry);
-    } else if (const double from_right = orientation(window.root, window.right, apex); from_right <= 0.0) {
+    } else if (const double from_right = orientation(root, window.right, apex); from_right <= 0.0) {
       if (window.right.anchor == mesh.target(window.entry)) note_turn(window, kTurnRight, from_right < 0.0);
-      exit = left_exit;
+      exit = mesh::previous(window.entry);
+      edge.right = apex;
       if (from_right == 0.0) window.right.anchor = mesh.apex(window.entry);
-    } else {
-      return divide(window, apex);
     }
-    if (is_outside(window, exit)) return;
-    window.entry = mesh.twin(exit);
-    if (faces % kFacesBetweenBounds == 0) return offer(window);
+    if (exit == mesh::kNoHalfEdge) {
+      if (!divide(window, edge, apex)) return;
+    } else {
+      if (is_outside(root, window.left.direction, window.right.direction, exit, edge)) return;
+      window.entry = mesh.twin(exit);
+    }
+    if (faces % kFacesBetweenBounds == 0) return offer(window, edge);
   }
 }
 
-/// Continues a window in a face whose apex lies between the bounds of the window.
-void DiscOptimal::divide(const Window& window, const Point& apex) {
+/// Continues a window, whose edge has the ends `edge`, in a face whose apex lies between the bounds of the window. If
+/// the search follows the window across only one of the two other edges of the face, the function changes `window` and
+/// `edge` and returns true.
+bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
-  const Bound towards_apex{apex - roots_[window.root].end.contact.centre, mesh.apex(window.entry)};
-  Window left = window;
-  left.right = towards_apex;
-  Window right = window;
-  right.left = towards_apex;
-  const auto leave = [&](Window& beyond, HalfEdge exit) {
-    if (is_outside(beyond, exit)) return;
-    beyond.entry = mesh.twin(exit);
-    offer(beyond);
-  };
-  leave(left, mesh::previous(left.entry));
-  leave(right, mesh::next(right.entry));
+  const Root& root = roots_[window.root];
+  const Bound towards_apex{apex - root.end.contact.centre, mesh.apex(window.entry)};
+  const HalfEdge left_exit = mesh::previous(window.entry);
+  const HalfEdge right_exit = mesh::next(window.entry);
+  const Edge left_edge{edge.left, apex};
+  const Edge right_edge{apex, edge.right};
+  const bool goes_left = !is_outside(root, window.left.direction, towards_apex.direction, left_exit, left_edge);
+  const bool goes_right = !is_outside(root, towards_apex.direction, window.right.direction, right_exit, right_edge);
+  if (goes_left && goes_right) {
+    offer({mesh.twin(left_exit), window.root, towards_apex, window.left}, left_edge);
+    offer({mesh.twin(right_exit), window.root, window.right, towards_apex}, right_edge);
+    return false;
+  }
+  window.entry = mesh.twin(goes_left ? left_exit : right_exit);
+  (goes_left ? window.right : window.left) = towards_apex;
+  edge = goes_left ? left_edge : right_edge;
+  return goes_left || goes_right;
 }
 
 /// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is
@@ -203,10 +206,11 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
   const Contact& from = roots_[window.root].end.contact;
   const Contact contact = end_at(v, turn).contact;
-  const bool may_cross_far_edge = (sees_apex || from.turn != turn) && !is_excluded(contact, far_edge);
+  const bool may_cross_far_edge =
+      (sees_apex || from.turn != turn) && !is_excluded(contact, far_edge, edge_of(far_edge));
   const bool is_goal_near =
       ends_->is_goal_face(mesh::face(window.entry)) || ends_->is_goal_face(mesh::face(mesh.twin(window.entry)));
-  if (!is_goal_near && !may_cross_far_edge && is_excluded(contact, near_edge)) return;
+  if (!is_goal_near && !may_cross_far_edge && is_excluded(contact, near_edge, edge_of(near_edge))) return;
   const auto line = tangent(from, contact, map_->radius);
   if (line) push_turn(window.root, corner, turn, *line, kNone);
 }
@@ -250,9 +254,10 @@ DiscOptimal::Reached& DiscOptimal::reached_at(Vertex v, int turn) {
 }
 
 void DiscOptimal::reach_goal(const Window& window) {
-  if (orientation(window.root, window.left, ends_->goal()) > 0.0) return;
-  if (orientation(window.root, window.right, ends_->goal()) < 0.0) return;
-  const auto line = tangent(roots_[window.root].end.contact, {ends_->goal(), kNoTurn}, map_->radius);
+  const Root& root = roots_[window.root];
+  if (orientation(root, window.left, ends_->goal()) > 0.0) return;
+  if (orientation(root, window.right, ends_->goal()) < 0.0) return;
+  const auto line = tangent(root.end.contact, {ends_->goal(), kNoTurn}, map_->radius);
   if (line) push_goal(window.root, *line);
 }
 
@@ -264,8 +269,8 @@ void DiscOptimal::push_goal(std::uint32_t root, const Tangent& line) {
   open_.push(length, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
 }
 
-void DiscOptimal::offer(const Window& window) {
-  const double least = bound(window);
+void DiscOptimal::offer(const Window& window, const Edge& edge) {
+  const double least = bound(window, edge);
   if (least <= at_once_bound_) {
     at_once_.push_back(window);
     return;
@@ -275,19 +280,16 @@ void DiscOptimal::offer(const Window& window) {
   open_.push(least, static_cast<std::uint32_t>(2 * windows_.size() - 2));
 }
 
-/// A lower bound of the length of the paths through the window. If the disc is beyond the edge when it reaches the
-/// root, the bound does not depend on the edge.
+/// A lower bound of the length of the paths through the window, whose edge has the ends `edge`. If the disc is beyond
+/// the edge when it reaches the root, the bound does not depend on the edge.
 ///
 /// A path that turns around an end of the edge, or around a vertex close behind the edge, need not cross the edge: it
 /// comes within the radius of the edge. To go to the edge and back adds at most the diameter to its length.
-double DiscOptimal::bound(const Window& window) const {
-  const mesh::TriangleMesh& mesh = map_->mesh();
+double DiscOptimal::bound(const Window& window, const Edge& edge) const {
   const Root& root = roots_[window.root];
   const Point& from = root.position;
-  const Point left = map_->position(mesh.origin(window.entry));
-  const Point right = map_->position(mesh.target(window.entry));
-  if (cross(right - left, from - left) > 0.0) return root.length + root.distance;
-  const double by_edge = distance_via_segment(from, left, right, ends_->goal()) - 2.0 * map_->radius;
+  if (cross(edge.right - edge.left, from - edge.left) > 0.0) return root.length + root.distance;
+  const double by_edge = distance_via_segment(from, edge.left, edge.right, ends_->goal()) - 2.0 * map_->radius;
   return root.length + std::max(by_edge, root.distance);
 }
 
@@ -450,10 +452,11 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     if (ends_->is_goal_face(mesh::face(at))) {
       if (const auto line = tangent(contact, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);
     }
-    const HalfEdge far_edge = mesh::next(at);
-    Window window{mesh.twin(far_edge), root_index, first, last};
+    const HalfEdge exit = mesh::next(at);
+    const Edge edge = edge_of(exit);
+    Window window{mesh.twin(exit), root_index, first, last};
     if (contact.turn == kTurnRight) std::swap(window.right, window.left);
-    if (!is_outside(window, far_edge)) offer(window);
+    if (!is_outside(root, window.left.direction, window.right.direction, exit, edge)) offer(window, edge);
     first = last;
   };
   roots_[root_index].limit = turn_around(*map_, contact, root.direction, corner, visit);

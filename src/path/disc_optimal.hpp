@@ -73,6 +73,11 @@ class DiscOptimal {
     Bound right;
     Bound left;
   };
+  /// The positions of the two ends of a window's edge, on the left and on the right of the window.
+  struct Edge {
+    Point left;
+    Point right;
+  };
   /// A line to a contact or to the goal, which DiscLine has not tested yet.
   struct TurnNode {
     mesh::HalfEdge corner;  ///< starts at the contact; at the goal: a half-edge of its face
@@ -109,22 +114,37 @@ class DiscOptimal {
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
   /// Returns a number that is positive if the position lies left of a bound of a window of this root, negative if it
   /// lies right of the bound, and 0 if it lies on the bound.
-  [[nodiscard]] double orientation(std::uint32_t root, const Bound& bound, const Point& position) const;
+  [[nodiscard]] static double orientation(const Root& root, const Bound& bound, const Point& position) {
+    return cross(bound.direction, position - root.end.contact.centre);
+  }
+  /// The ends of the edge of `exit`, for a window that leaves the face of `exit` across this edge.
+  [[nodiscard]] Edge edge_of(mesh::HalfEdge exit) const {
+    return {map_->position(map_->mesh().target(exit)), map_->position(map_->mesh().origin(exit))};
+  }
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
-  [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit) const;
-  [[nodiscard]] bool is_outside(const Window& window, mesh::HalfEdge exit) const;
+  /// Returns whether the search does not follow lines from a contact across the edge `exit`, whose ends are `edge`: no
+  /// disc has its centre there, or a dead end lies beyond.
+  [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit, const Edge& edge) const {
+    if (ends_->dead_ends().is_no_exit(mesh::face(exit), exit)) return true;
+    const double squared = squared_length(edge.left - edge.right);
+    return squared <= map_->surely_long && is_too_short(from, exit, edge, squared);
+  }
+  [[nodiscard]] bool is_too_short(const Contact& from, mesh::HalfEdge exit, const Edge& edge, double squared) const;
+  [[nodiscard]] bool is_outside(const Root& root, const Point& left, const Point& right, mesh::HalfEdge exit,
+                                const Edge& edge) const;
+  [[nodiscard]] bool is_far_behind(const Root& root, const Point& bound, const Edge& edge) const;
   std::uint32_t add_root(const Root& root);
   void leave_start(const locate::Located& location);
   void follow(Window window);
-  void divide(const Window& window, const Point& apex);
+  [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
   void note_turn(const Window& window, int turn, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   void reach_goal(const Window& window);
   void push_goal(std::uint32_t root, const Tangent& line);
-  void offer(const Window& window);
+  void offer(const Window& window, const Edge& edge);
 
   void expand(std::uint32_t index);
   void try_goal(std::uint32_t index);
@@ -140,7 +160,7 @@ class DiscOptimal {
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
     return root.length + arc_length(root.end.contact, root.direction, direction, map_->radius);
   }
-  [[nodiscard]] double bound(const Window& window) const;
+  [[nodiscard]] double bound(const Window& window, const Edge& edge) const;
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;

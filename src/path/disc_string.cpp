@@ -1,6 +1,7 @@
 #include "path/disc_string.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace waywright::path {
@@ -11,6 +12,11 @@ namespace {
 
 /// The addition of this number to an index subtracts 1.
 constexpr std::size_t kBackwards = static_cast<std::size_t>(-1);
+
+/// The diameter, in radii, and a margin for rounding.
+constexpr double kSurelyInside = 2.125;
+
+double coordinate_sum(const Point& v) { return std::abs(v.x) + std::abs(v.y); }
 
 }  // namespace
 
@@ -66,7 +72,18 @@ bool DiscString::turns(const Stop& p, const Stop& q, const Stop& r, int turn) {
 
 /// Returns whether the string from the apex to `end` has to turn around `other`, the next stop on the opposite string
 /// of the funnel: `end` lies beyond the line from the apex to `other`, and farther away.
+///
+/// A tangent to a circle in the other direction differs from the line between the centres by the angle whose sine is
+/// the diameter, divided by the distance. The sum of two sines is at least the sine of the sum. So if the sine of the
+/// angle between the two lines between the centres is larger than the sum of these two sines, the two tangents do not
+/// cross either. (The sum of the two coordinates of a vector is at least its length.)
 bool DiscString::is_across(const Stop& apex, const Stop& end, const Stop& other) {
+  const Point to_end_centre = end.end.contact.centre - apex.end.contact.centre;
+  const Point to_other_centre = other.end.contact.centre - apex.end.contact.centre;
+  const double angle = -other.end.contact.turn * cross(to_other_centre, to_end_centre);
+  if (angle > kSurelyInside * map_->radius * (coordinate_sum(to_end_centre) + coordinate_sum(to_other_centre))) {
+    return false;
+  }
   const auto to_end = tangent(apex.end.contact, end.end.contact, map_->radius);
   const auto to_other = tangent(apex.end.contact, other.end.contact, map_->radius);
   if (!to_end || !to_other) {
