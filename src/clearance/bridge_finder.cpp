@@ -152,11 +152,10 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
 Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
   const exact::ExactPoint point = geometry_.exact(number(v));
   if (!point.is_explicit()) {
-    const exact::Crossing& crossing = *point.crossing;
-    if (gap.from == crossing.a) return exact::dot(gap.from, crossing.b, gap.a, gap.b);
-    if (gap.from == crossing.b) return exact::dot(gap.from, crossing.a, gap.a, gap.b);
-    if (gap.from == crossing.c) return exact::dot(gap.from, crossing.d, gap.a, gap.b);
-    if (gap.from == crossing.d) return exact::dot(gap.from, crossing.c, gap.a, gap.b);
+    for (const exact::PointPair* const line : {point.ab, point.cd}) {
+      if (gap.from == line->a) return exact::dot(gap.from, line->b, gap.a, gap.b);
+      if (gap.from == line->b) return exact::dot(gap.from, line->a, gap.a, gap.b);
+    }
   }
   return exact::dot(gap.from, point, gap.a, gap.b);
 }

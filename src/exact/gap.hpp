@@ -51,7 +51,7 @@ template <class Coordinate>
 [[nodiscard]] inline Sign dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
   if (const auto sign = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b)) return *sign;
-  return detail::finer_dot(p, *q.crossing, a, b);
+  return detail::finer_dot(p, q.crossing(), a, b);
 }
 
 /// Whether the closed disc whose diameter is the gap contains a position of the segment from `c` to `d` other than the
