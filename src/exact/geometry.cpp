@@ -17,21 +17,21 @@ void Geometry::set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t
   if (rounded.is_exact) return;
   lines_of_.grow_to(std::size_t{vertex} + 1);
   lines_of_.make_room(vertex);
-  const LineTable::Number one = lines_.add_use(crossing.ab);
-  set_lines(vertex, {one, lines_.add_use(crossing.cd)});
+  // A side that crosses many others is the first line of many crossings, one after the other.
+  recent_line_ = lines_.find_or_make(crossing.ab, recent_line_);
+  const Lines lines = {recent_line_, lines_.find_or_make(crossing.cd)};
+  lines_journal_.add({{}, vertex});
+  lines_.add_uses(lines.one, lines.other);
+  lines_of_[vertex] = lines;
 }
 
+// If memory runs out after the record is made, roll_back() finds the lines unchanged, and this changes nothing.
 void Geometry::clear(std::uint32_t vertex) {
   const Lines lines = lines_of(vertex);
   if (lines.one == LineTable::kNone) return;
-  lines_.remove_use(lines.one);
-  lines_.remove_use(lines.other);
-  set_lines(vertex, {});
-}
-
-void Geometry::set_lines(std::uint32_t vertex, const Lines& lines) {
-  lines_journal_.add({lines_of_[vertex], vertex});
-  lines_of_[vertex] = lines;
+  lines_journal_.add({lines, vertex});
+  lines_.remove_uses(lines.one, lines.other);
+  lines_of_[vertex] = {};
 }
 
 void Geometry::begin() {
@@ -42,7 +42,12 @@ void Geometry::begin() {
 
 void Geometry::roll_back() {
   position_journal_.roll_back([&](const PositionUndo& change) { positions_[change.vertex] = change.position; });
-  lines_journal_.roll_back([&](const LinesUndo& change) { lines_of_[change.vertex] = change.lines; });
+  lines_journal_.roll_back([&](const LinesUndo& change) {
+    Lines& lines = lines_of_[change.vertex];
+    if (lines.one != LineTable::kNone) lines_.take_back_uses(lines.one, lines.other);
+    lines = change.lines;
+    if (lines.one != LineTable::kNone) lines_.add_uses(lines.one, lines.other);
+  });
   lines_.roll_back();
 }
 

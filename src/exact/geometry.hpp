@@ -164,8 +164,6 @@ class Geometry {
     const Lines* const lines = lines_of_.find(vertex);
     return lines == nullptr ? Lines{} : *lines;
   }
-  /// Requires: `lines_of_` has room for the vertex.
-  void set_lines(std::uint32_t vertex, const Lines& lines);
   [[nodiscard]] bool is_explicit(const View& view) const { return is_explicit(view.vertex); }
   [[nodiscard]] ExactPoint exact(const View& view) const;
 
@@ -174,6 +172,7 @@ class Geometry {
   std::vector<Point> positions_;
   memory::Pages<Lines, kVerticesPerPage> lines_of_;  ///< by vertex; has room for every constructed vertex
   LineTable lines_;
+  LineTable::Number recent_line_ = LineTable::kNone;  ///< the first line of the last new crossing
   memory::Journal<PositionUndo> position_journal_;
   memory::Journal<LinesUndo> lines_journal_;
 };

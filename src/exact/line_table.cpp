@@ -16,24 +16,7 @@ std::uint64_t hash_of(const Point& point) {
   return hash ^ (hash >> 31);
 }
 
-bool are_same(const PointPair& one, const PointPair& other) {
-  return one == other || (one.a == other.b && one.b == other.a);
-}
-
 }  // namespace
-
-LineTable::Number LineTable::add_use(const PointPair& points) {
-  const Number line = find(points);
-  if (line == kNone) return make(points);
-  journal_.add({line, Change::add_use});
-  ++records_[line].uses;
-  return line;
-}
-
-void LineTable::remove_use(Number line) {
-  journal_.add({line, Change::remove_use});
-  --records_[line].uses;
-}
 
 std::size_t LineTable::size() const {
   const auto is_live = [](const Record& record) { return record.uses != kFree; };
@@ -41,26 +24,19 @@ std::size_t LineTable::size() const {
 }
 
 void LineTable::begin() {
-  journal_.for_each([&](const Undo& change) {
-    if (records_[change.line].uses == 0) free_line(change.line);
-  });
-  journal_.begin();
+  for (const Number line : changed_) {
+    if (records_[line].uses == 0) free_line(line);
+  }
+  changed_.clear();
 }
 
+// After the caller has restored the uses, exactly the new lines have no use.
 void LineTable::roll_back() {
-  journal_.roll_back([&](const Undo& change) {
-    switch (change.change) {
-      case Change::make:
-        free_line(change.line);
-        break;
-      case Change::add_use:
-        --records_[change.line].uses;
-        break;
-      case Change::remove_use:
-        ++records_[change.line].uses;
-        break;
-    }
-  });
+  while (!changed_.empty()) {
+    const Number line = changed_.back();
+    changed_.pop_back();
+    if (records_[line].uses == 0) free_line(line);
+  }
 }
 
 // The sum of two hashes does not depend on the order of the two points.
@@ -68,14 +44,14 @@ std::size_t LineTable::bucket_of(const PointPair& points) const {
   return static_cast<std::size_t>(hash_of(points.a) + hash_of(points.b)) & (buckets_.size() - 1);
 }
 
-LineTable::Number LineTable::find(const PointPair& points) const {
-  if (buckets_.empty()) return kNone;
+LineTable::Number LineTable::find_or_make_by_hash(const PointPair& points) {
+  if (buckets_.empty()) return make(points);
   Number line = buckets_[bucket_of(points)];
-  while (line != kNone && !are_same(records_[line].points, points)) line = records_[line].next;
-  return line;
+  while (line != kNone && !is_line(line, points)) line = records_[line].next;
+  return line == kNone ? make(points) : line;
 }
 
-// If memory runs out, the undo log lists exactly the changes that were made, and every record is in use or free.
+// If memory runs out, `changed_` lists exactly the new lines, and every record is in use or free.
 LineTable::Number LineTable::make(const PointPair& points) {
   if (free_records_.is_empty()) {
     records_.push_back({{}, kFree, kNone});
@@ -83,9 +59,9 @@ LineTable::Number LineTable::make(const PointPair& points) {
   }
   if (buckets_.size() < records_.size()) grow_buckets();
   const Number line = free_records_.first();
-  journal_.add({line, Change::make});
+  changed_.push_back(line);
   free_records_.pop(records_[line].next);
-  records_[line] = {points, 1, kNone};
+  records_[line] = {points, 0, kNone};
   link(line);
   return line;
 }

@@ -1,6 +1,7 @@
 #include "exact/line_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -63,25 +64,44 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
     ASSERT_NO_FATAL_FAILURE(expect_equal(table, model));
     const Model before = model;
     const bool grows = operation / 300 % 2 == 0;
+    std::vector<std::pair<bool, std::array<LineTable::Number, 2>>> log;  // whether the uses were added, and the lines
+    LineTable::Number hint = LineTable::kNone;
     for (std::int64_t i = random.between(0, 20); i > 0; --i) {
-      if (model.lines.empty() || random.chance(grows ? 60 : 40)) {
-        const PointPair points = {{coordinate(), coordinate()}, {coordinate(), coordinate()}};
-        if (points.a == points.b) continue;
-        const LineTable::Number number = table.add_use(points);
-        Model::Line& line = model.lines[key_of(points)];
-        if (line.number == LineTable::kNone) line.number = number;
-        ASSERT_EQ(number, line.number) << "a second record of one line";
-        ++line.uses;
+      std::array<LineTable::Number, 2> pair{};
+      const bool adds = model.lines.size() < 4 || random.chance(grows ? 60 : 40);
+      if (adds) {
+        for (LineTable::Number& number : pair) {
+          const PointPair points = {{coordinate(), coordinate()}, {9, coordinate()}};
+          number = random.chance(50) ? table.find_or_make(points, hint) : table.find_or_make({points.b, points.a});
+          Model::Line& line = model.lines[key_of(points)];
+          if (line.number == LineTable::kNone) line.number = number;
+          ASSERT_EQ(number, line.number) << "a second record of one line";
+        }
+        hint = static_cast<LineTable::Number>(random.below(50));
+        table.add_uses(pair[0], pair[1]);
       } else {
-        auto chosen = model.lines.begin();
-        std::advance(chosen, static_cast<std::ptrdiff_t>(random.below(model.lines.size())));
-        if (chosen->second.uses == 0) continue;
-        table.remove_use(chosen->second.number);
-        --chosen->second.uses;
+        std::vector<LineTable::Number> used;
+        for (const auto& [key, line] : model.lines) {
+          if (line.uses > 0) used.push_back(line.number);
+        }
+        if (used.size() < 2) continue;
+        const std::size_t first = random.below(used.size());
+        pair = {used[first], used[(first + 1 + random.below(used.size() - 1)) % used.size()]};
+        table.remove_uses(pair[0], pair[1]);
+      }
+      log.emplace_back(adds, pair);
+      for (const LineTable::Number number : pair) {
+        for (auto& [key, line] : model.lines) {
+          if (line.number == number) adds ? ++line.uses : --line.uses;
+        }
       }
     }
     most = std::max(most, model.lines.size());
     if (random.chance(30)) {
+      for (; !log.empty(); log.pop_back()) {
+        const auto [was_added, pair] = log.back();
+        was_added ? table.take_back_uses(pair[0], pair[1]) : table.add_uses(pair[0], pair[1]);
+      }
       table.roll_back();
       model = before;
       ++rolled_back;
@@ -93,7 +113,7 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
   EXPECT_GT(rolled_back, 500U);
 }
 
-// Ten thousand uses of one line, and as many lines with one use each, which then all go.
+// Ten thousand lines with one use each, which then all go.
 TEST(LineTable, UsesFreedRecordsAgain) {
   LineTable table;
   const auto line = [](int i) { return PointPair{{0.0, static_cast<double>(i)}, {1.0, 0.5}}; };
@@ -101,7 +121,8 @@ TEST(LineTable, UsesFreedRecordsAgain) {
   for (int round = 0; round < 3; ++round) {
     table.begin();
     std::vector<LineTable::Number> numbers;
-    for (int i = 0; i < 10000; ++i) numbers.push_back(table.add_use(line(i + round * 10000)));
+    for (int i = 0; i < 10000; ++i) numbers.push_back(table.find_or_make(line(i + round * 10000)));
+    for (std::size_t i = 0; i < numbers.size(); i += 2) table.add_uses(numbers[i], numbers[i + 1]);
     EXPECT_EQ(table.size(), 10000U);
     MemoryUse now;
     table.count_memory(now, &MemoryUse::crossings);
@@ -109,7 +130,7 @@ TEST(LineTable, UsesFreedRecordsAgain) {
       EXPECT_EQ(now.crossings, use.crossings);
     }
     use = now;
-    for (const LineTable::Number number : numbers) table.remove_use(number);
+    for (std::size_t i = 0; i < numbers.size(); i += 2) table.remove_uses(numbers[i], numbers[i + 1]);
     table.begin();
     EXPECT_EQ(table.size(), 0U);
   }
