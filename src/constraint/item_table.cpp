@@ -44,9 +44,11 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   items_[slot] = kNone;
   const FillRule stored_fill = kind == ItemKind::polygon ? fill : FillRule::even_odd;
   if (traits_.has_room(slot)) {
-    traits_[slot].kind = kind;
-    traits_[slot].fill = stored_fill;
-    traits_[slot].has_other_id = !is_slot_id;
+    Traits traits;
+    traits.kind = kind;
+    traits.fill = stored_fill;
+    traits.has_other_id = !is_slot_id;
+    traits_[slot] = traits;
   }
   register_item(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
@@ -56,13 +58,16 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
 }
 
 void ItemTable::set_outline(std::uint32_t item, const Outline& outline) {
-  const auto& corners = outline.corners;
-  const bool is_plain = (items_[item] & kPlain) != 0;
-  const ItemKind kind = is_plain ? ItemKind::point : this->kind(item);
-  if (kind == ItemKind::point) {
-    items_[item] = number(corners[0]) | (is_plain ? kPlain : 0);
-    return;
+  if (kind(item) == ItemKind::point) {
+    items_[item] = (items_[item] & kPlain) | number(outline.corners[0]);
+  } else {
+    add_sides(item, outline);
   }
+}
+
+void ItemTable::add_sides(std::uint32_t item, const Outline& outline) {
+  const ItemKind kind = this->kind(item);
+  const auto& corners = outline.corners;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : outline.ring_ends) {
     const bool returns = kind == ItemKind::polygon || end - begin == 1;

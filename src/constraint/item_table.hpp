@@ -8,6 +8,7 @@
 #include "waywright/item.hpp"
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
 #include "constraint/item_hash.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
@@ -186,6 +187,7 @@ class ItemTable {
       visit(slot);
     } while (slot != last);
   }
+  void add_sides(std::uint32_t item, const Outline& outline);
   void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
   void free_slots(std::uint32_t slot);
   /// Marks the item of a slot as live, counts it and, if its slot is not its id, adds it to the index.
@@ -194,7 +196,7 @@ class ItemTable {
   void unregister_item(std::uint32_t slot);
 
   /// The traits of a live item, of the domain or of an item that this operation has removed.
-  [[nodiscard]] Traits traits(std::uint32_t slot) const {
+  [[nodiscard]] WAYWRIGHT_ALWAYS_INLINE Traits traits(std::uint32_t slot) const {
     return (items_[slot] & kPlain) == 0 && traits_.has_room(slot) ? traits_[slot] : Traits{};
   }
   [[nodiscard]] bool is_live(std::uint32_t slot) const {

@@ -23,7 +23,7 @@ std::size_t LineTable::size() const {
   return static_cast<std::size_t>(std::count_if(records_.begin(), records_.end(), is_live));
 }
 
-void LineTable::begin() {
+void LineTable::free_unused() {
   for (const Number line : changed_) {
     if (records_[line].uses == 0) free_line(line);
   }

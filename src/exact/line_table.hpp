@@ -55,7 +55,9 @@ class LineTable {
   [[nodiscard]] std::size_t size() const;
 
   /// Starts an operation: frees the lines without a use.
-  void begin();
+  void begin() {
+    if (!changed_.empty()) free_unused();
+  }
   /// Frees the lines that are new since begin(). Allocates nothing. Requires: they have no use.
   void roll_back();
 
@@ -88,6 +90,7 @@ class LineTable {
   [[nodiscard]] Number find_or_make_by_hash(const PointPair& points);
   [[nodiscard]] Number make(const PointPair& points);
   void free_line(Number line);
+  void free_unused();
   void grow_buckets();
   /// Puts a line into its bucket.
   void link(Number line);

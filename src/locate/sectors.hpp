@@ -40,7 +40,7 @@ class Sectors {
     std::uint32_t zoom;  ///< the zoom to whose curve these keys belong, or kNoZoom
     std::uint32_t cell;  ///< what the sector contains
   };
-  [[nodiscard]] Sector at(const Point& point) const {
+  [[nodiscard]] WAYWRIGHT_ALWAYS_INLINE Sector at(const Point& point) const {
     const Sector sector = find(curve_.key(point));
     return is_zoomed(sector.cell) ? find_in_zoom(point, sector.cell) : sector;
   }
