@@ -58,9 +58,7 @@ class ItemTable {
   }
   [[nodiscard]] ItemId id(std::uint32_t slot) const { return traits(slot).has_other_id ? ids_[slot] : ItemId{slot}; }
   [[nodiscard]] ItemKind kind(std::uint32_t slot) const { return traits(slot).kind; }
-  [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
-    return slot != kDomain && kind(slot) == ItemKind::polygon;
-  }
+  [[nodiscard]] bool is_polygon(std::uint32_t slot) const { return slot != kDomain && kind(slot) == ItemKind::polygon; }
   /// The fill rule of a polygon; even_odd for all other items.
   [[nodiscard]] FillRule fill(std::uint32_t slot) const { return traits(slot).fill; }
   /// Whether the polygon covers a face in which its winding number is `turns`.
@@ -159,8 +157,8 @@ class ItemTable {
   /// Set in the record of a *plain* item: a live point whose slot is its id. Nothing else is stored of it.
   static constexpr std::uint32_t kPlain = 0x80000000;
 
-  /// What the table stores of an item that is not plain, beside its record. Traits{} are the traits of a plain item that
-  /// an operation has removed.
+  /// What the table stores of an item that is not plain, beside its record. Traits{} are the traits of a plain item
+  /// that an operation has removed.
   struct Traits {
     ItemKind kind : 4 = ItemKind::point;
     FillRule fill : 2 = FillRule::even_odd;
@@ -228,7 +226,7 @@ class ItemTable {
   /// last side. For a free slot: the next free slot.
   std::vector<std::uint32_t> items_;
   memory::Pages<Traits> traits_;  ///< by slot. A page without values contains only plain items and free slots.
-  memory::Pages<ItemId> ids_;  ///< by slot, for items whose slot is not their id
+  memory::Pages<ItemId> ids_;     ///< by slot, for items whose slot is not their id
   std::vector<Link> sides_;
   memory::FreeList free_items_;       ///< linked by `items_`
   memory::FreeList free_sides_;       ///< linked by Link::next

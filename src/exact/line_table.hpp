@@ -12,9 +12,9 @@
 
 namespace waywright::exact {
 
-/// The lines that cross at constructed vertices, by number. Many constructed vertices can lie on one line, and the table
-/// stores this line only once. It counts the uses of each line, and frees a line that has no use any more. A hash table
-/// finds the line of two points.
+/// The lines that cross at constructed vertices, by number. Many constructed vertices can lie on one line, and the
+/// table stores this line only once. It counts the uses of each line, and frees a line that has no use any more. A hash
+/// table finds the line of two points.
 ///
 /// An undo log records which lines are new. The caller must record the uses: before roll_back(), it must restore the
 /// number of uses that each line had at the last begin().
@@ -24,8 +24,8 @@ class LineTable {
   static constexpr Number kNone = memory::FreeList::kEnd;  ///< no line has this number
 
   /// Returns the line through these two points. If the table has no such line, makes one without a use. The line may be
-  /// stored with its two points in the other order. If it is the line `hint`, the function finds it faster; the hint may
-  /// be any number. Requires: the points differ. Cost: expected O(1), amortised.
+  /// stored with its two points in the other order. If it is the line `hint`, the function finds it faster; the hint
+  /// may be any number. Requires: the points differ. Cost: expected O(1), amortised.
   [[nodiscard]] Number find_or_make(const PointPair& points, Number hint = kNone) {
     const bool is_hint = hint < records_.size() && records_[hint].uses != kFree && is_line(hint, points);
     return is_hint ? hint : find_or_make_by_hash(points);
@@ -97,8 +97,8 @@ class LineTable {
 
   std::vector<Record> records_;
   memory::FreeList free_records_;  ///< linked by Record::next
-  std::vector<Number> buckets_;    ///< the first line of each bucket; as many as a power of two, at least one per record
-  std::vector<Number> changed_;    ///< the lines that are new since begin(), and lines whose last use was removed
+  std::vector<Number> buckets_;  ///< the first line of each bucket; as many as a power of two, at least one per record
+  std::vector<Number> changed_;  ///< the lines that are new since begin(), and lines whose last use was removed
 };
 
 }  // namespace waywright::exact

@@ -14,10 +14,10 @@
 
 namespace waywright::memory {
 
-/// An array of 32-bit numbers. pack() stores the array in a third of the memory if neighbouring numbers differ by little:
-/// in blocks of 16 numbers, each as one number and 16 differences of 8 bits. A *wide* block, whose numbers differ too
-/// much, contains the index of 16 numbers of 32 bits. A packed array can change as any other array. If so many blocks
-/// become wide that the packed array takes more memory than a plain one, it becomes plain again.
+/// An array of 32-bit numbers. pack() stores the array in a third of the memory if neighbouring numbers differ by
+/// little: in blocks of 16 numbers, each as one number and 16 differences of 8 bits. A *wide* block, whose numbers
+/// differ too much, contains the index of 16 numbers of 32 bits. A packed array can change as any other array. If so
+/// many blocks become wide that the packed array takes more memory than a plain one, it becomes plain again.
 class CompactArray {
  public:
   CompactArray() = default;

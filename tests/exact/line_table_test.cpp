@@ -34,7 +34,9 @@ struct Model {
   };
   std::map<Key, Line> lines;
 
-  void drop_unused() { std::erase_if(lines, [](const auto& line) { return line.second.uses == 0; }); }
+  void drop_unused() {
+    std::erase_if(lines, [](const auto& line) { return line.second.uses == 0; });
+  }
 };
 
 void expect_equal(const LineTable& table, const Model& model) {
@@ -163,7 +165,8 @@ TEST(Geometry, StoresEachLineOnce) {
   MemoryUse use;
   geometry.count_memory(use);
   std::size_t constructed = 0;
-  for (std::uint32_t v = 4 * kCount; v < 4 * kCount + kCount * kCount; ++v) constructed += geometry.is_explicit(v) ? 0 : 1;
+  for (std::uint32_t v = 4 * kCount; v < 4 * kCount + kCount * kCount; ++v)
+    constructed += geometry.is_explicit(v) ? 0 : 1;
   EXPECT_GT(constructed, 9000U);
   EXPECT_LE(use.crossings, (8 + 1) * (kCount * kCount + 2 * 64) + 2 * kCount * (40 + 2 * 4));
 }
@@ -176,7 +179,7 @@ TEST(Geometry, TakesBackCrossings) {
   std::vector<std::string> before;
   for (std::uint32_t v = 20; v < 45; ++v) before.push_back(text(v));
   for (std::uint32_t v = 20; v < 45; v += 2) geometry.clear(v);
-  geometry.set_crossing(20, 4, 5, 6, 7);   // the slots of two removed vertices, with other crossings
+  geometry.set_crossing(20, 4, 5, 6, 7);  // the slots of two removed vertices, with other crossings
   geometry.set_crossing(22, 0, 1, 18, 19);
   geometry.set_position(24, {0.5, 0.5});
   geometry.set_crossing(45, 0, 3, 1, 2);  // two new lines
