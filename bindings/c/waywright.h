@@ -960,7 +960,7 @@ WW_API ww_status ww_world_validate(const ww_world* world, ww_bool* is_valid, ww_
 typedef struct ww_memory_use {
   uint32_t struct_size;
   size_t vertices;    /* for each vertex: its point, an edge from it, the items with a corner there */
-  size_t crossings;   /* for each vertex at a crossing: the ends of the two sides */
+  size_t crossings;   /* for vertices at crossings: the lines that cross there */
   size_t faces;       /* for each triangle: its vertices and neighbours */
   size_t walls;       /* for each constrained edge: the sides that lie on it */
   size_t items;       /* ids, kinds and sides of the items */

@@ -14,7 +14,8 @@ namespace waywright {
 
 /// A bridge: the straight connection between two pieces of wall at the gap between them. The closed disc whose diameter
 /// is the bridge touches walls only at the two ends of the bridge. A disc that passes between the two pieces of wall
-/// crosses the bridge, so the bridges decide which discs get from one position to another. An element of BridgeList.
+/// crosses the bridge, so the bridges decide which discs can move from one position to another. An element of
+/// BridgeList.
 ///
 /// A bridge starts at a corner of an item, or of the domain. It ends at another corner, or at a *foot*: a position
 /// strictly inside a wall, where the bridge meets the wall at a right angle.
@@ -37,7 +38,7 @@ struct Bridge {
 /// The answer of World::bridges: the bridges in a box. If you reuse one object for many queries, it keeps its memory.
 ///
 /// The bridges are sorted by `from`, then by `to`, both in (x, y) order. The list depends only on the domain and the
-/// live items. It does not contain the bridges in the interior of polygons, because no disc gets there.
+/// live items. It does not contain the bridges in the interior of polygons, because no disc can move there.
 ///
 /// @code{.cpp}
 /// World door = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();

@@ -24,7 +24,7 @@ namespace waywright {
 /// most items and want a smaller world, make a new world and insert the World::items() of the old one.
 struct MemoryUse {
   std::size_t vertices = 0;     ///< for each vertex: its point, a half-edge from it, the items with a corner there
-  std::size_t crossings = 0;    ///< for each constructed vertex: the ends of the two sides that cross there
+  std::size_t crossings = 0;    ///< for constructed vertices: the lines that cross there
   std::size_t faces = 0;        ///< for each face: its vertices and neighbours
   std::size_t walls = 0;        ///< for each constrained edge: the list of the sides that lie on it
   std::size_t items = 0;        ///< ids, kinds and sides of the items

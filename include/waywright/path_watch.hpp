@@ -70,7 +70,7 @@ class WAYWRIGHT_API PathWatch {
   /// been found in the world as it is now, or as it was at the last update().
   /// Cost: linear in the points or pieces of the path.
   void add(std::uint64_t key, const Path& path);
-  /// Stops watching the path under a key. Returns whether there was one.
+  /// Stops watching the path under a key. Returns whether the watch had a path under this key.
   /// Cost: linear in the points or pieces of the path. Allocates nothing.
   bool remove(std::uint64_t key);
   /// Returns whether there is a path under a key.

@@ -109,8 +109,8 @@ void BridgeFinder::note_angles(mesh::Face f) {
   scratch_.acute[number(f)] = static_cast<std::uint8_t>(acute);
 }
 
-// If the apex of a face lies in the closed disc, a wall does, too, because every vertex is the end of a wall. This test
-// rejects nearly all edges that are no bridges.
+// If the apex of a face lies in the closed disc, the end of a wall lies in it, because every vertex is the end of a
+// wall. This test rejects nearly all edges that are no bridges.
 bool BridgeFinder::is_bridge(HalfEdge h) {
   const Vertex u = mesh_.origin(h);
   const Vertex v = mesh_.target(h);
@@ -135,12 +135,12 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
 // contains no vertex except w, and this angle is acute for every other vertex v: the line through v that is
 // perpendicular to the segment from w to v does not separate f from w.
 //
-// Let the bridge cross an edge from p to q, or end on it. As seen from w, f lies between p and q, and on the edge or
-// beyond. If the angle at p between w and q is not acute, then the line through p separates f from w. So the angles at
-// p and q are acute. The search crosses only such edges. They are visible from w, and the first one is the edge from x
-// to y that is opposite to the corner. The search also leaves out an edge if both ends lie beyond the line through x,
-// or both beyond the line through y. The two lines meet on the circle through w, x and y, at the position opposite to
-// w. So the search does not leave this circle.
+// Let the bridge cross an edge from p to q, or end on it. Seen from w, f lies between p and q, and it lies on the edge
+// or beyond the edge. If the angle at p between w and q is not acute, then the line through p separates f from w. So
+// the angles at p and q are acute. The search crosses only such edges. They are visible from w, and the first one is
+// the edge from x to y that is opposite to the corner. The search also leaves out an edge if both ends lie beyond the
+// line through x, or both beyond the line through y. The two lines meet on the circle through w, x and y, at the
+// position opposite to w. So the search does not leave this circle.
 HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   const Vertex w = mesh_.origin(corner);
   if (!is_explicit(w)) return mesh::kNoHalfEdge;
@@ -243,12 +243,9 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
 Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
   if (is_explicit(v)) return exact::dot(gap.from, position_of(v), gap.a, gap.b);
   const exact::ExactPoint point = geometry_.exact(number(v));
-  {
-    const exact::Crossing& crossing = *point.crossing;
-    if (gap.from == crossing.a) return exact::dot(gap.from, crossing.b, gap.a, gap.b);
-    if (gap.from == crossing.b) return exact::dot(gap.from, crossing.a, gap.a, gap.b);
-    if (gap.from == crossing.c) return exact::dot(gap.from, crossing.d, gap.a, gap.b);
-    if (gap.from == crossing.d) return exact::dot(gap.from, crossing.c, gap.a, gap.b);
+  for (const exact::PointPair* const line : {point.ab, point.cd}) {
+    if (gap.from == line->a) return exact::dot(gap.from, line->b, gap.a, gap.b);
+    if (gap.from == line->b) return exact::dot(gap.from, line->a, gap.a, gap.b);
   }
   return exact::dot(gap.from, point, gap.a, gap.b);
 }

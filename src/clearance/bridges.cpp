@@ -54,7 +54,7 @@ Bridges::Bridges(const Triangulation& triangulation) {
       const HalfEdge h{i};
       if (!mesh.is_fixed(h) && h < mesh.twin(h) && finder.may_be_bridge(h)) find_at_edge(triangulation, finder, h);
     }
-    begin();  // empties the logs: there is no earlier state to go back to
+    begin();  // empties the logs: no earlier state exists
   });
   begin();
   shrink_to_fit();
@@ -236,7 +236,7 @@ void Bridges::remove_foot(std::uint32_t foot) {
   free_foot(foot);
 }
 
-// Calls write() before push(), because write() may run out of memory.
+// Calls write() before push(): write() can throw std::bad_alloc, push() cannot.
 void Bridges::free_foot(std::uint32_t foot) {
   feet_.write(foot, {mesh::kNoHalfEdge, mesh::kNoHalfEdge, free_feet_.first()});
   (void)free_feet_.push(foot);

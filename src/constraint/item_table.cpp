@@ -13,15 +13,21 @@ constexpr std::size_t kSmallestIndex = 16;
 
 }  // namespace
 
-ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) { items_.push_back({kNone, ItemKind::polygon}); }
+ItemTable::ItemTable() : index_(kSmallestIndex, kEmpty) {
+  items_.push_back(kNone);
+  traits_.grow_to(1);
+  traits_.make_room(kDomain);
+  traits_[kDomain].kind = ItemKind::polygon;
+}
 
 void ItemTable::prefetch(ItemId id) const { base::prefetch_to_write(&index_[home_bucket(id)]); }
 
 // If memory runs out, the undo log lists exactly the changes that were made, and every slot is in use or free.
 std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
   if (free_items_.is_empty()) {
-    items_.emplace_back();
-    items_.back().corner_or_side = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
+    traits_.grow_to(items_.size() + 1);
+    items_.push_back(kNone);
+    items_.back() = free_items_.push(static_cast<std::uint32_t>(items_.size() - 1));
   }
   const std::uint32_t slot = free_items_.first();
   const bool is_slot_id = id.value == slot;
@@ -31,23 +37,37 @@ std::uint32_t ItemTable::add_item(ItemId id, ItemKind kind, FillRule fill) {
     ids_.make_room(slot);
     ids_[slot] = id;
   }
+  const bool is_plain = is_slot_id && kind == ItemKind::point;
+  if (!is_plain) traits_.make_room(slot);
   journal_.add({slot, false});
-  free_items_.pop(items_[slot].corner_or_side);
-  items_[slot] = {kNone, kind, is_slot_id, false, kind == ItemKind::polygon ? fill : FillRule::even_odd};
+  free_items_.pop(items_[slot]);
+  items_[slot] = kNone;
+  const FillRule stored_fill = kind == ItemKind::polygon ? fill : FillRule::even_odd;
+  if (traits_.has_room(slot)) {
+    Traits traits;
+    traits.kind = kind;
+    traits.fill = stored_fill;
+    traits.has_other_id = !is_slot_id;
+    traits_[slot] = traits;
+  }
   register_item(slot);
   polygon_count_ += kind == ItemKind::polygon ? 1 : 0;
-  nonzero_count_ += items_[slot].fill == FillRule::nonzero ? 1 : 0;
+  nonzero_count_ += stored_fill == FillRule::nonzero ? 1 : 0;
   largest_id_seen_ = std::max(largest_id_seen_, id);
   return slot;
 }
 
 void ItemTable::set_outline(std::uint32_t item, const Outline& outline) {
-  const ItemKind kind = items_[item].kind;
-  const auto& corners = outline.corners;
-  if (kind == ItemKind::point) {
-    items_[item].corner_or_side = number(corners[0]);
-    return;
+  if (kind(item) == ItemKind::point) {
+    items_[item] = (items_[item] & kPlain) | number(outline.corners[0]);
+  } else {
+    add_sides(item, outline);
   }
+}
+
+void ItemTable::add_sides(std::uint32_t item, const Outline& outline) {
+  const ItemKind kind = this->kind(item);
+  const auto& corners = outline.corners;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : outline.ring_ends) {
     const bool returns = kind == ItemKind::polygon || end - begin == 1;
@@ -64,7 +84,7 @@ void ItemTable::add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to,
     sides_.back().next = free_sides_.push(static_cast<std::uint32_t>(sides_.size() - 1));
   }
   const std::uint32_t slot = free_sides_.pop(sides_[free_sides_.first()].next & ~kEndsRing);
-  std::uint32_t& last = items_[item].corner_or_side;
+  std::uint32_t& last = items_[item];
   std::uint32_t next = slot;
   if (last != kNone) {
     std::uint32_t& link = sides_[last].next;
@@ -87,8 +107,8 @@ void ItemTable::remove_item(std::uint32_t slot, const ItemHash::Words& hash) {
   journal_.add({slot, true});
   unregister_item(slot);
   ItemHash::subtract_from(hash_, hash);
-  polygon_count_ -= items_[slot].kind == ItemKind::polygon ? 1 : 0;
-  nonzero_count_ -= items_[slot].fill == FillRule::nonzero ? 1 : 0;
+  polygon_count_ -= kind(slot) == ItemKind::polygon ? 1 : 0;
+  nonzero_count_ -= fill(slot) == FillRule::nonzero ? 1 : 0;
 }
 
 void ItemTable::begin() {
@@ -120,26 +140,37 @@ void ItemTable::roll_back() {
 
 /// Frees the slot of an item and the slots of its sides, which form a circular list.
 void ItemTable::free_slots(std::uint32_t slot) {
-  Record& record = items_[slot];
-  if (record.kind != ItemKind::point && record.corner_or_side != kNone) {
-    const std::uint32_t first = sides_[record.corner_or_side].next & ~kEndsRing;
-    sides_[record.corner_or_side].next = free_sides_.push(first);  // the whole circular list
+  std::uint32_t& record = items_[slot];
+  if (kind(slot) != ItemKind::point && record != kNone) {
+    const std::uint32_t first = sides_[record].next & ~kEndsRing;
+    sides_[record].next = free_sides_.push(first);  // the whole circular list
   }
-  record.corner_or_side = free_items_.push(slot);
+  record = free_items_.push(slot);
 }
 
 void ItemTable::register_item(std::uint32_t slot) {
-  items_[slot].is_live = true;
   ++size_;
-  if (items_[slot].is_slot_id) return;
+  if (!traits_.has_room(slot)) {
+    items_[slot] |= kPlain;
+    return;
+  }
+  Traits& traits = traits_[slot];
+  traits.is_live = true;
+  if (!traits.has_other_id) {
+    if (traits.kind == ItemKind::point) items_[slot] |= kPlain;
+    return;
+  }
   index_[empty_bucket_for(ids_[slot])] = slot;
   ++index_size_;
 }
 
+// If the item is plain, the page, if there is one, contains Traits{}.
 void ItemTable::unregister_item(std::uint32_t slot) {
-  items_[slot].is_live = false;
   --size_;
-  if (items_[slot].is_slot_id) return;
+  items_[slot] &= ~kPlain;
+  if (!traits_.has_room(slot)) return;
+  traits_[slot].is_live = false;
+  if (!traits_[slot].has_other_id) return;
   erase_from_index(ids_[slot]);
   --index_size_;
 }
@@ -148,7 +179,7 @@ void ItemTable::ids(std::vector<ItemId>& result) const {
   result.clear();
   result.reserve(size_);
   for (std::uint32_t slot = 0; slot < items_.size(); ++slot) {
-    if (items_[slot].is_live) result.push_back(id(slot));
+    if (is_live(slot)) result.push_back(id(slot));
   }
   std::sort(result.begin(), result.end());
 }

@@ -8,6 +8,7 @@
 #include "waywright/item.hpp"
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
 #include "constraint/item_hash.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
@@ -55,13 +56,11 @@ class ItemTable {
   [[nodiscard]] std::uint32_t slot(ItemId id) const {
     return is_in_its_own_slot(id) ? static_cast<std::uint32_t>(id.value) : index_[bucket_of(id)];
   }
-  [[nodiscard]] ItemId id(std::uint32_t slot) const { return items_[slot].is_slot_id ? ItemId{slot} : ids_[slot]; }
-  [[nodiscard]] ItemKind kind(std::uint32_t slot) const { return items_[slot].kind; }
-  [[nodiscard]] bool is_polygon(std::uint32_t slot) const {
-    return slot != kDomain && items_[slot].kind == ItemKind::polygon;
-  }
+  [[nodiscard]] ItemId id(std::uint32_t slot) const { return traits(slot).has_other_id ? ids_[slot] : ItemId{slot}; }
+  [[nodiscard]] ItemKind kind(std::uint32_t slot) const { return traits(slot).kind; }
+  [[nodiscard]] bool is_polygon(std::uint32_t slot) const { return slot != kDomain && kind(slot) == ItemKind::polygon; }
   /// The fill rule of a polygon; even_odd for all other items.
-  [[nodiscard]] FillRule fill(std::uint32_t slot) const { return items_[slot].fill; }
+  [[nodiscard]] FillRule fill(std::uint32_t slot) const { return traits(slot).fill; }
   /// Whether the polygon covers a face in which it has this winding number.
   [[nodiscard]] bool covers(std::uint32_t slot, std::int32_t winding_number) const {
     return is_filled(fill(slot), winding_number);
@@ -89,7 +88,7 @@ class ItemTable {
   void for_each_corner(std::uint32_t item, Visit&& visit) const;
   /// Whether a polygon has one ring. Cost: the number of corners of its first ring.
   [[nodiscard]] bool has_one_ring(std::uint32_t item) const {
-    const std::uint32_t last = items_[item].corner_or_side;
+    const std::uint32_t last = items_[item];
     std::uint32_t slot = sides_[last].next & ~kEndsRing;
     while ((sides_[slot].next & kEndsRing) == 0) slot = sides_[slot].next;
     return slot == last;
@@ -138,6 +137,7 @@ class ItemTable {
 
   void count_memory(MemoryUse& use) const {
     memory::count(use, &MemoryUse::items, items_);
+    traits_.count_memory(use, &MemoryUse::items);
     memory::count(use, &MemoryUse::items, sides_);
     memory::count(use, &MemoryUse::items, index_);
     ids_.count_memory(use, &MemoryUse::items);
@@ -147,6 +147,7 @@ class ItemTable {
   void shrink_to_fit() {
     memory::shrink(items_, sides_, index_);
     ids_.shrink_to_fit();
+    traits_.shrink_to_fit();
     journal_.release();
   }
 
@@ -155,13 +156,16 @@ class ItemTable {
   static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
   static constexpr std::uint32_t kEndsRing = 0x80000000;
 
-  struct Record {
-    /// For a point: its corner. For other items: the slot of their last side. For a free slot: the next free slot.
-    std::uint32_t corner_or_side = kNone;
-    ItemKind kind = ItemKind::point;
-    bool is_slot_id = true;  ///< whether the id of the item is the number of its slot
-    bool is_live = false;    ///< false for the domain, too
-    FillRule fill = FillRule::even_odd;
+  /// Set in the record of a *plain* item: a live point whose slot is its id. Nothing else is stored of it.
+  static constexpr std::uint32_t kPlain = 0x80000000;
+
+  /// What the table stores of an item that is not plain, beside its record. Traits{} are the traits of a plain item
+  /// that an operation has removed.
+  struct Traits {
+    ItemKind kind : 4 = ItemKind::point;
+    FillRule fill : 2 = FillRule::even_odd;
+    bool has_other_id : 1 = false;  ///< its id is not its slot
+    bool is_live : 1 = false;       ///< false for the domain, too
   };
   struct Link {
     Side side;  ///< for a ring with one corner: `from` and `to` are this corner
@@ -175,14 +179,15 @@ class ItemTable {
 
   template <class Visit>
   void for_each_link(std::uint32_t item, Visit&& visit) const {
-    if (items_[item].kind == ItemKind::point) return;
-    const std::uint32_t last = items_[item].corner_or_side;
+    if (kind(item) == ItemKind::point) return;
+    const std::uint32_t last = items_[item];
     std::uint32_t slot = last;
     do {
       slot = sides_[slot].next & ~kEndsRing;
       visit(slot);
     } while (slot != last);
   }
+  void add_sides(std::uint32_t item, const Outline& outline);
   void add_side(std::uint32_t item, mesh::Vertex from, mesh::Vertex to, bool ends_ring);
   void free_slots(std::uint32_t slot);
   /// Marks the item of a slot as live, counts it and, if its slot is not its id, adds it to the index.
@@ -190,11 +195,18 @@ class ItemTable {
   void register_item(std::uint32_t slot);
   void unregister_item(std::uint32_t slot);
 
+  /// The traits of a live item, of the domain or of an item that this operation has removed.
+  [[nodiscard]] WAYWRIGHT_ALWAYS_INLINE Traits traits(std::uint32_t slot) const {
+    return (items_[slot] & kPlain) == 0 && traits_.has_room(slot) ? traits_[slot] : Traits{};
+  }
+  [[nodiscard]] bool is_live(std::uint32_t slot) const {
+    return (items_[slot] & kPlain) != 0 || (traits_.has_room(slot) && traits_[slot].is_live);
+  }
   /// Whether an item has this id and its slot has the same number. The index does not contain such an item.
   [[nodiscard]] bool is_in_its_own_slot(ItemId id) const {
     if (id.value >= items_.size()) return false;
-    const Record& record = items_[static_cast<std::size_t>(id.value)];
-    return record.is_live && record.is_slot_id;
+    const auto slot = static_cast<std::uint32_t>(id.value);
+    return (items_[slot] & kPlain) != 0 || (is_live(slot) && !traits_[slot].has_other_id);
   }
   /// The bucket of the index with the slot of this id, or the empty bucket at which the search for the id ends.
   [[nodiscard]] std::size_t bucket_of(ItemId id) const;
@@ -212,10 +224,13 @@ class ItemTable {
   void make_room_in_index(std::size_t count);
   void erase_from_index(ItemId id);
 
-  std::vector<Record> items_;
-  memory::Pages<ItemId> ids_;  ///< by slot, for items whose slot is not their id
+  /// The records, by slot. For a point: its corner, and kPlain if the item is plain. For other items: the slot of their
+  /// last side. For a free slot: the next free slot.
+  std::vector<std::uint32_t> items_;
+  memory::Pages<Traits> traits_;  ///< by slot. A page without values contains only plain items and free slots.
+  memory::Pages<ItemId> ids_;     ///< by slot, for items whose slot is not their id
   std::vector<Link> sides_;
-  memory::FreeList free_items_;       ///< linked by Record::corner_or_side
+  memory::FreeList free_items_;       ///< linked by `items_`
   memory::FreeList free_sides_;       ///< linked by Link::next
   std::vector<std::uint32_t> index_;  ///< slots of items whose slot is not their id; at most two thirds are in use
   std::size_t index_size_ = 0;
@@ -234,8 +249,8 @@ class ItemTable {
 
 template <class Visit>
 void ItemTable::for_each_corner(std::uint32_t item, Visit&& visit) const {
-  const ItemKind kind = items_[item].kind;
-  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item].corner_or_side}, true);
+  const ItemKind kind = this->kind(item);
+  if (kind == ItemKind::point) return visit(mesh::Vertex{items_[item] & ~kPlain}, true);
   for_each_link(item, [&](std::uint32_t slot) {
     const auto& [side, next] = sides_[slot];
     const bool ends_ring = (next & kEndsRing) != 0;

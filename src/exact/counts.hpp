@@ -4,7 +4,7 @@
 
 namespace waywright::exact {
 
-/// The counters of the calling thread. They are always on, and no answer depends on them. Each thread has its own, so
+/// The counters of the calling thread. They always count, and no answer depends on them. Each thread has its own, so
 /// concurrent queries do not write to memory that another thread reads.
 inline constinit thread_local PredicateCounts counts{};
 

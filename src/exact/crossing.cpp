@@ -124,7 +124,7 @@ constexpr double kLargestExact = 0x1p53;
 
 bool are_whole(const Crossing& crossing) {
   Point fractions{};
-  for (const Point& p : {crossing.a, crossing.b, crossing.c, crossing.d}) {
+  for (const Point& p : {crossing.ab.a, crossing.ab.b, crossing.cd.a, crossing.cd.b}) {
     fractions.x += std::abs(fraction(p.x));
     fractions.y += std::abs(fraction(p.y));
   }
@@ -142,11 +142,12 @@ double magnitude(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y))
 }  // namespace
 
 // All numbers here are whole, so a number below 2^53 was not rounded (see is_whole). It is enough to test the results.
-// A number that is only a factor of a product needs no test of its own: it is 0, or its absolute value is at most that
-// of the product, or the other factor is 0, and then its rounding makes no difference. The numerators and w are exact,
-// so IEEE division rounds their quotients correctly.
+// A number that is only a factor of a product needs no test of its own. There are three cases: the number is 0; its
+// absolute value is at most the absolute value of the product; or the other factor is 0, and then the rounding of the
+// number has no effect. The numerators and w are exact, so IEEE division rounds their quotients correctly.
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
-  const auto& [a, b, c, d] = crossing;
+  const auto& [a, b] = crossing.ab;
+  const auto& [c, d] = crossing.cd;
   if (!are_whole(crossing)) return std::nullopt;
   const Point ab{b.x - a.x, b.y - a.y};
   const Point ac{c.x - a.x, c.y - a.y};
@@ -173,7 +174,7 @@ namespace lattice {
 
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   Offsets<4> corners({0.0, 0.0});
-  for (const Point& corner : {crossing.a, crossing.b, crossing.c, crossing.d}) corners.add(corner);
+  for (const Point& end : {crossing.ab.a, crossing.ab.b, crossing.cd.a, crossing.cd.b}) corners.add(end);
   if (!corners.find_lattice()) return std::nullopt;
   return corners.bits() <= kNarrowBits ? round_on<1>(corners) : round_on<2>(corners);
 }

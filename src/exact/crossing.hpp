@@ -16,11 +16,13 @@ struct RoundedCrossing {
   bool is_exact = false;  ///< whether `nearest` equals the crossing and is in range
 };
 
-// The stages of round_to_nearest, the cheapest first, like the stages of the predicates.
+// The stages of round_to_nearest(), in the order in which it tries them: the cheapest first. The predicates have the
+// same order.
 namespace by_construction {
 /// For two lines that are parallel to the axes: their crossing has one coordinate of each line. Empty for other lines.
 [[nodiscard]] inline std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
-  const auto& [a, b, c, d] = crossing;
+  const auto& [a, b] = crossing.ab;
+  const auto& [c, d] = crossing.cd;
   if (a.x == b.x && c.y == d.y) return RoundedCrossing{{a.x, c.y}, true};
   if (a.y == b.y && c.x == d.x) return RoundedCrossing{{c.x, a.y}, true};
   return std::nullopt;

@@ -6,26 +6,52 @@
 
 namespace waywright::exact {
 
-/// The point where the line through `a` and `b` meets the line through `c` and `d`. These four points are always
-/// explicit, never constructed, so the degree of the predicates does not grow with the number of operations. Requires:
-/// the lines are not parallel.
-struct Crossing {
-  Point a, b, c, d;
+/// Two points. They define the line through them.
+struct PointPair {
+  Point a, b;
+
+  friend constexpr bool operator==(const PointPair&, const PointPair&) = default;
 };
 
-/// A point in the form that the predicates take. An explicit point has no `crossing` (null) and is (x, y). A
-/// constructed point is the crossing, and x and y are its coordinates, each rounded to the nearest double.
+/// The point where the line through the points `ab` meets the line through the points `cd`. These four points are
+/// always explicit, never constructed, so the degree of the predicates does not grow with the number of operations.
+/// Requires: the lines are not parallel.
+struct Crossing {
+  PointPair ab, cd;
+
+  Crossing() = default;
+  Crossing(const PointPair& one, const PointPair& other) : ab(one), cd(other) {}
+  Crossing(const Point& a, const Point& b, const Point& c, const Point& d) : ab{a, b}, cd{c, d} {}
+};
+
+/// A point in the form that the predicates take. An explicit point has no lines (null) and is (x, y). A constructed
+/// point is the crossing of two lines, and x and y are its coordinates, each rounded to the nearest double. The points
+/// of the two lines must exist as long as the ExactPoint.
 ///
 /// The library stores a crossing whose coordinates are doubles in range as an explicit point. Hence an explicit and a
 /// constructed point are never equal. Equal points have equal (x, y).
 struct ExactPoint {
   double x = 0.0;
   double y = 0.0;
-  const Crossing* crossing = nullptr;
+  const PointPair* ab = nullptr;
+  const PointPair* cd = nullptr;
 
-  [[nodiscard]] bool is_explicit() const { return crossing == nullptr; }
+  ExactPoint() = default;
+  ExactPoint(double x_value, double y_value) : x(x_value), y(y_value) {}
+  ExactPoint(double x_value, double y_value, const PointPair* one, const PointPair* other)
+      : x(x_value), y(y_value), ab(one), cd(other) {}
+  /// The crossing, or an explicit point if `crossing` is null.
+  ExactPoint(double x_value, double y_value, const Crossing* crossing) : x(x_value), y(y_value) {
+    if (crossing == nullptr) return;
+    ab = &crossing->ab;
+    cd = &crossing->cd;
+  }
+
+  [[nodiscard]] bool is_explicit() const { return ab == nullptr; }
+  /// Requires: the point is constructed.
+  [[nodiscard]] Crossing crossing() const { return {*ab, *cd}; }
 };
 
-[[nodiscard]] inline ExactPoint explicit_point(const Point& point) { return {point.x, point.y, nullptr}; }
+[[nodiscard]] inline ExactPoint explicit_point(const Point& point) { return {point.x, point.y}; }
 
 }  // namespace waywright::exact

@@ -311,7 +311,7 @@ StageAnswers<Sign> dot(const Point& p, const ExactPoint& q, const Point& a, cons
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
   StageAnswers<Sign> answers;
   answers.doubles = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b);
-  answers.integers = detail::finer_dot(p, *q.crossing, a, b);
+  answers.integers = detail::finer_dot(p, q.crossing(), a, b);
   return answers;
 }
 StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius) {

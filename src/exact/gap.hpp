@@ -12,9 +12,9 @@
 
 namespace waywright::exact {
 
-// Predicates for clearance: about gaps between explicit points, and about distances. Like the predicates of
+// Predicates for clearance. They compare gaps between explicit points, and distances. Like the predicates of
 // predicates.hpp they run in stages: doubles with a proven error bound; integers of fixed width, if all coordinates lie
-// on one lattice; integers of any size. Requires, everywhere: the points are in range.
+// on one lattice; integers of any size. All functions require: the points are in range.
 
 /// The straight gap from a point to another point (then a == b), or to the foot of the perpendicular from the point on
 /// the line through a and b.
@@ -51,7 +51,7 @@ template <class Coordinate>
 [[nodiscard]] inline Sign dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
   if (const auto sign = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b)) return *sign;
-  return detail::finer_dot(p, *q.crossing, a, b);
+  return detail::finer_dot(p, q.crossing(), a, b);
 }
 
 /// Whether the closed disc whose diameter is the gap contains a position of the segment from `c` to `d` other than the

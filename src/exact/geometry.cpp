@@ -6,9 +6,8 @@ namespace waywright::exact {
 
 void Geometry::set_position(std::uint32_t vertex, const Point& point) {
   while (vertex >= positions_.size()) positions_.emplace_back();  // nearly always adds at most one entry
-  log(vertex);
+  position_journal_.add({positions_[vertex], vertex});
   positions_[vertex] = point;
-  if (vertex < crossing_of_.size()) crossing_of_[vertex] = kExplicit;
 }
 
 void Geometry::set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -16,41 +15,50 @@ void Geometry::set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t
   const RoundedCrossing rounded = round_to_nearest(crossing);
   set_position(vertex, rounded.nearest);
   if (rounded.is_exact) return;
-  while (vertex >= crossing_of_.size()) crossing_of_.push_back(kExplicit);
-  crossing_of_[vertex] = add_crossing(crossing);
+  lines_of_.grow_to(std::size_t{vertex} + 1);
+  lines_of_.make_room(vertex);
+  // A side that crosses many others is the first line of many crossings, one after the other.
+  recent_line_ = lines_.find_or_make(crossing.ab, recent_line_);
+  const Lines lines = {recent_line_, lines_.find_or_make(crossing.cd)};
+  lines_journal_.add({{}, vertex});
+  lines_.add_uses(lines.one, lines.other);
+  lines_of_[vertex] = lines;
 }
 
+// If memory runs out after the record is made, roll_back() finds the lines unchanged, and this changes nothing.
 void Geometry::clear(std::uint32_t vertex) {
-  if (is_explicit(vertex)) return;
-  dropped_crossings_.push_back(crossing_of_[vertex]);
-  log(vertex);
-  crossing_of_[vertex] = kExplicit;
+  const Lines lines = lines_of(vertex);
+  if (lines.one == LineTable::kNone) return;
+  lines_journal_.add({lines, vertex});
+  lines_.remove_uses(lines.one, lines.other);
+  lines_of_[vertex] = {};
 }
 
 void Geometry::begin() {
-  journal_.begin();
-  free_crossings_.insert(free_crossings_.end(), dropped_crossings_.begin(), dropped_crossings_.end());
-  dropped_crossings_.clear();
+  position_journal_.begin();
+  lines_journal_.begin();
+  lines_.begin();
 }
 
 void Geometry::roll_back() {
-  journal_.roll_back([&](const Undo& change) {
-    positions_[change.vertex] = change.position;
-    if (change.vertex >= crossing_of_.size()) return;
-    std::uint32_t& crossing = crossing_of_[change.vertex];
-    if (crossing != kExplicit) free_crossings_.push_back(crossing);
-    crossing = change.crossing;
+  position_journal_.roll_back([&](const PositionUndo& change) { positions_[change.vertex] = change.position; });
+  lines_journal_.roll_back([&](const LinesUndo& change) {
+    Lines& lines = lines_of_[change.vertex];
+    if (lines.one != LineTable::kNone) lines_.take_back_uses(lines.one, lines.other);
+    lines = change.lines;
+    if (lines.one != LineTable::kNone) lines_.add_uses(lines.one, lines.other);
   });
-  dropped_crossings_.clear();
+  lines_.roll_back();
 }
 
 ExactPoint Geometry::exact(const View& view) const {
-  const std::uint32_t crossing = crossing_of(view.vertex);
-  return {view.x, view.y, crossing == kExplicit ? nullptr : &crossings_[crossing]};
+  const Lines lines = lines_of(view.vertex);
+  if (lines.one == LineTable::kNone) return {view.x, view.y};
+  return {view.x, view.y, &lines_[lines.one], &lines_[lines.other]};
 }
 
 Sign Geometry::finer_orientation(const View& a, const View& b, const View& c) const {
-  const bool are_explicit = crossing_of_.empty() || (is_explicit(a) && is_explicit(b) && is_explicit(c));
+  const bool are_explicit = !has_constructed() || (is_explicit(a) && is_explicit(b) && is_explicit(c));
   if (are_explicit && filter::is_flat(a, b, c)) {
     ++counts.orientation.doubles;
     return Sign::zero;
@@ -64,7 +72,7 @@ Sign Geometry::finer_orientation(const View& a, const View& b, const View& c) co
 
 Sign Geometry::finer_in_circle(const View& a, const View& b, const View& c, const View& d) const {
   const bool are_explicit =
-      crossing_of_.empty() || (is_explicit(a) && is_explicit(b) && is_explicit(c) && is_explicit(d));
+      !has_constructed() || (is_explicit(a) && is_explicit(b) && is_explicit(c) && is_explicit(d));
   if (are_explicit && filter::is_rectangle(a, b, c, d)) {
     ++counts.in_circle.doubles;
     return Sign::zero;
@@ -73,17 +81,5 @@ Sign Geometry::finer_in_circle(const View& a, const View& b, const View& c, cons
 }
 
 std::strong_ordering Geometry::finer_order(const View& p, const View& q) const { return compare(exact(p), exact(q)); }
-
-std::uint32_t Geometry::add_crossing(const Crossing& crossing) {
-  if (free_crossings_.empty()) {
-    if (free_crossings_.capacity() == crossings_.size()) free_crossings_.reserve(2 * crossings_.size() + 1);
-    crossings_.push_back(crossing);
-    return static_cast<std::uint32_t>(crossings_.size() - 1);
-  }
-  const std::uint32_t slot = free_crossings_.back();
-  free_crossings_.pop_back();
-  crossings_[slot] = crossing;
-  return slot;
-}
 
 }  // namespace waywright::exact

@@ -12,9 +12,11 @@
 #include "exact/crossing.hpp"
 #include "exact/exact_point.hpp"
 #include "exact/filter.hpp"
+#include "exact/line_table.hpp"
 #include "exact/sign.hpp"
 #include "memory/count.hpp"
 #include "memory/journal.hpp"
+#include "memory/pages.hpp"
 
 namespace waywright::exact {
 
@@ -52,32 +54,16 @@ class Geometry {
       : orientation_error_(filter::largest_orientation_error(box)),
         in_circle_position_term_(filter::coarse::in_circle_position_term(box)) {}
 
-  Geometry(const Geometry& other)
-      : orientation_error_(other.orientation_error_),
-        in_circle_position_term_(other.in_circle_position_term_),
-        positions_(other.positions_),
-        crossing_of_(other.crossing_of_),
-        crossings_(other.crossings_),
-        dropped_crossings_(other.dropped_crossings_),
-        journal_(other.journal_) {
-    free_crossings_.reserve(crossings_.size());
-    free_crossings_.assign(other.free_crossings_.begin(), other.free_crossings_.end());
-  }
-  Geometry(Geometry&&) noexcept = default;
-  Geometry& operator=(const Geometry&) = delete;
-  Geometry& operator=(Geometry&&) noexcept = default;
-  ~Geometry() = default;
-
   /// Sets the position of `vertex` to an explicit point. Makes the table longer if needed. Requires: the point is in
-  /// range.
+  /// range, and the vertex is not constructed.
   void set_position(std::uint32_t vertex, const Point& point);
   /// Sets the positions of the vertices from 0 on to explicit points. The undo log does not record this. Requires:
   /// there are no positions yet, and the points are in range.
   void set_positions(std::vector<Point>&& points) { positions_ = std::move(points); }
   /// Sets the position of `vertex` to the crossing of the lines through (a, b) and (c, d). Requires: these four
-  /// vertices are explicit.
+  /// vertices are explicit, and `vertex` is not constructed.
   void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
-  /// Removes the position of `vertex`, which frees its crossing.
+  /// Removes the position of `vertex`, so that its two lines have one use less.
   void clear(std::uint32_t vertex);
 
   /// Empties the undo log.
@@ -95,9 +81,9 @@ class Geometry {
 
   /// The coordinates of the vertex, each rounded to the nearest double.
   [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return positions_[vertex]; }
-  [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return crossing_of(vertex) == kExplicit; }
+  [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return lines_of(vertex).one == LineTable::kNone; }
   /// Whether there may be a constructed vertex. If the result is false, there is none.
-  [[nodiscard]] bool has_constructed() const { return !crossing_of_.empty(); }
+  [[nodiscard]] bool has_constructed() const { return !lines_of_.is_empty(); }
   /// The exact position of a vertex. The result stays valid until a vertex is added.
   [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 
@@ -128,33 +114,43 @@ class Geometry {
     return finer_in_circle(copy(a), copy(b), copy(c), copy(d));
   }
   [[nodiscard]] std::strong_ordering order(const View& p, const View& q) const {
-    if (p.x == q.x && !crossing_of_.empty()) return finer_order(copy(p), copy(q));
+    if (p.x == q.x && has_constructed()) return finer_order(copy(p), copy(q));
     ++counts.order.doubles;
     return filter::order(p, q);
   }
 
   void count_memory(MemoryUse& use) const {
     memory::count(use, &MemoryUse::vertices, positions_);
-    memory::count(use, &MemoryUse::crossings, crossing_of_);
-    memory::count(use, &MemoryUse::crossings, crossings_);
-    memory::count_spare(use, free_crossings_, dropped_crossings_);
-    journal_.count_memory(use);
+    lines_of_.count_memory(use, &MemoryUse::crossings);
+    lines_.count_memory(use, &MemoryUse::crossings);
+    position_journal_.count_memory(use);
+    lines_journal_.count_memory(use);
   }
-  /// Frees spare memory, except the memory of `free_crossings_`, which roll_back() needs. Requires: nothing has changed
-  /// since begin().
+  /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
-    memory::shrink(positions_, crossing_of_, crossings_);
-    memory::release(dropped_crossings_);
-    journal_.release();
+    memory::shrink(positions_);
+    lines_of_.shrink_to_fit();
+    lines_.shrink_to_fit();
+    position_journal_.release();
+    lines_journal_.release();
   }
 
  private:
-  static constexpr std::uint32_t kExplicit = 0xffffffff;
+  static constexpr std::size_t kVerticesPerPage = 64;
 
-  struct Undo {
-    Point position;  ///< the position before the change
+  /// The two lines that cross at a vertex. An explicit vertex has none.
+  struct Lines {
+    LineTable::Number one = LineTable::kNone;
+    LineTable::Number other = LineTable::kNone;
+  };
+  /// The position of a vertex before a change, or its lines.
+  struct PositionUndo {
+    Point position;
     std::uint32_t vertex;
-    std::uint32_t crossing;  ///< the crossing before the change
+  };
+  struct LinesUndo {
+    Lines lines;
+    std::uint32_t vertex;
   };
 
   // The callers pass copies of their views to these functions. So the compiler can keep the views themselves in
@@ -164,22 +160,21 @@ class Geometry {
   [[nodiscard]] Sign finer_in_circle(const View& a, const View& b, const View& c, const View& d) const;
   [[nodiscard]] std::strong_ordering finer_order(const View& p, const View& q) const;
 
-  [[nodiscard]] std::uint32_t crossing_of(std::uint32_t vertex) const {
-    return vertex < crossing_of_.size() ? crossing_of_[vertex] : kExplicit;
+  [[nodiscard]] Lines lines_of(std::uint32_t vertex) const {
+    const Lines* const lines = lines_of_.find(vertex);
+    return lines == nullptr ? Lines{} : *lines;
   }
   [[nodiscard]] bool is_explicit(const View& view) const { return is_explicit(view.vertex); }
-  void log(std::uint32_t vertex) { journal_.add({positions_[vertex], vertex, crossing_of(vertex)}); }
   [[nodiscard]] ExactPoint exact(const View& view) const;
-  [[nodiscard]] std::uint32_t add_crossing(const Crossing& crossing);
 
   double orientation_error_;
   double in_circle_position_term_;
   std::vector<Point> positions_;
-  std::vector<std::uint32_t> crossing_of_;  ///< by vertex, up to the last constructed one
-  std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> free_crossings_;     ///< always has capacity for all crossings
-  std::vector<std::uint32_t> dropped_crossings_;  ///< the next begin() frees them; roll_back() may restore them
-  memory::Journal<Undo> journal_;
+  memory::Pages<Lines, kVerticesPerPage> lines_of_;  ///< by vertex; has room for every constructed vertex
+  LineTable lines_;
+  LineTable::Number recent_line_ = LineTable::kNone;  ///< the first line of the last new crossing
+  memory::Journal<PositionUndo> position_journal_;
+  memory::Journal<LinesUndo> lines_journal_;
 };
 
 static_assert(AnyGeometry<Geometry>);

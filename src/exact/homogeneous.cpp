@@ -20,10 +20,10 @@ Integer cross(const IntegerPoint& u, const IntegerPoint& v) { return u.x * v.y -
 
 // The point a + t (b - a) lies on the line through c and d if t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
 Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent) {
-  const IntegerPoint a = to_integers(crossing.a, lattice_exponent);
-  const IntegerPoint c = to_integers(crossing.c, lattice_exponent);
-  const IntegerPoint ab = to_integers(crossing.b, lattice_exponent) - a;
-  const IntegerPoint cd = to_integers(crossing.d, lattice_exponent) - c;
+  const IntegerPoint a = to_integers(crossing.ab.a, lattice_exponent);
+  const IntegerPoint c = to_integers(crossing.cd.a, lattice_exponent);
+  const IntegerPoint ab = to_integers(crossing.ab.b, lattice_exponent) - a;
+  const IntegerPoint cd = to_integers(crossing.cd.b, lattice_exponent) - c;
   Integer w = cross(ab, cd);
   Integer t = cross(c - a, cd);
   if (w < 0) {
@@ -34,7 +34,7 @@ Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent) {
 }
 
 Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent) {
-  if (!point.is_explicit()) return to_homogeneous(*point.crossing, lattice_exponent);
+  if (!point.is_explicit()) return to_homogeneous(point.crossing(), lattice_exponent);
   return {to_integer(point.x, lattice_exponent), to_integer(point.y, lattice_exponent), Integer{1}};
 }
 

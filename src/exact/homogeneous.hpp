@@ -43,14 +43,17 @@ class LatticeExponent {
     if (point.is_explicit()) {
       include(Point{point.x, point.y});
     } else {
-      include(*point.crossing);
+      include(*point.ab);
+      include(*point.cd);
     }
   }
+  void include(const PointPair& points) {
+    include(points.a);
+    include(points.b);
+  }
   void include(const Crossing& crossing) {
-    include(crossing.a);
-    include(crossing.b);
-    include(crossing.c);
-    include(crossing.d);
+    include(crossing.ab);
+    include(crossing.cd);
   }
   [[nodiscard]] int value() const { return exponent_ == kNothingSeen ? 0 : exponent_; }
 

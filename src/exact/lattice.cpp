@@ -25,13 +25,15 @@ template <std::size_t kCount>
 class CommonOffsets {
  public:
   explicit CommonOffsets(const std::array<const ExactPoint*, kCount>& points)
-      : points_(points), offsets_(points.back()->is_explicit() ? nearest(*points.back()) : points.back()->crossing->a) {
+      : points_(points), offsets_(points.back()->is_explicit() ? nearest(*points.back()) : points.back()->ab->a) {
     for (const ExactPoint* const point : points) {
       if (point->is_explicit()) {
         offsets_.add(nearest(*point));
       } else {
-        const auto& [a, b, c, d] = *point->crossing;
-        for (const Point& end : {a, b, c, d}) offsets_.add(end);
+        for (const PointPair* const line : {point->ab, point->cd}) {
+          offsets_.add(line->a);
+          offsets_.add(line->b);
+        }
       }
     }
   }

@@ -18,25 +18,25 @@ std::size_t end_of_range(const Elements& elements, std::size_t begin, IsIn&& is_
 }  // namespace
 
 /// The sector of a point in a zoomed sector, or in a zoom within this zoom, and so on.
-Sectors::Sector Sectors::find_in_zoom(const Point& point, std::size_t index) const {
+Sectors::Sector Sectors::find_in_zoom(const Point& point, Cell zoomed) const {
   for (;;) {
-    const std::uint32_t i = sectors_[index] & ~(kDivided | kZoomed);
+    const std::uint32_t i = zoomed & ~(kDivided | kZoomed);
     const Curve::Key key = zooms_[i].curve.nearest_key(point);
     constexpr int kShift = kKeyBits - 2;
     const Sector sector = find_quarter(key, zooms_[i].first + static_cast<std::size_t>(key >> kShift), kShift, i);
-    if (!is_zoomed(sectors_[sector.index])) return sector;
-    index = sector.index;
+    if (!is_zoomed(sector.cell)) return sector;
+    zoomed = sector.cell;
   }
 }
 
 void Sectors::remember(const Point& point, mesh::Vertex v, std::size_t vertex_count) {
   if (vertex_count > kVerticesPerSector * whole_count()) grow();
-  sectors_[at(point).index] = number(v);
+  sectors_.set(at(point).index, number(v));
 }
 
 void Sectors::replace(const Point& point, mesh::Vertex v, mesh::Vertex other) {
-  Cell& cell = sectors_[at(point).index];
-  if (cell == number(v)) cell = number(other);
+  const Sector sector = at(point);
+  if (sector.cell == number(v)) sectors_.set(sector.index, number(other));
 }
 
 // A sector stays divided after most of its vertices have been removed. If there are many more quarters than vertices,
@@ -45,16 +45,15 @@ void Sectors::replace(const Point& point, mesh::Vertex v, mesh::Vertex other) {
 void Sectors::divide(const Point& point, std::size_t vertex_count) {
   const std::size_t quarters = sectors_.size() - whole_count();
   if (quarters > 4 * vertex_count + whole_count()) {
-    for (std::size_t i = 0; i < whole_count(); ++i) sectors_[i] = any_vertex(sectors_[i]);
-    sectors_.resize(whole_count());
+    for (std::size_t i = 0; i < whole_count(); ++i) sectors_.set(i, any_vertex(sectors_[i]));
+    sectors_.truncate(whole_count());
     zooms_.clear();
   }
   const Sector sector = at(point);
   if (sector.shift == 0) return add_zoom(point, sector);
-  const Cell cell = sectors_[sector.index];
   const auto first = static_cast<Cell>(sectors_.size());
-  sectors_.insert(sectors_.end(), 4, cell);
-  sectors_[sector.index] = first | kDivided;
+  sectors_.append(4, sector.cell);
+  sectors_.set(sector.index, first | kDivided);
 }
 
 void Sectors::add_zoom(const Point& point, const Sector& sector) {
@@ -66,8 +65,8 @@ void Sectors::add_zoom(const Point& point, const Sector& sector) {
   const auto index = static_cast<Cell>(zooms_.size());
   zooms_.push_back({Curve(box), static_cast<std::uint32_t>(sectors_.size()), depth});
   const Cell cell = sectors_[sector.index];
-  sectors_.insert(sectors_.end(), 4, cell);
-  sectors_[sector.index] = index | kDivided | kZoomed;
+  sectors_.append(4, cell);
+  sectors_.set(sector.index, index | kDivided | kZoomed);
 }
 
 Sectors::Cell Sectors::any_vertex(Cell cell) const {
@@ -100,7 +99,7 @@ void Sectors::grow() {
     }
     for (std::size_t quarter = 0; quarter < 4; ++quarter) finer.push_back(sectors_[old + quarter]);
   }
-  sectors_ = std::move(finer);
+  sectors_ = memory::CompactArray(std::move(finer));
   whole_shift_ -= 2;
 }
 
@@ -108,7 +107,7 @@ void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> ke
   int shift = kKeyBits - 2;
   while (shift > 2 && keys.size() > kVerticesPerSector << (kKeyBits - shift)) shift -= 2;
   whole_shift_ = shift;
-  sectors_.assign(whole_count(), kNone);
+  sectors_ = memory::CompactArray(std::vector<Cell>(whole_count(), kNone));
   zooms_.clear();
   std::size_t begin = 0;
   for (std::size_t i = 0; i < whole_count(); ++i) {
@@ -118,21 +117,22 @@ void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> ke
     fill_sector(i, shift, points.subspan(begin, count), keys.subspan(begin, count), first_here);
     begin = end;
   }
+  sectors_.pack();
 }
 
 // An empty sector remembers the last vertex before it along the curve.
 void Sectors::fill_sector(std::size_t index, int shift, std::span<const Point> points, std::span<const Curve::Key> keys,
                           std::uint32_t first) {
   if (keys.size() <= kCrowd || shift == 0) {
-    sectors_[index] = first + static_cast<Cell>(keys.size() / 2) - (keys.empty() ? 1 : 0);
+    sectors_.set(index, first + static_cast<Cell>(keys.size() / 2) - (keys.empty() ? 1 : 0));
     if (keys.size() <= kCrowd) return;
     std::vector<Entry> entries(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) entries[i].vertex = first + static_cast<std::uint32_t>(i);
-    return fill_zoom({index, shift, kNoZoom}, points, first, entries);
+    return fill_zoom({index, shift, kNoZoom, sectors_[index]}, points, first, entries);
   }
   const std::size_t quarters = sectors_.size();
-  sectors_.resize(quarters + 4);
-  sectors_[index] = static_cast<Cell>(quarters) | kDivided;
+  sectors_.append(4, kNone);
+  sectors_.set(index, static_cast<Cell>(quarters) | kDivided);
   std::size_t begin = 0;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t end =
@@ -163,7 +163,7 @@ void Sectors::fill_zoom(const Sector& sector, std::span<const Point> points, std
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t end =
         end_of_range(entries, begin, [&](const Entry& entry) { return entry.key >> kShift == quarter; });
-    fill_quarter({quarters + quarter, kShift, static_cast<std::uint32_t>(zooms)}, points, first,
+    fill_quarter({quarters + quarter, kShift, static_cast<std::uint32_t>(zooms), kNone}, points, first,
                  entries.subspan(begin, end - begin));
     begin = end;
   }
@@ -173,18 +173,18 @@ void Sectors::fill_zoom(const Sector& sector, std::span<const Point> points, std
 void Sectors::fill_quarter(const Sector& sector, std::span<const Point> points, std::uint32_t first,
                            std::span<Entry> entries) {
   if (entries.empty()) return;
-  sectors_[sector.index] = entries[entries.size() / 2].vertex;
+  sectors_.set(sector.index, entries[entries.size() / 2].vertex);
   if (entries.size() <= kCrowd) return;
   if (sector.shift == 0) return fill_zoom(sector, points, first, entries);
   const std::size_t quarters = sectors_.size();
-  sectors_.insert(sectors_.end(), 4, sectors_[sector.index]);
-  sectors_[sector.index] = static_cast<Cell>(quarters) | kDivided;
+  sectors_.append(4, sectors_[sector.index]);
+  sectors_.set(sector.index, static_cast<Cell>(quarters) | kDivided);
   const int shift = sector.shift - 2;
   std::size_t begin = 0;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t end =
         end_of_range(entries, begin, [&](const Entry& entry) { return (entry.key >> shift & 3) == quarter; });
-    fill_quarter({quarters + quarter, shift, sector.zoom}, points, first, entries.subspan(begin, end - begin));
+    fill_quarter({quarters + quarter, shift, sector.zoom, kNone}, points, first, entries.subspan(begin, end - begin));
     begin = end;
   }
 }

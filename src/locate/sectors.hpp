@@ -12,6 +12,7 @@
 
 #include "base/compiler.hpp"
 #include "locate/curve.hpp"
+#include "memory/compact_array.hpp"
 #include "memory/count.hpp"
 #include "mesh/index.hpp"
 
@@ -31,19 +32,20 @@ namespace waywright::locate {
 /// do not; and the number of sectors is not constant.
 class Sectors {
  public:
-  explicit Sectors(const Box& domain) : curve_(domain), sectors_(4, kNone) {}
+  explicit Sectors(const Box& domain) : curve_(domain), sectors_(std::vector<Cell>(4, kNone)) {}
 
   struct Sector {
     std::size_t index;
     int shift;           ///< two keys are in one sector if they differ only in their lowest `shift` bits
     std::uint32_t zoom;  ///< the zoom to whose curve these keys belong, or kNoZoom
+    std::uint32_t cell;  ///< what the sector contains
   };
-  [[nodiscard]] Sector at(const Point& point) const {
+  [[nodiscard]] WAYWRIGHT_ALWAYS_INLINE Sector at(const Point& point) const {
     const Sector sector = find(curve_.key(point));
-    return is_zoomed(sectors_[sector.index]) ? find_in_zoom(point, sector.index) : sector;
+    return is_zoomed(sector.cell) ? find_in_zoom(point, sector.cell) : sector;
   }
   /// The vertex that the sector remembers, or kNoVertex.
-  [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sectors_[sector.index]); }
+  [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sector.cell); }
   /// Whether a vertex at this squared distance from a point is far away, compared with the size of the point's sector.
   /// If it is, a sector near the point's sector may remember a nearer vertex.
   [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
@@ -56,11 +58,10 @@ class Sectors {
   void for_each_around(const Sector& sector, Visit&& visit) const {
     const bool is_whole = sector.zoom == kNoZoom && sector.shift == whole_shift_;
     const std::size_t count = is_whole ? std::min(kBlock, whole_count()) : 4;
-    const std::size_t block = sector.index & ~(count - 1);
-    for (std::size_t i = 0; i < count; ++i) {
-      const mesh::Vertex v = vertex_of(any_vertex(sectors_[block + i]));
+    sectors_.for_each(sector.index & ~(count - 1), count, [&](Cell cell) {
+      const mesh::Vertex v = vertex_of(any_vertex(cell));
       if (v != mesh::kNoVertex) visit(v);
-    }
+    });
   }
   /// Whether both points lie in one sector.
   [[nodiscard]] bool are_in_one(const Point& p, const Point& q) const { return at(p).index == at(q).index; }
@@ -74,7 +75,7 @@ class Sectors {
   void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
   /// Prefetches the memory that says which vertex the sector of `point` remembers.
   WAYWRIGHT_ALWAYS_INLINE void prefetch(const Point& point) const {
-    base::prefetch(&sectors_[static_cast<std::size_t>(curve_.key(point) >> whole_shift_)]);
+    sectors_.prefetch(static_cast<std::size_t>(curve_.key(point) >> whole_shift_));
   }
   /// Call it when an operation removes the vertex `v` at `point`. If the sector of `point` remembers `v`, it then
   /// remembers `other`.
@@ -84,10 +85,13 @@ class Sectors {
   void divide(const Point& point, std::size_t vertex_count);
 
   void count_memory(MemoryUse& use) const {
-    memory::count(use, &MemoryUse::sectors, sectors_);
+    sectors_.count_memory(use, &MemoryUse::sectors);
     memory::count(use, &MemoryUse::sectors, zooms_);
   }
-  void shrink_to_fit() { memory::shrink(sectors_, zooms_); }
+  void shrink_to_fit() {
+    sectors_.shrink_to_fit();
+    memory::shrink(zooms_);
+  }
 
  private:
   /// The vertex that a sector remembers. If kDivided is set: the index of the first of its four quarters, which are in
@@ -119,13 +123,15 @@ class Sectors {
     return find_quarter(key, static_cast<std::size_t>(key >> whole_shift_), whole_shift_, kNoZoom);
   }
   [[nodiscard]] Sector find_quarter(Curve::Key key, std::size_t index, int shift, std::uint32_t zoom) const {
-    while (is_divided(sectors_[index])) {
+    Cell cell = sectors_[index];
+    while (is_divided(cell)) {
       shift -= 2;
-      index = (sectors_[index] & ~kDivided) + static_cast<std::size_t>(key >> shift & 3);
+      index = (cell & ~kDivided) + static_cast<std::size_t>(key >> shift & 3);
+      cell = sectors_[index];
     }
-    return {index, shift, zoom};
+    return {index, shift, zoom, cell};
   }
-  [[nodiscard]] Sector find_in_zoom(const Point& point, std::size_t index) const;
+  [[nodiscard]] Sector find_in_zoom(const Point& point, Cell zoomed) const;
   void add_zoom(const Point& point, const Sector& sector);
   [[nodiscard]] std::size_t whole_count() const { return std::size_t{1} << (kKeyBits - whole_shift_); }
   [[nodiscard]] static mesh::Vertex vertex_of(Cell cell) {
@@ -146,7 +152,7 @@ class Sectors {
   Curve curve_;
   int whole_shift_ = kKeyBits - 2;
   std::vector<Zoom> zooms_;
-  std::vector<Cell> sectors_;  ///< the whole sectors along the curve, then groups of four quarters at multiples of 4
+  memory::CompactArray sectors_;  ///< the whole sectors along the curve, then groups of four quarters at multiples of 4
 };
 
 }  // namespace waywright::locate

@@ -13,10 +13,10 @@
 namespace waywright::memory {
 
 /// A sparse array: values by index, stored in pages. Use it for data that most vertices, edges or items of a large
-/// world do not have: a page is allocated only when its first value needs room. A page is not freed before clear(), so
-/// a program can write a value again without an allocation if it has written the value before. The values of a new page
-/// are Value{}.
-template <class Value>
+/// world do not have: make_room() allocates a page only when its first value needs room. A page is not freed before
+/// clear(), so a program can write a value again without an allocation if it has written the value before. The values
+/// of a new page are Value{}. A page has kPageSize values.
+template <class Value, std::size_t kPageSize = 1024>
 class Pages {
  public:
   Pages() = default;
@@ -31,6 +31,8 @@ class Pages {
   Pages& operator=(Pages&&) noexcept = default;
   ~Pages() = default;
 
+  /// Whether grow_to() has never made room.
+  [[nodiscard]] bool is_empty() const { return pages_.empty(); }
   /// Makes the table of pages large enough for the indices below `count`. Allocates no page.
   void grow_to(std::size_t count) {
     if (pages_.size() * kPageSize < count) pages_.resize((count + kPageSize - 1) / kPageSize);
@@ -39,6 +41,12 @@ class Pages {
   void make_room(std::size_t index) {
     if (!has_room(index)) [[unlikely]]
       add_page(index / kPageSize);
+  }
+
+  /// The value, or null if there is no room for it. `index` may be larger than grow_to() has allowed for.
+  [[nodiscard]] const Value* find(std::size_t index) const {
+    const std::size_t page = index / kPageSize;
+    return page < pages_.size() && pages_[page] != nullptr ? &(*pages_[page])[index % kPageSize] : nullptr;
   }
 
   // Requires: has_room(index).
@@ -61,7 +69,6 @@ class Pages {
   void shrink_to_fit() { memory::shrink(pages_); }
 
  private:
-  static constexpr std::size_t kPageSize = 1024;
   using Page = std::array<Value, kPageSize>;
 
   WAYWRIGHT_NO_INLINE void add_page(std::size_t index) {

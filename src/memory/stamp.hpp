@@ -6,8 +6,8 @@
 namespace waywright::memory {
 
 /// Gives each search a number. A search writes its number into the array entries that it uses. An entry with another
-/// number is from an earlier search and counts as empty. So nothing clears the arrays between searches. Only when the
-/// numbers run out, this class clears them.
+/// number is from an earlier search and counts as empty. So the arrays need not be cleared between searches. This class
+/// clears them only when the numbers run out.
 class Stamp {
  public:
   [[nodiscard]] std::uint32_t value() const { return value_; }

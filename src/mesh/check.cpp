@@ -30,7 +30,7 @@ std::optional<std::string> find_fault_at(const TriangleMesh& mesh, HalfEdge h) {
 }  // namespace
 
 // A closed surface in one piece is a sphere if V - E + F = 2. The loop around each vertex must contain all half-edges
-// that start there; otherwise two surfaces touch at that vertex.
+// that start there; otherwise the faces at this vertex form more than one loop.
 std::optional<std::string> TriangleMesh::find_fault() const {
   std::vector<std::uint32_t> degree(vertex_slots(), 0);
   std::size_t faces = 0;
@@ -39,7 +39,7 @@ std::optional<std::string> TriangleMesh::find_fault() const {
     if (!is_live(f)) continue;
     ++faces;
     HalfEdge h = first(f);
-    for (int side = 0; side < 3; ++side, h = next(h)) {
+    for (int corner = 0; corner < 3; ++corner, h = next(h)) {
       if (auto fault = find_fault_at(*this, h)) return fault;
       ++degree[number(origin(h))];
     }

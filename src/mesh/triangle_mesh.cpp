@@ -38,7 +38,7 @@ HalfEdge TriangleMesh::find(Vertex from, Vertex to) const {
   return kNoHalfEdge;
 }
 
-/// Goes around both vertices at the same time, one step at each in turn.
+/// Follows the edges around both vertices and alternates: one step at the first vertex, one step at the second.
 HalfEdge TriangleMesh::find_in_turn(Vertex from, Vertex to) const {
   const HalfEdge starts[2] = {outgoing(from), outgoing(to)};
   HalfEdge g = starts[0];

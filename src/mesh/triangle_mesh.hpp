@@ -17,13 +17,13 @@
 
 namespace waywright::mesh {
 
-/// A number that an edge carries for the higher rooms. The mesh only stores and copies it. An edge whose label is not 0
-/// is fixed: no flip removes it.
+/// A number that the mesh stores for an edge. The rooms that include this room give it a meaning. The mesh only stores
+/// and copies it. An edge whose label is not 0 is fixed: no flip removes it.
 using Label = std::uint32_t;
 
 /// A triangulated sphere: every half-edge has a twin, and every vertex has a closed loop of faces. To represent a
 /// triangulated polygon, connect a ghost vertex to all vertices on the border of the polygon. The result is a sphere,
-/// and the faces at the ghost vertex are ghost faces. The class is pure topology and knows no coordinates.
+/// and the faces at the ghost vertex are ghost faces. The class stores only the topology, and no coordinates.
 ///
 /// New vertices and faces use freed slots again. The slot that was freed last is used first. An index stays valid until
 /// its vertex or face is freed. A flip rebuilds two faces, and afterwards other half-edges may represent the edges of

@@ -12,9 +12,9 @@ namespace waywright::mesh {
 /// Requires: TriangleMesh::make_room_for_labels() has been called. Each thread has a set of vertices of its own, and
 /// these sets are disjoint. A thread changes only faces whose three vertices are its own. If another face has a vertex
 /// of the thread's own, the thread may read the vertices of this face, and the twins and labels of its edges that have
-/// an end of the thread's own. (To read `twin`, `label` or `is_fixed` of an edge between two vertices of other threads
-/// is a race.) Then no thread reads data that another one writes: a thread writes the twin and the label of an edge
-/// only if both ends of the edge are its own, and the vertices of a face only if all three are.
+/// an end of the thread's own. (If the thread reads `twin`, `label` or `is_fixed` of an edge between two vertices of
+/// other threads, this is a data race.) Then no thread reads data that another one writes: a thread writes the twin and
+/// the label of an edge only if both ends of the edge are its own, and the vertices of a face only if all three are.
 class UnloggedMesh {
  public:
   explicit UnloggedMesh(TriangleMesh& mesh) : mesh_(mesh) {}

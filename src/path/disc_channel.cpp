@@ -72,7 +72,7 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
 }
 
 /// Returns whether the search has followed a channel through this entry already, or has made its choice at the face.
-/// Without the first test, a channel without a choice could repeat the same circle of faces without an end.
+/// Without the first test, a channel without a choice could repeat the same cycle of faces forever.
 bool DiscChannel::is_visited(HalfEdge entry) const {
   return visited_[number(entry)] == stamp_.value() ||
          (marks_faces_ && visited_[3 * number(mesh::face(entry))] == stamp_.value());
@@ -168,7 +168,8 @@ void DiscChannel::collect(std::uint32_t node) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   goal_face_ = nodes_[node].channel.entry;
   for (std::uint32_t i = node; i != ChannelNode::kNone; i = nodes_[i].channel.before) {
-    // The exits between two nodes, backwards: go on from the first one, and reverse the piece.
+    // The nodes give the exits from the goal to the start. Between two nodes the code finds the exits in the other
+    // direction, so it reverses this piece of the list.
     const std::size_t first = exits_.size();
     for (HalfEdge exit = nodes_[i].channel.exit;;) {
       exits_.push_back(exit);

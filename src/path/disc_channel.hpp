@@ -17,8 +17,8 @@ namespace waywright::path {
 
 /// Finds a channel for a disc by A* over the faces, like TraStar for points. The channel crosses no edge that is
 /// shorter than the disc is wide, because no centre of a disc lies on this edge. In a face, the channel passes no gap
-/// that is too narrow. But it may pass a foot bridge that crosses several faces, so it may be that no path runs through
-/// the channel.
+/// that is too narrow. But it may pass a foot bridge that crosses several faces, so perhaps no path leads through the
+/// channel.
 ///
 /// The search orders the channels by an approximate length. If it finds no channel, there is no path.
 ///

@@ -113,8 +113,8 @@ void DiscLine::look_at_closed(HalfEdge exit) {
 /// Returns whether a position on the edge is nearer to the line than the radius. Requires: the edge does not cross the
 /// line.
 bool DiscLine::is_edge_near(const Offset& a, const Offset& b) const {
-  // The nearest positions include an end of the edge or an end of the line. An end of the line can be the nearest
-  // position only if the edge reaches beyond it.
+  // The distance between the edge and the line is the distance of an end of the edge from the line, or of an end of the
+  // line from the edge. An end of the line can be the nearest position only if the edge reaches beyond it.
   if (std::min(squared_distance(a), squared_distance(b)) < least_) return true;
   const auto is_near = [&](const Point& end) {
     return squared_distance_to_segment(end, a.position, b.position) < least_;

@@ -17,14 +17,14 @@ namespace {
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenBounds = 8;
 
-/// If a vertex is farther than this many radii from the line on which the path arrives, and the circle lies on the
-/// other side of this line, the next line of the path does not lead to the vertex. The exact factor is 2; the rest
-/// allows for rounding.
+/// If a vertex is farther than this many radii from the line on which the path arrives, and the circle and the vertex
+/// are not both left or both right of this line, the next line of the path does not lead to the vertex. The exact
+/// factor is 2; the rest allows for rounding.
 constexpr double kOutside = 2.125;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
 
-/// Returns (1, 0) if the length is 0.
+/// Returns the direction of the vector. Returns (1, 0) if its length is 0.
 Point unit(const Point& v) {
   const double size = length(v);
   return size > 0.0 ? Point{v.x / size, v.y / size} : Point{1.0, 0.0};
@@ -215,7 +215,7 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   if (line) push_turn(window.root, corner, turn, *line, kNone);
 }
 
-/// Adds a turn node, unless the path would have to turn back at the root to get to this contact: a path that turns back
+/// Adds a turn node, unless the path would have to turn back at the root to reach this contact: a path that turns back
 /// is not the shortest.
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
   if (turns_back(roots_[root], line.direction)) return;
@@ -283,8 +283,9 @@ void DiscOptimal::offer(const Window& window, const Edge& edge) {
 /// A lower bound of the length of the paths through the window, whose edge has the ends `edge`. If the disc is beyond
 /// the edge when it reaches the root, the bound does not depend on the edge.
 ///
-/// A path that turns around an end of the edge, or around a vertex close behind the edge, need not cross the edge: it
-/// comes within the radius of the edge. To go to the edge and back adds at most the diameter to its length.
+/// A path that turns around an end of the edge, or around a vertex close behind the edge, need not cross the edge, but
+/// its distance from the edge is at most the radius. A detour to the edge and back makes it longer by at most the
+/// diameter.
 double DiscOptimal::bound(const Window& window, const Edge& edge) const {
   const Root& root = roots_[window.root];
   const Point& from = root.position;
@@ -408,10 +409,10 @@ bool DiscOptimal::is_reached_sooner(const TurnNode& node, HalfEdge corner) {
     if (root.length > node.length) continue;
     // A path in the opposite direction with the other turn touches the circle at the same position.
     const Point position = opposite(root.direction);
-    const int side = cross(position, node.line.direction) >= 0.0 ? 1 : -1;
-    const double angle = turning_angle(position, node.line.direction, side);
+    const int orientation = cross(position, node.line.direction) >= 0.0 ? 1 : -1;
+    const double angle = turning_angle(position, node.line.direction, orientation);
     if (root.length + map_->radius * angle > node.length) continue;
-    if (are_on_one_arc(root.corner, corner, side)) return true;
+    if (are_on_one_arc(root.corner, corner, orientation)) return true;
   }
   return false;
 }

@@ -22,13 +22,13 @@ namespace waywright::path {
 /// a line from a root to a contact, or to the goal. A *window* is an edge of the mesh together with two rays from the
 /// vertex of a root.
 ///
-/// Windows find the vertices that the vertex of a root sees. They move from face to face, as in Optimal. If a disc can
-/// move along a straight line from one contact to another, then the two vertices see each other. Before a path uses a
-/// line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the search adds a turn node for this
-/// vertex. From there it then tries a line to the end of the old line.
+/// With windows, the search finds the vertices that are visible from the vertex of a root. They move from face to face,
+/// as in Optimal. If a disc can move along a straight line from one contact to another, then the two vertices see each
+/// other. Before a path uses a line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the search
+/// adds a turn node for this vertex. From there it then tries a line to the end of the old line.
 ///
-/// Whether a disc passes a gap is decided exactly: windows and tested lines cross no gap that is too narrow. All other
-/// numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
+/// The search decides exactly whether a disc passes a gap: windows and tested lines cross no gap that is too narrow.
+/// All other numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya), for a
 /// point on a convex mesh.
@@ -65,7 +65,7 @@ class DiscOptimal {
   /// A bound of a window: a ray from the centre of its root.
   struct Bound {
     Point direction;
-    mesh::Vertex anchor = mesh::kNoVertex;  ///< the vertex through which the line goes, or kNoVertex
+    mesh::Vertex anchor = mesh::kNoVertex;  ///< the vertex through which the line leads, or kNoVertex
   };
   struct Window {
     mesh::HalfEdge entry;  ///< in the face beyond the edge

@@ -10,7 +10,7 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// The addition of this number to an index subtracts 1.
+/// To add this number to an index subtracts 1 from the index, because unsigned numbers wrap around.
 constexpr std::size_t kBackwards = static_cast<std::size_t>(-1);
 
 /// The diameter, in radii, and a margin for rounding.

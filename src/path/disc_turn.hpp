@@ -25,16 +25,16 @@ inline constexpr double kTurnsBack = 0x1p-23;
   return contact.turn != kNoTurn && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
 }
 
-/// Returns the corner at the same vertex that contains a direction. Looks at `corner` first and then goes against the
-/// direction of the turn. Returns kNoHalfEdge if the direction leads out of the domain.
+/// Returns the corner at the same vertex that contains a direction. Looks at `corner` first, and then at the other
+/// corners against the direction of the turn. Returns kNoHalfEdge if the direction leads out of the domain.
 [[nodiscard]] mesh::HalfEdge corner_towards(const DiscMap& map, mesh::HalfEdge corner, const Point& direction,
                                             int turn);
 
-/// Goes from corner to corner around the vertex of a contact, in the direction of the turn: up to a wall or a gap that
-/// is too narrow, or until the path has turned by 180 degrees. Calls visit(corner, spoke, order) for each corner: the
-/// turn leaves the corner across the edge `spoke`, after it has turned up to `order`. Returns how far the path can
-/// turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the corner that contains the
-/// position of the disc at this time.
+/// Visits the corners of faces around the vertex of a contact, one after the other, in the direction of the turn: up to
+/// a wall or a gap that is too narrow, or until the path has turned by 180 degrees. Calls visit(corner, spoke, order)
+/// for each corner: the turn leaves the corner across the edge `spoke`, after it has turned up to `order`. Returns how
+/// far the path can turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the corner
+/// that contains the position of the disc at this time.
 ///
 /// Directions are numbers, their *orders*: 0 is the direction of arrival, 1 and 2 are 90 and 180 degrees farther in the
 /// direction of the turn. -1 is the direction from the vertex to the position of arrival.
@@ -60,7 +60,7 @@ template <class Visit>
       if (reach >= 0.0) return {reach, mesh::kNoHalfEdge};
     }
     if (order > 2.0) break;
-    // The path can turn until it goes along a wall, or until the disc touches the other end of a narrow gap.
+    // The path can turn until it runs along a wall, or until the disc touches the other end of a narrow gap.
     if (map.is_closed(spoke)) return {mesh.is_fixed(spoke) ? order : order + 1.0, mesh.twin(spoke)};
     at = turn == kTurnLeft ? spoke : mesh.previous_around(at);
   } while (at != corner);

@@ -21,11 +21,11 @@ inline constexpr double kNoLength = 0x1p-900;
 /// Returns `q` if it does not lie to the right of the line through `a` along `edge`, or if `edge` has no direction.
 /// Otherwise returns the mirror image of `q` on the left of the line.
 [[nodiscard]] inline Point on_left(const Point& a, const Point& edge, const Point& q) {
-  const double side = cross(edge, {q.x - a.x, q.y - a.y});
-  if (!(side < 0.0)) return q;
+  const double doubled_area = cross(edge, {q.x - a.x, q.y - a.y});
+  if (!(doubled_area < 0.0)) return q;
   const double squared_length = edge.x * edge.x + edge.y * edge.y;
   if (squared_length <= kNoLength) return q;
-  const double scale = 2.0 * side / squared_length;
+  const double scale = 2.0 * doubled_area / squared_length;
   return {q.x + edge.y * scale, q.y - edge.x * scale};
 }
 

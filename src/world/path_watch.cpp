@@ -108,10 +108,10 @@ Box bounds_of(const Ellipse& ellipse) {
 }
 
 /// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
-/// position that is nearer to the end in the query than the moved end is. Let the search have moved the start from `s`
-/// to `t` by the distance d. If a position p is nearer to `s` than `t` is, then p is at most d away from `s`, and at
-/// most d + d + length away from the goal. So the sum of the two distances is at most the length of the path plus 3 d,
-/// and this is Ellipse::length.
+/// position that is nearer to the end in the query than the moved end is. Suppose that the search has moved the start
+/// from `s` to `t`, by the distance d. If a position p is nearer to `s` than `t` is, then p is at most d away from `s`,
+/// and at most d + d + length away from the goal. So the sum of the two distances is at most the length of the path
+/// plus 3 d, and this is Ellipse::length.
 Ellipse ellipse_of(const Path& path) {
   const bool has_points = !path.points.empty();
   if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
@@ -323,9 +323,9 @@ bool PathWatch::Impl::crosses_wall(std::span<const Point> points) const {
   return has_walls && std::any_of(walls.begin(), walls.end(), is_crossed);
 }
 
-/// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. A
-/// removed item where the path turns is not allowed, because the point may have stood for a crossing that no longer
-/// exists.
+/// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. It
+/// cannot decide if an operation has removed an item where the path turns, because the turn may have been at a crossing
+/// that no longer exists.
 bool PathWatch::Impl::has_easy_pieces(const Watched& path, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
   if (path.is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;

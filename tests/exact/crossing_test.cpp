@@ -56,7 +56,7 @@ TEST_P(Rounding, IsTheSameInEveryStage) {
   for (int i = 0; i < 3000; ++i) {
     const exact::ExactPoint p = source.any();
     if (p.is_explicit()) continue;
-    const exact::Crossing& crossing = *p.crossing;
+    const exact::Crossing crossing = p.crossing();
     const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
     const auto agrees = [&](const std::optional<exact::RoundedCrossing>& other) {
       return !other ||
@@ -85,7 +85,8 @@ TEST(Rounding, OfWholeNumbersIsTheSameInEveryStage) {
       return Point{x, static_cast<double>(random.between(-reach, reach))};
     };
     const exact::Crossing crossing{point(), point(), point(), point()};
-    const auto& [a, b, c, d] = crossing;
+    const auto& [a, b] = crossing.ab;
+    const auto& [c, d] = crossing.cd;
     if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;  // parallel: whole numbers below 2^53
     const auto rounded = exact::doubles::round_to_nearest(crossing);
     if (!rounded) continue;
@@ -116,8 +117,8 @@ TEST(Rounding, OfNumbersOfAllSizesIsTheSameInEveryStage) {
     const exact::Crossing crossing{point(), point(), point(), point()};
     const auto rounded = exact::doubles::round_to_nearest(crossing);
     if (!rounded) continue;
-    const RationalPoint a = rational(crossing.a), b = rational(crossing.b);
-    const RationalPoint c = rational(crossing.c), d = rational(crossing.d);
+    const RationalPoint a = rational(crossing.ab.a), b = rational(crossing.ab.b);
+    const RationalPoint c = rational(crossing.cd.a), d = rational(crossing.cd.b);
     if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;  // parallel
     ++in_doubles;
     const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
@@ -217,8 +218,7 @@ TEST(Geometry, DecidesOrientationsAndSidesOfLines) {
       geometry.set_position(count++, {point.x, point.y});
       continue;
     }
-    const auto [a, b, c, d] = *point.crossing;
-    for (const Point& end : {a, b, c, d}) {
+    for (const Point& end : {point.ab->a, point.ab->b, point.cd->a, point.cd->b}) {
       geometry.set_position(count++, end);
       positions.insert(positions.end() - 1, rational(end));
     }

@@ -242,9 +242,8 @@ struct MovedCrossing {
     const Point nearest = move({p.x, p.y});
     point = exact::explicit_point(nearest);
     if (p.is_explicit()) return;
-    const auto& [a, b, c, d] = *p.crossing;
-    crossing = {move(a), move(b), move(c), move(d)};
-    point.crossing = &crossing;
+    crossing = {move(p.ab->a), move(p.ab->b), move(p.cd->a), move(p.cd->b)};
+    point = {nearest.x, nearest.y, &crossing};
   }
   MovedCrossing(const MovedCrossing&) = delete;
   MovedCrossing& operator=(const MovedCrossing&) = delete;

@@ -46,7 +46,8 @@ class LatticeSource {
   ExactPoint constructed() {
     for (;;) {
       const Crossing crossing{point(), point(), point(), point()};
-      const auto [a, b, c, d] = crossing;
+      const auto& [a, b] = crossing.ab;
+      const auto& [c, d] = crossing.cd;
       const ExactPoint from{0, 0}, ab{b.x - a.x, b.y - a.y}, cd{d.x - c.x, d.y - c.y};
       if (exact::integers::orientation(ab, cd, from) == Sign::zero) continue;
       const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
@@ -102,7 +103,7 @@ TEST_P(Lattice, RoundsCrossingsAsIntegersOfAnySizeDo) {
   LatticeSource source(GetParam(), 3);
   for (int i = 0; i < 3000; ++i) {
     const ExactPoint p = source.constructed();
-    const auto rounded = exact::lattice::round_to_nearest(*p.crossing);
+    const auto rounded = exact::lattice::round_to_nearest(p.crossing());
     if (GetParam().centre != 0 && !rounded) continue;
     ASSERT_TRUE(rounded.has_value());
     ASSERT_EQ(rounded->nearest, (Point{p.x, p.y})) << "call " << i;
@@ -116,9 +117,10 @@ TEST_P(Lattice, FindsPointsOnALine) {
   const Point a = source.point(), b = source.point();
   for (int i = 0; i < 300; ++i) {
     ExactPoint p = source.constructed();
-    const Crossing on_line{a, b, p.crossing->c, p.crossing->d};
+    const auto& [c, d] = *p.cd;
+    const Crossing on_line{a, b, c, d};
     const ExactPoint from{0, 0}, ab{b.x - a.x, b.y - a.y};
-    const ExactPoint cd{on_line.d.x - on_line.c.x, on_line.d.y - on_line.c.y};
+    const ExactPoint cd{d.x - c.x, d.y - c.y};
     if (exact::integers::orientation(ab, cd, from) == Sign::zero) continue;
     const Point nearest = exact::round_to_nearest(on_line).nearest;
     p = {nearest.x, nearest.y, &on_line};

@@ -47,8 +47,8 @@ class PointSource {
       exact::Crossing crossing{point(), point(), point(), point()};
       if (!crossings_.empty() && random_.chance(60)) {
         const exact::Crossing& earlier = crossings_[random_.below(crossings_.size())];
-        crossing.a = earlier.a;
-        crossing.b = random_.chance(50) ? earlier.b : crossing.b;
+        crossing.ab.a = earlier.ab.a;
+        crossing.ab.b = random_.chance(50) ? earlier.ab.b : crossing.ab.b;
       }
       if (!in_range(crossing) || is_parallel(crossing)) continue;
       const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
@@ -60,11 +60,12 @@ class PointSource {
 
  private:
   static bool in_range(const exact::Crossing& crossing) {
-    return is_in_range(crossing.a) && is_in_range(crossing.b) && is_in_range(crossing.c) && is_in_range(crossing.d);
+    return is_in_range(crossing.ab.a) && is_in_range(crossing.ab.b) && is_in_range(crossing.cd.a) &&
+           is_in_range(crossing.cd.b);
   }
   static bool is_parallel(const exact::Crossing& crossing) {
-    const RationalPoint a = rational(crossing.a), b = rational(crossing.b), c = rational(crossing.c),
-                        d = rational(crossing.d);
+    const RationalPoint a = rational(crossing.ab.a), b = rational(crossing.ab.b);
+    const RationalPoint c = rational(crossing.cd.a), d = rational(crossing.cd.b);
     return (b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x);
   }
 

@@ -19,8 +19,7 @@ inline RationalPoint rational(const Point& p) { return {Rational(p.x), Rational(
 inline RationalPoint rational(const exact::ExactPoint& p) {
   if (p.is_explicit()) return rational(Point{p.x, p.y});
   // Cramer's rule on the equations n . p = k of the two lines.
-  const auto [a, b, c, d] = *p.crossing;
-  const RationalPoint pa = rational(a), pb = rational(b), pc = rational(c), pd = rational(d);
+  const RationalPoint pa = rational(p.ab->a), pb = rational(p.ab->b), pc = rational(p.cd->a), pd = rational(p.cd->b);
   const Rational n1x = pa.y - pb.y, n1y = pb.x - pa.x, k1 = n1x * pa.x + n1y * pa.y;
   const Rational n2x = pc.y - pd.y, n2y = pd.x - pc.x, k2 = n2x * pc.x + n2y * pc.y;
   const Rational determinant = n1x * n2y - n2x * n1y;

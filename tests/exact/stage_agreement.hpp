@@ -87,7 +87,8 @@ class NearMisses {
   Point lattice_point() { return {between(-4, 4), between(-4, 4)}; }
 
   void add_crossing(const exact::Crossing& crossing) {
-    const auto [a, b, c, d] = crossing;
+    const auto& [a, b] = crossing.ab;
+    const auto& [c, d] = crossing.cd;
     if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) return;
     const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
     if (rounded.is_exact) {

@@ -82,14 +82,14 @@ TEST(MemoryUse, ShrinkingLeavesLittleSpare) {
   EXPECT_TRUE(world.validate().ok);
 }
 
-// Bytes for each vertex: 16 for its point, 4 for a half-edge, 4 for a list of items, 48 for its two faces, 8 for its
-// item, and 4 to 8 for sectors, a little more where vertices are crowded. Ids that count up take no memory, and neither
-// do labels.
-TEST(MemoryUse, APointOfManyTakesLessThanNinetyTwoBytes) {
+// Bytes for each vertex: 16 for its point, 4 for a half-edge, 4 for a list of items, 48 for its two faces, 4 for its
+// item, and 0.4 to 1.7 for sectors, a little more where vertices are crowded. The spare share is 1/64 of the arrays.
+// Ids that count up take no memory, and neither do labels.
+TEST(MemoryUse, APointOfManyTakesLessThanEightyFourBytes) {
   const std::vector<Point> points = random_points(kCount);
   World world = World::create(kBox, {.keep_abstraction = false}).value();
   world.insert_points(points).value();
-  EXPECT_LE(world.memory().total(), 92 * kCount);
+  EXPECT_LE(world.memory().total(), 84 * kCount);
 }
 
 // There are two faces for each vertex; each face has a component and a byte. Pages of marks are allocated once there is
@@ -99,7 +99,7 @@ TEST(MemoryUse, PathsTakeLessThanElevenBytesMore) {
   World world = World::create(kBox).value();
   world.insert_points(points).value();
   EXPECT_LE(world.memory().abstraction, 11 * kCount);
-  EXPECT_LE(world.memory().total(), 103 * kCount);
+  EXPECT_LE(world.memory().total(), 95 * kCount);
   world.insert_segment({0.5, 0.5}, {0.505, 0.505}).value();
   EXPECT_LE(world.memory().abstraction, 12 * kCount);
 }

@@ -23,6 +23,26 @@ TEST(Pages, ComeWithTheFirstValueAndHoldNothingElse) {
   EXPECT_EQ(use.walls, 5 * sizeof(void*) + 4096);
 }
 
+TEST(Pages, FindValuesWhereThereIsRoom) {
+  memory::Pages<std::uint32_t, 64> pages;
+  EXPECT_TRUE(pages.is_empty());
+  EXPECT_EQ(pages.find(0), nullptr);
+  pages.grow_to(200);
+  EXPECT_FALSE(pages.is_empty());
+  pages.make_room(130);
+  pages[130] = 7;
+  ASSERT_NE(pages.find(130), nullptr);
+  EXPECT_EQ(*pages.find(130), 7U);
+  ASSERT_NE(pages.find(191), nullptr);
+  EXPECT_EQ(*pages.find(191), 0U);
+  EXPECT_EQ(pages.find(127), nullptr) << "another page";
+  EXPECT_EQ(pages.find(192), nullptr) << "another page";
+  EXPECT_EQ(pages.find(1000), nullptr) << "beyond the table";
+  MemoryUse use;
+  pages.count_memory(use, &MemoryUse::walls);
+  EXPECT_EQ(use.walls, 4 * sizeof(void*) + 256);
+}
+
 TEST(Pages, AreClearedToWhatTheyCover) {
   memory::Pages<std::uint32_t> pages;
   pages.grow_to(3000);

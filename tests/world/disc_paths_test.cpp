@@ -82,7 +82,7 @@ TEST(DiscPaths, MoveAnEndThatRoundingHasBlocked) {
   EXPECT_EQ(refused.status, PathStatus::start_blocked);
 }
 
-// The disc does not pass the gap from y = 60 to y = 70. The end is nearer to the wrong side of the wall.
+// The disc does not pass the gap from y = 60 to y = 70. The nearest position to the end lies beyond the wall.
 TEST(DiscPaths, PreferPositionsThatAreConnectedWithTheOtherEnd) {
   const World world = two_walls();
   const PathQuery query{.start = {48, 50}, .goal = {80, 50}, .radius = 6, .end_tolerance = 10};

@@ -89,7 +89,7 @@ TEST(PathWatch, KnowsThatANearerEndMayBeFree) {
 }
 
 // A point agent may turn at the exact crossing of two walls if a point of its path has the rounded coordinates of the
-// crossing. Without one of the walls, this point can lie on the wrong side of the other wall.
+// crossing. Without one of the walls, this point can lie beyond the other wall.
 TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
   Random random(5);
   std::size_t blocked = 0;

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "waywright/memory_use.hpp"
+
+#include "exact/exact_point.hpp"
+#include "memory/count.hpp"
+#include "memory/free_list.hpp"
+
+namespace waywright::exact {
+
+/// The lines that cross at constructed vertices, by number. Many constructed vertices can lie on one line, and the
+/// table stores this line only once. It counts the uses of each line, and frees a line that has no use any more. A hash
+/// table finds the line of two points.
+///
+/// An undo log records which lines are new. The caller must record the uses: before roll_back(), it must restore the
+/// number of uses that each line had at the last begin().
+class LineTable {
+ public:
+  using Number = std::uint32_t;
+  static constexpr Number kNone = memory::FreeList::kEnd;  ///< no line has this number
+
+  /// Returns the line through these two points. If the table has no such line, makes one without a use. The line may be
+  /// stored with its two points in the other order. If it is the line `hint`, the function finds it faster; the hint
+  /// may be any number. Requires: the points differ. Cost: expected O(1), amortised.
+  [[nodiscard]] Number find_or_make(const PointPair& points, Number hint = kNone) {
+    const bool is_hint = hint < records_.size() && records_[hint].uses != kFree && is_line(hint, points);
+    return is_hint ? hint : find_or_make_by_hash(points);
+  }
+  /// Counts one use more of each of the two lines. Allocates nothing.
+  void add_uses(Number one, Number other) {
+    ++records_[one].uses;
+    ++records_[other].uses;
+  }
+  /// Counts one use less of each of the two lines. The next begin() frees a line that has no use then. If memory runs
+  /// out, the function changes nothing. Requires: the lines differ.
+  void remove_uses(Number one, Number other) {
+    for (const Number line : {one, other}) {
+      if (records_[line].uses == 1) changed_.push_back(line);
+    }
+    take_back_uses(one, other);
+  }
+  /// Takes add_uses() back. Allocates nothing, and a line without a use stays. Call it before roll_back() only.
+  void take_back_uses(Number one, Number other) {
+    --records_[one].uses;
+    --records_[other].uses;
+  }
+  /// The two points of a line.
+  [[nodiscard]] const PointPair& operator[](Number line) const { return records_[line].points; }
+
+  /// The number of lines, including lines without a use that the next begin() frees. Cost: linear.
+  [[nodiscard]] std::size_t size() const;
+
+  /// Starts an operation: frees the lines without a use.
+  void begin() {
+    if (!changed_.empty()) free_unused();
+  }
+  /// Frees the lines that are new since begin(). Allocates nothing. Requires: they have no use.
+  void roll_back();
+
+  void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
+    memory::count(use, part, records_);
+    memory::count(use, part, buckets_);
+    memory::count_spare(use, changed_);
+  }
+  /// Frees spare memory. Requires: nothing has changed since begin().
+  void shrink_to_fit() {
+    memory::shrink(records_, buckets_);
+    memory::release(changed_);
+  }
+
+ private:
+  static constexpr std::uint32_t kFree = 0xffffffff;  ///< instead of the number of uses
+  static constexpr std::size_t kFewestBuckets = 16;
+
+  struct Record {
+    PointPair points;
+    std::uint32_t uses;
+    Number next;  ///< the next line in the bucket, or the next free record
+  };
+
+  [[nodiscard]] bool is_line(Number line, const PointPair& points) const {
+    const PointPair& stored = records_[line].points;
+    return (stored.a == points.a && stored.b == points.b) || (stored.a == points.b && stored.b == points.a);
+  }
+  [[nodiscard]] std::size_t bucket_of(const PointPair& points) const;
+  [[nodiscard]] Number find_or_make_by_hash(const PointPair& points);
+  [[nodiscard]] Number make(const PointPair& points);
+  void free_line(Number line);
+  void free_unused();
+  void grow_buckets();
+  /// Puts a line into its bucket.
+  void link(Number line);
+
+  std::vector<Record> records_;
+  memory::FreeList free_records_;  ///< linked by Record::next
+  std::vector<Number> buckets_;  ///< the first line of each bucket; as many as a power of two, at least one per record
+  std::vector<Number> changed_;  ///< the lines that are new since begin(), and lines whose last use was removed
+};
+
+}  // namespace waywright::exact
