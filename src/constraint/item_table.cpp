@@ -164,7 +164,7 @@ void ItemTable::register_item(std::uint32_t slot) {
   ++index_size_;
 }
 
-// If the item is plain, the page, if there is one, contains Traits{}.
+// If the item is plain, its traits (if there is room for them) are Traits{}, except that `is_live` may be true.
 void ItemTable::unregister_item(std::uint32_t slot) {
   --size_;
   items_[slot] &= ~kPlain;

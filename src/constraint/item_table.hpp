@@ -156,7 +156,8 @@ class ItemTable {
   static constexpr std::uint32_t kNone = memory::FreeList::kEnd;
   static constexpr std::uint32_t kEndsRing = 0x80000000;
 
-  /// Set in the record of a *plain* item: a live point whose slot is its id. Nothing else is stored of it.
+  /// Set in the record of a *plain* item: a live point whose slot is its id. No
+  /// function reads the traits of a plain item.
   static constexpr std::uint32_t kPlain = 0x80000000;
 
   /// What the table stores of an item that is not plain, beside its record. Traits{} are the traits of a plain item

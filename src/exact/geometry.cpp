@@ -23,6 +23,7 @@ void Geometry::set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t
   lines_journal_.add({{}, vertex});
   lines_.add_uses(lines.one, lines.other);
   lines_of_[vertex] = lines;
+  ++constructed_count_;
 }
 
 // If memory runs out after the record is made, roll_back() finds the lines unchanged, and this changes nothing.
@@ -32,6 +33,7 @@ void Geometry::clear(std::uint32_t vertex) {
   lines_journal_.add({lines, vertex});
   lines_.remove_uses(lines.one, lines.other);
   lines_of_[vertex] = {};
+  --constructed_count_;
 }
 
 void Geometry::begin() {
@@ -44,9 +46,15 @@ void Geometry::roll_back() {
   position_journal_.roll_back([&](const PositionUndo& change) { positions_[change.vertex] = change.position; });
   lines_journal_.roll_back([&](const LinesUndo& change) {
     Lines& lines = lines_of_[change.vertex];
-    if (lines.one != LineTable::kNone) lines_.take_back_uses(lines.one, lines.other);
+    if (lines.one != LineTable::kNone) {
+      lines_.take_back_uses(lines.one, lines.other);
+      --constructed_count_;
+    }
     lines = change.lines;
-    if (lines.one != LineTable::kNone) lines_.add_uses(lines.one, lines.other);
+    if (lines.one != LineTable::kNone) {
+      lines_.add_uses(lines.one, lines.other);
+      ++constructed_count_;
+    }
   });
   lines_.roll_back();
 }

@@ -82,8 +82,8 @@ class Geometry {
   /// The coordinates of the vertex, each rounded to the nearest double.
   [[nodiscard]] const Point& rounded(std::uint32_t vertex) const { return positions_[vertex]; }
   [[nodiscard]] bool is_explicit(std::uint32_t vertex) const { return lines_of(vertex).one == LineTable::kNone; }
-  /// Whether there may be a constructed vertex. If the result is false, there is none.
-  [[nodiscard]] bool has_constructed() const { return !lines_of_.is_empty(); }
+  /// Whether there is a constructed vertex.
+  [[nodiscard]] bool has_constructed() const { return constructed_count_ != 0; }
   /// The exact position of a vertex. The result stays valid until a vertex is added.
   [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 
@@ -171,6 +171,7 @@ class Geometry {
   double in_circle_position_term_;
   std::vector<Point> positions_;
   memory::Pages<Lines, kVerticesPerPage> lines_of_;  ///< by vertex; has room for every constructed vertex
+  std::uint32_t constructed_count_ = 0;
   LineTable lines_;
   LineTable::Number recent_line_ = LineTable::kNone;  ///< the first line of the last new crossing
   memory::Journal<PositionUndo> position_journal_;

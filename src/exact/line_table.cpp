@@ -1,6 +1,7 @@
 #include "exact/line_table.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "base/bit_cast.hpp"
@@ -9,11 +10,16 @@ namespace waywright::exact {
 
 namespace {
 
-std::uint64_t hash_of(const Point& point) {
-  std::uint64_t hash = base::bit_cast<std::uint64_t>(point.x) * 0x9e3779b97f4a7c15u;
-  hash = ((hash ^ (hash >> 32)) + base::bit_cast<std::uint64_t>(point.y)) * 0xbf58476d1ce4e5b9u;
-  hash = (hash ^ (hash >> 32)) * 0x94d049bb133111ebu;
-  return hash ^ (hash >> 31);
+/// Returns 0 or 1.
+std::size_t bit_of(const std::array<std::uint64_t, 4>& key, std::uint32_t bit) {
+  return static_cast<std::size_t>(key[bit / 64] >> (63 - bit % 64)) & 1;
+}
+
+/// Returns the first bit in which the keys differ. Requires: they differ.
+std::uint32_t first_difference(const std::array<std::uint64_t, 4>& p, const std::array<std::uint64_t, 4>& q) {
+  std::uint32_t word = 0;
+  while (p[word] == q[word]) ++word;
+  return 64 * word + static_cast<std::uint32_t>(std::countl_zero(p[word] ^ q[word]));
 }
 
 }  // namespace
@@ -39,25 +45,43 @@ void LineTable::roll_back() {
   }
 }
 
-// The sum of two hashes does not depend on the order of the two points.
-std::size_t LineTable::bucket_of(const PointPair& points) const {
-  return static_cast<std::size_t>(hash_of(points.a) + hash_of(points.b)) & (buckets_.size() - 1);
+// The sums turn -0.0 into 0.0: the two compare equal, so they must have equal bits.
+LineTable::Key LineTable::key_of(const PointPair& points) {
+  const auto bits = [](const Point& p) {
+    return std::array{base::bit_cast<std::uint64_t>(p.x + 0.0), base::bit_cast<std::uint64_t>(p.y + 0.0)};
+  };
+  const std::array a = bits(points.a);
+  const std::array b = bits(points.b);
+  return a < b ? Key{a[0], a[1], b[0], b[1]} : Key{b[0], b[1], a[0], a[1]};
 }
 
-LineTable::Number LineTable::find_or_make_by_hash(const PointPair& points) {
-  if (buckets_.empty()) return make(points);
-  Number line = buckets_[bucket_of(points)];
-  while (line != kNone && !is_line(line, points)) line = records_[line].next;
-  return line == kNone ? make(points) : line;
+/// Returns the line whose key has the same bit as `key` at each fork on the way to it. If a line has this key, it is
+/// this line. Requires: the table has a line.
+LineTable::Number LineTable::nearest(const Key& key) const {
+  Node node = root_;
+  while ((node & kFork) != 0) {
+    const Fork& fork = forks_[node & ~kFork];
+    node = fork.children[bit_of(key, fork.bit)];
+  }
+  return node;
 }
 
-// If memory runs out, `changed_` lists exactly the new lines, and every record is in use or free.
+LineTable::Number LineTable::find_or_make_in_trie(const PointPair& points) {
+  if (root_ == kNone) return make(points);
+  const Number line = nearest(key_of(points));
+  return is_line(line, points) ? line : make(points);
+}
+
+// If memory runs out, `changed_` lists exactly the new lines, and every record and every fork is in use or free.
 LineTable::Number LineTable::make(const PointPair& points) {
   if (free_records_.is_empty()) {
     records_.push_back({{}, kFree, kNone});
     records_.back().next = free_records_.push(static_cast<Number>(records_.size() - 1));
   }
-  if (buckets_.size() < records_.size()) grow_buckets();
+  if (forks_.size() < records_.size()) {
+    forks_.push_back({0, {kNone, kNone}});
+    forks_.back().children[0] = free_forks_.push(static_cast<std::uint32_t>(forks_.size() - 1));
+  }
   const Number line = free_records_.first();
   changed_.push_back(line);
   free_records_.pop(records_[line].next);
@@ -66,25 +90,46 @@ LineTable::Number LineTable::make(const PointPair& points) {
   return line;
 }
 
-void LineTable::free_line(Number line) {
-  Record& record = records_[line];
-  Number* link = &buckets_[bucket_of(record.points)];
-  while (*link != line) link = &records_[*link].next;
-  *link = record.next;
-  record.uses = kFree;
-  record.next = free_records_.push(line);
-}
-
-void LineTable::grow_buckets() {
-  buckets_ = std::vector<Number>(std::max(kFewestBuckets, 2 * buckets_.size()), kNone);
-  for (Number line = 0; line < records_.size(); ++line) {
-    if (records_[line].uses != kFree) link(line);
-  }
-}
-
 void LineTable::link(Number line) {
-  Number& first = buckets_[bucket_of(records_[line].points)];
-  records_[line].next = std::exchange(first, line);
+  if (root_ == kNone) {
+    root_ = line;
+    return;
+  }
+  const Key key = key_of(records_[line].points);
+  const std::uint32_t bit = first_difference(key, key_of(records_[nearest(key)].points));
+  Node* at = &root_;
+  while ((*at & kFork) != 0 && forks_[*at & ~kFork].bit < bit) {
+    Fork& fork = forks_[*at & ~kFork];
+    at = &fork.children[bit_of(key, fork.bit)];
+  }
+  const std::uint32_t added = free_forks_.first();
+  free_forks_.pop(forks_[added].children[0]);
+  const std::size_t child = bit_of(key, bit);
+  forks_[added].bit = bit;
+  forks_[added].children[child] = line;
+  forks_[added].children[1 - child] = std::exchange(*at, kFork | added);
+}
+
+void LineTable::free_line(Number line) {
+  const Key key = key_of(records_[line].points);
+  Node* at = &root_;
+  Node* fork_at = nullptr;  // the fork above the line
+  std::size_t child = 0;
+  while ((*at & kFork) != 0) {
+    Fork& fork = forks_[*at & ~kFork];
+    fork_at = at;
+    child = bit_of(key, fork.bit);
+    at = &fork.children[child];
+  }
+  if (fork_at == nullptr) {
+    root_ = kNone;
+  } else {
+    const std::uint32_t removed = *fork_at & ~kFork;
+    *fork_at = forks_[removed].children[1 - child];
+    forks_[removed].children[0] = free_forks_.push(removed);
+  }
+  records_[line].uses = kFree;
+  records_[line].next = free_records_.push(line);
 }
 
 }  // namespace waywright::exact

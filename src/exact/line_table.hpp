@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,11 +14,15 @@
 namespace waywright::exact {
 
 /// The lines that cross at constructed vertices, by number. Many constructed vertices can lie on one line, and the
-/// table stores this line only once. It counts the uses of each line, and frees a line that has no use any more. A hash
-/// table finds the line of two points.
+/// table stores this line only once. It counts the uses of each line, and frees a line that has no use any more.
+///
+/// A binary trie finds the line of two points. Its keys are the bits of the four coordinates, so no input makes a path
+/// of the trie longer than 256 nodes.
 ///
 /// An undo log records which lines are new. The caller must record the uses: before roll_back(), it must restore the
 /// number of uses that each line had at the last begin().
+///
+/// Source: Morrison, *PATRICIA: practical algorithm to retrieve information coded in alphanumeric*, JACM 1968.
 class LineTable {
  public:
   using Number = std::uint32_t;
@@ -25,10 +30,10 @@ class LineTable {
 
   /// Returns the line through these two points. If the table has no such line, makes one without a use. The line may be
   /// stored with its two points in the other order. If it is the line `hint`, the function finds it faster; the hint
-  /// may be any number. Requires: the points differ. Cost: expected O(1), amortised.
+  /// may be any number. Requires: the points differ. Cost: at most 256 steps, and O(log n) for most inputs; amortised.
   [[nodiscard]] Number find_or_make(const PointPair& points, Number hint = kNone) {
     const bool is_hint = hint < records_.size() && records_[hint].uses != kFree && is_line(hint, points);
-    return is_hint ? hint : find_or_make_by_hash(points);
+    return is_hint ? hint : find_or_make_in_trie(points);
   }
   /// Counts one use more of each of the two lines. Allocates nothing.
   void add_uses(Number one, Number other) {
@@ -36,14 +41,14 @@ class LineTable {
     ++records_[other].uses;
   }
   /// Counts one use less of each of the two lines. The next begin() frees a line that has no use then. If memory runs
-  /// out, the function changes nothing. Requires: the lines differ.
+  /// out, no use changes. Requires: the lines differ.
   void remove_uses(Number one, Number other) {
     for (const Number line : {one, other}) {
       if (records_[line].uses == 1) changed_.push_back(line);
     }
     take_back_uses(one, other);
   }
-  /// Takes add_uses() back. Allocates nothing, and a line without a use stays. Call it before roll_back() only.
+  /// Takes add_uses() back. Allocates nothing, and a line without a use stays. Call it only before roll_back().
   void take_back_uses(Number one, Number other) {
     --records_[one].uses;
     --records_[other].uses;
@@ -63,42 +68,54 @@ class LineTable {
 
   void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
     memory::count(use, part, records_);
-    memory::count(use, part, buckets_);
+    memory::count(use, part, forks_);
     memory::count_spare(use, changed_);
   }
   /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
-    memory::shrink(records_, buckets_);
+    memory::shrink(records_, forks_);
     memory::release(changed_);
   }
 
  private:
   static constexpr std::uint32_t kFree = 0xffffffff;  ///< instead of the number of uses
-  static constexpr std::size_t kFewestBuckets = 16;
+  /// The bits of the four coordinates of a line. They do not depend on the order of the two points.
+  using Key = std::array<std::uint64_t, 4>;
+  /// A node of the trie: a line, or a fork with this bit added to its index.
+  using Node = std::uint32_t;
+  static constexpr Node kFork = 0x80000000;
 
   struct Record {
     PointPair points;
     std::uint32_t uses;
-    Number next;  ///< the next line in the bucket, or the next free record
+    Number next;  ///< the next free record, if this one is free
+  };
+  /// The keys below a fork agree in all bits before bit number `bit`. This bit decides whether a key lies below the
+  /// first or below the second child. Bit 0 is the highest bit of the first coordinate.
+  struct Fork {
+    std::uint32_t bit;
+    std::array<Node, 2> children;  ///< of a free fork: the first is the next free fork
   };
 
   [[nodiscard]] bool is_line(Number line, const PointPair& points) const {
     const PointPair& stored = records_[line].points;
     return (stored.a == points.a && stored.b == points.b) || (stored.a == points.b && stored.b == points.a);
   }
-  [[nodiscard]] std::size_t bucket_of(const PointPair& points) const;
-  [[nodiscard]] Number find_or_make_by_hash(const PointPair& points);
+  [[nodiscard]] static Key key_of(const PointPair& points);
+  [[nodiscard]] Number find_or_make_in_trie(const PointPair& points);
+  [[nodiscard]] Number nearest(const Key& key) const;
   [[nodiscard]] Number make(const PointPair& points);
   void free_line(Number line);
   void free_unused();
-  void grow_buckets();
-  /// Puts a line into its bucket.
+  /// Puts a line into the trie. Requires: there is a free fork.
   void link(Number line);
 
   std::vector<Record> records_;
   memory::FreeList free_records_;  ///< linked by Record::next
-  std::vector<Number> buckets_;  ///< the first line of each bucket; as many as a power of two, at least one per record
-  std::vector<Number> changed_;  ///< the lines that are new since begin(), and lines whose last use was removed
+  std::vector<Fork> forks_;        ///< as many as records
+  memory::FreeList free_forks_;    ///< linked by the first child
+  Node root_ = kNone;              ///< kNone if the table has no line
+  std::vector<Number> changed_;    ///< the lines that are new since begin(), and lines whose last use was removed
 };
 
 }  // namespace waywright::exact

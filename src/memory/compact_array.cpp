@@ -2,14 +2,31 @@
 
 namespace waywright::memory {
 
+namespace {
+
+/// Makes room for `count` elements more. The capacity grows by a factor, as for push_back().
+template <class Value>
+void make_room(std::vector<Value>& list, std::size_t count) {
+  if (list.capacity() - list.size() < count) list.reserve(std::max(2 * list.capacity(), list.size() + count));
+}
+
+}  // namespace
+
+// After make_room(), no step allocates. So if memory runs out, the array keeps its size.
 void CompactArray::append(std::size_t count, std::uint32_t value) {
-  for (; count > 0 && !blocks_.empty(); --count) {
+  if (blocks_.empty()) {
+    values_.insert(values_.end(), count, value);
+    size_ += count;
+    return;
+  }
+  const std::size_t new_blocks = (count + kBlockSize - 1) / kBlockSize;
+  make_room(blocks_, new_blocks);
+  make_room(wide_, new_blocks + 1);
+  for (; count > 0; --count) {
     if (size_ % kBlockSize == 0) blocks_.push_back({value & ~kWide, {}});
     ++size_;
-    set_in_block(size_ - 1, value);  // may make the array plain
+    set_in_block(size_ - 1, value);
   }
-  values_.insert(values_.end(), count, value);
-  size_ += count;
 }
 
 void CompactArray::truncate(std::size_t size) {
@@ -57,7 +74,11 @@ void CompactArray::set_in_block(std::size_t i, std::uint32_t value) {
     block.base = kWide | static_cast<std::uint32_t>(wide_.size() - 1);
   }
   wide_[block.base & ~kWide][i % kBlockSize] = value;
-  if (is_smaller_if_plain()) unpack();
+}
+
+void CompactArray::shrink_to_fit() {
+  if (!blocks_.empty() && is_smaller_if_plain()) unpack();
+  shrink(values_, blocks_, wide_);
 }
 
 void CompactArray::unpack() {

@@ -17,7 +17,8 @@ namespace waywright::memory {
 /// An array of 32-bit numbers. pack() stores the array in a third of the memory if neighbouring numbers differ by
 /// little: in blocks of 16 numbers, each as one number and 16 differences of 8 bits. A *wide* block, whose numbers
 /// differ too much, contains the index of 16 numbers of 32 bits. A packed array can change as any other array. If so
-/// many blocks become wide that the packed array takes more memory than a plain one, it becomes plain again.
+/// many blocks become wide that the packed array takes more memory than a plain one (at most 84 bytes instead of 64 for
+/// 16 numbers), shrink_to_fit() makes it plain again.
 class CompactArray {
  public:
   CompactArray() = default;
@@ -51,7 +52,7 @@ class CompactArray {
     }
   }
 
-  /// Cost: O(1), amortised.
+  /// If memory runs out, the array does not change. Cost: O(1), amortised.
   void set(std::size_t i, std::uint32_t value) {
     if (blocks_.empty()) {
       values_[i] = value;
@@ -59,7 +60,8 @@ class CompactArray {
       set_in_block(i, value);
     }
   }
-  /// Adds `count` copies of a number at the end.
+  /// Adds `count` copies of a number at the end. If memory runs out, the array does not change. Cost: O(count),
+  /// amortised.
   void append(std::size_t count, std::uint32_t value);
   /// Removes the numbers from index `size` on. The array is plain afterwards. Cost: linear.
   void truncate(std::size_t size);
@@ -72,8 +74,8 @@ class CompactArray {
     count(use, part, blocks_);
     count(use, part, wide_);
   }
-  /// Frees spare memory.
-  void shrink_to_fit() { shrink(values_, blocks_, wide_); }
+  /// Frees spare memory. Cost: linear.
+  void shrink_to_fit();
 
  private:
   static constexpr std::size_t kBlockSize = 16;

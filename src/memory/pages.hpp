@@ -31,8 +31,6 @@ class Pages {
   Pages& operator=(Pages&&) noexcept = default;
   ~Pages() = default;
 
-  /// Whether grow_to() has never made room.
-  [[nodiscard]] bool is_empty() const { return pages_.empty(); }
   /// Makes the table of pages large enough for the indices below `count`. Allocates no page.
   void grow_to(std::size_t count) {
     if (pages_.size() * kPageSize < count) pages_.resize((count + kPageSize - 1) / kPageSize);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -57,7 +58,12 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
   LineTable table;
   Model model;
   std::size_t most = 0, freed = 0, rolled_back = 0;
-  const auto coordinate = [&] { return static_cast<double>(random.between(-3, 3)) * 0x1p-2; };
+  // Few values, and for each also the next double, so that keys differ in high and in low bits. Zero has both signs.
+  const auto coordinate = [&] {
+    const double value = static_cast<double>(random.between(-3, 3)) * 0x1p-2;
+    if (value == 0.0) return random.chance(50) ? 0.0 : -0.0;
+    return random.chance(90) ? value : std::nextafter(value, 9.0);
+  };
   for (int operation = 0; operation < 3000; ++operation) {
     table.begin();
     freed += model.lines.size();
@@ -138,6 +144,13 @@ TEST(LineTable, UsesFreedRecordsAgain) {
   }
 }
 
+TEST(LineTable, FindsALineWhateverTheSignOfZero) {
+  LineTable table;
+  const LineTable::Number line = table.find_or_make({{0.0, 5.0}, {-0.0, -1.0}});
+  EXPECT_EQ(table.find_or_make({{0.0, -1.0}, {-0.0, 5.0}}), line);
+  EXPECT_EQ(table.size(), 1U);
+}
+
 /// Puts the ends of `count` horizontal and of `count` vertical sides into a geometry, as vertices, and all crossings of
 /// these sides. No crossing has coordinates that doubles can express, because the horizontal sides rise slightly.
 void add_grid(exact::Geometry& geometry, std::uint32_t count) {
@@ -157,7 +170,7 @@ void add_grid(exact::Geometry& geometry, std::uint32_t count) {
 }
 
 // The bytes, derived by hand: 8 for the numbers of the two lines of a vertex, in pages of 64 vertices, and less than 1
-// for the table of pages. A line takes 40 bytes, and at most 2 buckets of 4 bytes.
+// for the table of pages. A line takes 40 bytes, and its fork 12.
 TEST(Geometry, StoresEachLineOnce) {
   constexpr std::uint32_t kCount = 100;
   exact::Geometry geometry(Box{{0, 0}, {400, 400}});
@@ -168,7 +181,27 @@ TEST(Geometry, StoresEachLineOnce) {
   for (std::uint32_t v = 4 * kCount; v < 4 * kCount + kCount * kCount; ++v)
     constructed += geometry.is_explicit(v) ? 0 : 1;
   EXPECT_GT(constructed, 9000U);
-  EXPECT_LE(use.crossings, (8 + 1) * (kCount * kCount + 2 * 64) + 2 * kCount * (40 + 2 * 4));
+  EXPECT_LE(use.crossings, (8 + 1) * (kCount * kCount + 2 * 64) + 2 * kCount * (40 + 12));
+}
+
+// Whether there are constructed vertices decides how much distances may be rounded, so it must not depend on vertices
+// that no longer exist.
+TEST(Geometry, HasNoConstructedVertexAfterItsRemoval) {
+  exact::Geometry geometry(Box{{0, 0}, {40, 40}});
+  EXPECT_FALSE(geometry.has_constructed());
+  add_grid(geometry, 2);
+  EXPECT_TRUE(geometry.has_constructed());
+  geometry.begin();
+  for (std::uint32_t v = 8; v < 12; ++v) geometry.clear(v);
+  EXPECT_FALSE(geometry.has_constructed());
+  geometry.roll_back();
+  EXPECT_TRUE(geometry.has_constructed());
+  for (std::uint32_t v = 8; v < 12; ++v) geometry.clear(v);
+  geometry.begin();
+  geometry.set_crossing(8, 0, 1, 2, 3);
+  EXPECT_TRUE(geometry.has_constructed());
+  geometry.roll_back();
+  EXPECT_FALSE(geometry.has_constructed());
 }
 
 TEST(Geometry, TakesBackCrossings) {

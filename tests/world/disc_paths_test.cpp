@@ -82,6 +82,27 @@ TEST(DiscPaths, MoveAnEndThatRoundingHasBlocked) {
   EXPECT_EQ(refused.status, PathStatus::start_blocked);
 }
 
+// A vertex is nearer to the straight line than the radius, by less than the rounding error of a crossing in this
+// domain. World `changed` has had a crossing. It contains the same items as the other world, so it must give the same
+// answer.
+TEST(DiscPaths, DoNotDependOnCrossingsThatAreGone) {
+  const Box domain{{1e6, 0}, {1001000, 1000}};
+  World changed = world_with_bridges(domain);
+  changed.insert_segment({1000010, 10}, {1000023, 20}, 1).value();
+  changed.insert_segment({1000011, 20}, {1000020, 10}, 2).value();
+  changed.remove(1).value();
+  changed.remove(2).value();
+  World fresh = world_with_bridges(domain);
+  for (World* const world : {&changed, &fresh}) {
+    world->insert_segment({1000500, 500.5 - 3e-10}, {1000500, 600}, 3).value();
+  }
+  const PathQuery query{.start = {1000100, 500}, .goal = {1000900, 500}, .radius = 0.5};
+  const Path path = fresh.find_path(query).value();
+  EXPECT_EQ(changed.find_path(query).value().length, path.length);
+  EXPECT_EQ(changed.find_path(query).value().pieces.size(), path.pieces.size());
+  EXPECT_EQ(changed.items_hash(), fresh.items_hash());
+}
+
 // The disc does not pass the gap from y = 60 to y = 70. The nearest position to the end lies beyond the wall.
 TEST(DiscPaths, PreferPositionsThatAreConnectedWithTheOtherEnd) {
   const World world = two_walls();
