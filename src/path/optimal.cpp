@@ -365,9 +365,8 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
 //           apex   .       The picture shows a left turn: the path has come to v, the entry's left end, from below, and
 //            |  \ .        turns left around the walls there. The dotted line is the straight continuation of the path
 //            |  . \        beyond v. From v, the path sees the piece of the face's far edge between this line and the
-//            | .    \      apex. It also sees the far edges of the next faces around v, up to the walls.
-//            |.      \
-//   walls -- v -- target   The picture of a right turn is the mirror image.
+//            | .    \      apex. It also sees the far edges of the next faces around v, up to the walls. The picture of
+//   walls -- v -- target   a right turn is the mirror image.
 template <Optimal::Kind kTurn>
 void Optimal::make_turn(const Node& turn) {
   constexpr bool kIsLeft = kTurn == Kind::left_turn;
