@@ -147,8 +147,10 @@ TEST(LineTable, UsesFreedRecordsAgain) {
 TEST(LineTable, FindsALineWhateverTheSignOfZero) {
   LineTable table;
   const LineTable::Number line = table.find_or_make({{0.0, 5.0}, {-0.0, -1.0}});
+  (void)table.find_or_make({{-3.0, 5.0}, {-3.0, -1.0}});  // the sign of the first coordinate divides the two
   EXPECT_EQ(table.find_or_make({{0.0, -1.0}, {-0.0, 5.0}}), line);
-  EXPECT_EQ(table.size(), 1U);
+  EXPECT_EQ(table.find_or_make({{-0.0, -1.0}, {-0.0, 5.0}}), line);
+  EXPECT_EQ(table.size(), 2U);
 }
 
 /// Puts the ends of `count` horizontal and of `count` vertical sides into a geometry, as vertices, and all crossings of
