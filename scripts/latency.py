@@ -17,7 +17,7 @@ import math
 import subprocess
 from pathlib import Path
 
-from thesis_figures import text
+from plots import text
 
 WORLDS = [("buildings", 10**4), ("buildings", 10**5), ("buildings", 10**6)]
 HUGE = [("points", 10**7)]

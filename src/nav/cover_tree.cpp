@@ -7,9 +7,10 @@
 namespace waywright::nav {
 
 CoverTree::Set CoverTree::add(Set set, std::uint32_t polygon) {
-  firsts_.grow_to(polygon + 1, kEmpty);
+  firsts_.grow_to(std::size_t{polygon} + 1);
+  firsts_.make_room(polygon);
   Node node{polygon, set};
-  node.next_of_polygon = firsts_[polygon];
+  node.next_of_polygon = first_node(polygon);
   Set index = static_cast<Set>(nodes_.size());
   if (free_nodes_.is_empty()) {
     nodes_.append(node);
@@ -20,7 +21,7 @@ CoverTree::Set CoverTree::add(Set set, std::uint32_t polygon) {
     free_nodes_.pop(next_free);
   }
   if (node.next_of_polygon != kEmpty) edit(node.next_of_polygon, [&](Node& n) { n.previous_of_polygon = index; });
-  firsts_.write(polygon, index);
+  set_first_node(polygon, index);
   link_to_parent(index);
   return index;
 }
@@ -84,6 +85,12 @@ void CoverTree::free_unused(Set set) {
   }
 }
 
+// Requires: firsts_ has room for the polygon.
+void CoverTree::set_first_node(std::uint32_t polygon, Set node) {
+  old_firsts_.add({polygon, first_node(polygon)});
+  firsts_[polygon].node = node;
+}
+
 void CoverTree::link_to_parent(Set node) {
   const Set parent = nodes_[node].parent;
   if (parent == kEmpty) return;
@@ -108,7 +115,7 @@ void CoverTree::unlink_from_parent(Set node) {
 void CoverTree::unlink_from_polygon(Set node) {
   const Node old = nodes_[node];
   if (old.previous_of_polygon == kEmpty) {
-    firsts_.write(old.polygon, old.next_of_polygon);
+    set_first_node(old.polygon, old.next_of_polygon);
   } else {
     edit(old.previous_of_polygon, [&](Node& n) { n.next_of_polygon = old.next_of_polygon; });
   }
@@ -124,25 +131,27 @@ void CoverTree::free(Set node) {
 
 void CoverTree::begin() {
   nodes_.begin();
-  firsts_.begin();
+  old_firsts_.begin();
   free_nodes_before_ = free_nodes_;
 }
 
 void CoverTree::roll_back() {
   nodes_.roll_back();
-  firsts_.roll_back();
+  old_firsts_.roll_back([&](const OldFirst& old) { firsts_[old.polygon].node = old.node; });
   free_nodes_ = free_nodes_before_;
 }
 
 void CoverTree::count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
   nodes_.count_memory(use, part);
   firsts_.count_memory(use, part);
+  old_firsts_.count_memory(use);
   memory::count_spare(use, kept_);
 }
 
 void CoverTree::shrink_to_fit() {
   nodes_.shrink_to_fit();
   firsts_.shrink_to_fit();
+  old_firsts_.release();
   memory::release(kept_);
 }
 

@@ -7,7 +7,9 @@
 #include "waywright/memory_use.hpp"
 
 #include "memory/free_list.hpp"
+#include "memory/journal.hpp"
 #include "memory/journaled_array.hpp"
+#include "memory/pages.hpp"
 
 namespace waywright::nav {
 
@@ -30,9 +32,7 @@ class CoverTree {
   /// Whether the set contains the polygon. Cost: the size of the set, or O(1) if the polygon covers nothing.
   [[nodiscard]] bool contains(Set set, std::uint32_t polygon) const;
   /// Returns whether a set contains the polygon.
-  [[nodiscard]] bool is_used(std::uint32_t polygon) const {
-    return polygon < firsts_.size() && firsts_[polygon] != kEmpty;
-  }
+  [[nodiscard]] bool is_used(std::uint32_t polygon) const { return first_node(polygon) != kEmpty; }
   /// Returns whether is(polygon) is true for at least one polygon of the set. If the node `end` is among the set's
   /// ancestors, the function leaves out the polygons of `end`.
   template <class Is>
@@ -42,8 +42,11 @@ class CoverTree {
     }
     return false;
   }
-  /// A node that adds the polygon to the set of its parent. Requires: is_used(polygon).
-  [[nodiscard]] Set first_node(std::uint32_t polygon) const { return firsts_[polygon]; }
+  /// A node that adds the polygon to the set of its parent, or kEmpty if no node does.
+  [[nodiscard]] Set first_node(std::uint32_t polygon) const {
+    const First* const first = firsts_.find(polygon);
+    return first == nullptr ? kEmpty : first->node;
+  }
   /// Calls visit(polygon) for each polygon of the set.
   template <class Visit>
   void for_each(Set set, Visit&& visit) const {
@@ -52,8 +55,7 @@ class CoverTree {
   /// Calls visit(node) for each node that adds the polygon to the set of its parent. `visit` must not change the tree.
   template <class Visit>
   void for_each_node(std::uint32_t polygon, Visit&& visit) const {
-    if (!is_used(polygon)) return;
-    for (Set node = firsts_[polygon]; node != kEmpty; node = nodes_[node].next_of_polygon) visit(node);
+    for (Set node = first_node(polygon); node != kEmpty; node = nodes_[node].next_of_polygon) visit(node);
   }
   [[nodiscard]] Set parent(Set node) const { return nodes_[node].parent; }
   /// The first of the components whose cover is this set, or kEmpty. The caller stores the links to the others.
@@ -95,14 +97,25 @@ class CoverTree {
     change(copy);
     nodes_.write(node, copy);
   }
+  /// The first node that adds a polygon to the set of its parent.
+  struct First {
+    Set node = kEmpty;
+  };
+  struct OldFirst {
+    std::uint32_t polygon;
+    Set node;
+  };
+
+  void set_first_node(std::uint32_t polygon, Set node);
   void link_to_parent(Set node);
   void unlink_from_parent(Set node);
   void unlink_from_polygon(Set node);
   void free(Set node);
 
   memory::JournaledArray<Node> nodes_;
-  memory::JournaledArray<Set> firsts_;  ///< by polygon: the first node that adds it
-  memory::FreeList free_nodes_;         ///< linked by Node::parent
+  memory::Pages<First> firsts_;  ///< by polygon; most items of a large world may not be polygons
+  memory::Journal<OldFirst> old_firsts_;
+  memory::FreeList free_nodes_;  ///< linked by Node::parent
   memory::FreeList free_nodes_before_;
   std::vector<std::uint32_t> kept_;  ///< scratch
 };

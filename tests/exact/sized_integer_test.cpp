@@ -23,7 +23,10 @@ Integer to_integer(const SizedInteger<kBits>& number) {
     return Integer(number.value());
   } else {
     Integer result = 0;
-    for (std::size_t i = kLimbs; i-- > 0;) result = (result << 64) + Integer(number.value().limb(i));
+    for (std::size_t i = kLimbs; i-- > 0;) {
+      result <<= 64;
+      result += number.value().limb(i);
+    }
     return number.value().is_negative() ? Integer(result - (Integer(1) << (64 * kLimbs))) : result;
   }
 }
