@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   waywright::bench::register_maps();
   waywright::bench::register_path_watch();
   waywright::bench::register_snapshots();
+  waywright::bench::register_history();
 #ifdef WAYWRIGHT_BENCH_WITH_CGAL
   waywright::bench::register_cgal_points();
   waywright::bench::register_cgal_rounded();

@@ -14,6 +14,7 @@ void register_abstraction();
 void register_maps();
 void register_path_watch();
 void register_snapshots();
+void register_history();
 
 void register_cgal_points();
 void register_cgal_rounded();

@@ -1,20 +1,21 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "waywright/change.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
+#include "waywright/world_snapshot.hpp"
 
 #include "random.hpp"
 #include "registers.hpp"
+#include "town.hpp"
 
 // Snapshots for readers, among a million vertices: the time of World::publish(), what snapshots cost the updates of the
 // world, and what an update costs the readers.
@@ -22,83 +23,13 @@
 namespace waywright::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr double kCell = 64;
 constexpr std::size_t kChanges = 10;  ///< moves between two snapshots
-
-double microseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
-
-/// A town: a square of cells. Every second cell contains a regular polygon of 4 to 8 corners at a random position and
-/// angle. The id of a polygon is the number of its cell, plus 1.
-class Town {
- public:
-  explicit Town(std::size_t vertices)
-      : side_(2 * static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices) / 12))) {
-    const double width = kCell * static_cast<double>(side_);
-    world_ = World::create({{0, 0}, {width, width}}).value();
-    std::vector<Item> items;
-    for (std::size_t cell = 0; cell < side_ * side_; ++cell) {
-      if (is_built(cell)) items.push_back({{cell + 1}, building(cell)});
-    }
-    world_.insert_all(items).value();
-  }
-
-  [[nodiscard]] World& world() { return world_; }
-
-  /// Returns the move of a random polygon within its cell.
-  [[nodiscard]] Change random_move() {
-    std::size_t cell = random_.below(side_ * side_);
-    while (!is_built(cell)) cell = random_.below(side_ * side_);
-    return Change::replace({cell + 1}, building(cell));
-  }
-
-  /// Returns a query between two cells without a polygon that are at most 16 cells apart along each axis.
-  [[nodiscard]] PathQuery random_query(Random& random) const {
-    const std::size_t x = random.below(side_ - 16);
-    const std::size_t y = random.below(side_ - 16);
-    return {.start = empty_position(x, y), .goal = empty_position(x + random.below(16), y + random.below(16))};
-  }
-
- private:
-  [[nodiscard]] bool is_built(std::size_t cell) const { return (cell % side_ + cell / side_) % 2 == 0; }
-  [[nodiscard]] static Point empty_position(std::size_t x, std::size_t y) {
-    return {kCell * (static_cast<double>(x + (x + y + 1) % 2) + 0.5), kCell * (static_cast<double>(y) + 0.5)};
-  }
-  [[nodiscard]] Shape building(std::size_t cell) {
-    constexpr double kTurn = 6.283185307179586;
-    const std::size_t corners = 4 + random_.below(5);
-    const double radius = 8 + 16 * random_.unit();
-    const double play = kCell - 2 * radius;
-    const Point corner{kCell * static_cast<double>(cell % side_), kCell * static_cast<double>(cell / side_)};
-    const Point centre = corner + Point{radius + play * random_.unit(), radius + play * random_.unit()};
-    const double first = random_.unit();
-    std::vector<Point> ring;
-    for (std::size_t i = 0; i < corners; ++i) {
-      const double angle = kTurn * (first + static_cast<double>(i) / static_cast<double>(corners));
-      ring.push_back(centre + Point{radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return Shape::polygon(ring);
-  }
-
-  Random random_{1};
-  std::size_t side_;  ///< the number of cells along each axis
-  World world_ = World::create({{0, 0}, {1, 1}}).value();
-};
 
 /// Makes the changes and returns the time for each of them, in microseconds.
 double time_of_moves(World& world, const std::vector<Change>& moves) {
   const auto start = Clock::now();
   for (const Change& move : moves) world.replace(move.id, move.shape).value();
   return microseconds_since(start) / static_cast<double>(moves.size());
-}
-
-std::vector<Change> random_moves(Town& town, std::size_t count) {
-  std::vector<Change> moves;
-  for (std::size_t i = 0; i < count; ++i) moves.push_back(town.random_move());
-  return moves;
 }
 
 void set_percentiles(benchmark::State& state, std::vector<double>& times) {
@@ -120,7 +51,7 @@ void time_publish(benchmark::State& state, std::size_t vertices, Holding holding
   constexpr std::size_t kFirst = 20;  // the first snapshots are copies
   Town town(vertices);
   World& world = town.world();
-  const std::vector<Change> polygons = random_moves(town, kChanges);
+  const std::vector<Change> polygons = town.random_moves(kChanges);
   std::vector<double> times;
   WorldSnapshot held;
   for ([[maybe_unused]] const auto iteration : state) {
@@ -161,9 +92,9 @@ void time_updates_beside(benchmark::State& state, std::size_t vertices) {
   std::vector<double> times_published;
   for ([[maybe_unused]] const auto iteration : state) {
     for (std::size_t i = 0; i < kRuns; ++i) {
-      times_alone.push_back(time_of_moves(alone.world(), random_moves(alone, kChanges)));
-      times_held.push_back(time_of_moves(held.world(), random_moves(held, kChanges)));
-      times_published.push_back(time_of_moves(published.world(), random_moves(published, kChanges)));
+      times_alone.push_back(time_of_moves(alone.world(), alone.random_moves(kChanges)));
+      times_held.push_back(time_of_moves(held.world(), held.random_moves(kChanges)));
+      times_published.push_back(time_of_moves(published.world(), published.random_moves(kChanges)));
       latest = published.world().publish();
     }
   }
@@ -205,9 +136,9 @@ class Reader {
   Path path_;
 };
 
-/// Counts the paths of a reader while nothing else happens, and while another thread moves polygons and publishes. The
-/// two take turns.
-void time_readers(benchmark::State& state, std::size_t vertices) {
+/// Counts the paths of a reader while nothing else happens, and while another thread moves polygons and publishes, with
+/// a pause after each snapshot. The two take turns.
+void time_readers(benchmark::State& state, std::size_t vertices, std::chrono::milliseconds pause) {
   constexpr int kTurns = 20;
   constexpr std::chrono::milliseconds kTurn{250};
   Town town(vertices);
@@ -229,6 +160,7 @@ void time_readers(benchmark::State& state, std::size_t vertices) {
           }
           delete next.exchange(new WorldSnapshot(town.world().publish()));
           ++published;
+          if (pause.count() > 0) std::this_thread::sleep_for(pause);
         }
       });
       beside += reader.paths_per_microsecond(kTurn, next);
@@ -260,7 +192,10 @@ void register_snapshots() {
         [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, true); });
     add(prefix + "updates_beside_snapshots" + size,
         [=](benchmark::State& state) { time_updates_beside(state, vertices); });
-    add(prefix + "readers_beside_writer" + size, [=](benchmark::State& state) { time_readers(state, vertices); });
+    add(prefix + "readers_beside_writer" + size + "/without_pause",
+        [=](benchmark::State& state) { time_readers(state, vertices, std::chrono::milliseconds(0)); });
+    add(prefix + "readers_beside_writer" + size + "/16_ms_ticks",
+        [=](benchmark::State& state) { time_readers(state, vertices, std::chrono::milliseconds(16)); });
   };
   add_all("", 100'000);
   add_all("large/", 1'000'000);

@@ -25,10 +25,11 @@ namespace waywright::nav {
 ///
 /// update() updates the components after a change of the mesh. If the change may have divided a component into pieces,
 /// several searches start from those faces of the component that are adjacent to new faces. If two searches meet, the
-/// class unites them. The searches advance alternately, step by step, until at most one of them is unfinished. Then the
-/// faces of all pieces but one are known, and these are enough to give each piece its id. If a change connects
-/// components, the smaller ones take the id of the largest. Compare ids only for equality, because the id of a
-/// component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
+/// class unites them. The searches beside one region of new faces advance alternately, step by step, until at most one
+/// of them is unfinished (find_pieces.cpp). Then the faces of all pieces but one are known, and these are enough to
+/// give each piece its id. So several changes far from each other cost as much as the same changes one by one. If a
+/// change connects components, the smaller ones take the id of the largest. Compare ids only for equality, because the
+/// id of a component depends on the history of changes. Memory: four bytes per face, and up to four more as scratch.
 class Components {
  public:
   using Id = std::uint32_t;
@@ -105,7 +106,9 @@ class Components {
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Id id = kNone;
-    std::uint32_t size = 0;  ///< size of the component to which the group will belong
+    std::uint32_t size = 0;        ///< size of the component to which the group will belong
+    std::uint32_t search = kNone;  ///< of a root of `group_sets_`: the search that starts at it, while searches run
+    std::uint32_t first_search = kNone;  ///< of a root of `regions_`: a search that starts beside the region
   };
   /// An old face that has a passage to a face of a group.
   struct OldNeighbour {
@@ -114,11 +117,17 @@ class Components {
     mesh::Face face;
   };
   /// A search through the old faces of a component. It starts at the old neighbours of one group, or of several
-  /// connected groups.
+  /// connected groups. Searches that have met are a *set*, named by its root in `search_sets_`. The links are of three
+  /// kinds of circular lists.
   struct Search {
-    std::uint32_t group;
+    std::uint32_t group = 0;
     std::vector<mesh::Face> found;
-    std::size_t next = 0;  ///< index of the first face in `found` whose neighbours the search has not looked at
+    std::size_t next = 0;              ///< index of the first face in `found` whose neighbours it has not looked at
+    std::uint32_t next_of_set = 0;     ///< the next search of the same set
+    std::uint32_t next_of_region = 0;  ///< the next search beside the same region
+    std::uint32_t next_in_queue = 0;   ///< the next search of the set in its queue: those that may be unfinished
+    std::uint32_t last_in_queue = 0;   ///< of a root: the last search in the queue of its set, or kNone
+    std::uint32_t round = 0;           ///< of a root: the last round of search_beside() that has counted its set
   };
   /// Old faces of one component that are still connected: a piece, whose faces a search has listed, or the rest of the
   /// component, whose faces no search has listed completely.
@@ -147,19 +156,27 @@ class Components {
   void make_room(const mesh::TriangleMesh& mesh);
   void remove_changed_faces(std::span<const mesh::Face> changed);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
-  void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
-  void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
-  void start_searches(std::span<const OldNeighbour> old_neighbours);
-  [[nodiscard]] std::uint32_t search_until_one_is_left(const mesh::TriangleMesh& mesh);
-  void step(const mesh::TriangleMesh& mesh, Search& search);
-  void note_found(Search& search, mesh::Face f);
-  void add_piece(std::uint32_t search, Id component);
   void assign_components(const mesh::TriangleMesh& mesh);
   void move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id);
   void set_id(mesh::Face f, Id id) { ids_.write(number(f), id); }
   [[nodiscard]] Id add_record(std::uint32_t size, Set cover);
   void set_size(Id component, std::uint32_t size);
   void free_record(Id component);
+
+  // Finding pieces.
+  void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
+  void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
+  void start_searches(std::span<const OldNeighbour> old_neighbours);
+  void start_search(std::uint32_t group);
+  void search_beside(const mesh::TriangleMesh& mesh, std::uint32_t region);
+  void add_to_compared(std::uint32_t search);
+  void list_unfinished(std::uint32_t region);
+  void join_regions_of(std::uint32_t set, std::uint32_t region);
+  [[nodiscard]] bool is_finished(std::uint32_t set);
+  void step(const mesh::TriangleMesh& mesh, std::uint32_t set);
+  void note_found(std::uint32_t search, mesh::Face f);
+  void unite_searches(std::uint32_t i, std::uint32_t j);
+  void add_piece(std::uint32_t set, Id component);
 
   // Disjoint sets of groups, or of searches, stored as trees. The root of a tree is the first member of the set.
   [[nodiscard]] static std::uint32_t root_of(std::vector<std::uint32_t>& sets, std::uint32_t i);
@@ -215,9 +232,12 @@ class Components {
   std::vector<mesh::Face> faces_;  ///< new faces, group by group
   std::vector<Group> groups_;
   std::vector<std::uint32_t> group_sets_;     ///< the sets of connected groups, as root_of() reads them
+  std::vector<std::uint32_t> regions_;        ///< the sets of groups that share walls, as root_of() reads them
   std::vector<OldNeighbour> old_neighbours_;  ///< by component, then by group
   std::vector<Search> searches_;              ///< the first search_sets_.size() of them search one old component
   std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, as root_of() reads them
+  std::vector<std::uint32_t> compared_;       ///< a search of each unfinished set beside the region of search_beside()
+  std::uint32_t round_ = 0;                   ///< see Search::round
   std::vector<Remainder> remainders_;         ///< of all old components
   std::vector<mesh::Face> piece_faces_;       ///< the faces of all pieces, piece by piece
   std::vector<mesh::Face> stack_;             ///< visited faces whose neighbours are not visited yet
