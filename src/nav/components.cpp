@@ -98,7 +98,7 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     faces_.push_back(f);
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const HalfEdge h{3 * number(faces_[i]) + k};
+        const HalfEdge h = mesh::half_edge(faces_[i], k);
         if (!PointAgent::can_cross(mesh, h)) continue;
         const Face other = mesh::face(mesh.twin(h));
         if (ids_[number(other)] != kNone) {
@@ -200,7 +200,7 @@ std::uint32_t Components::search_until_one_is_left(const mesh::TriangleMesh& mes
 void Components::step(const mesh::TriangleMesh& mesh, Search& search) {
   const Face f = search.found[search.next++];
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge h{3 * number(f) + i};
+    const HalfEdge h = mesh::half_edge(f, i);
     const Face other = mesh::face(mesh.twin(h));
     if (PointAgent::can_cross(mesh, h) && ids_[number(other)] != kNone) note_found(search, other);
   }
@@ -282,7 +282,7 @@ void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remain
     const Face f = stack_.back();
     stack_.pop_back();
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge h{3 * number(f) + i};
+      const HalfEdge h = mesh::half_edge(f, i);
       if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }
