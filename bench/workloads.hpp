@@ -41,7 +41,7 @@ struct Workload {
 /// Returns axis-aligned segments of length 200 in ±8000, as in experiment 5 of Chen 2009.
 [[nodiscard]] Workload short_segments(std::size_t count);
 
-/// Returns axis-aligned segments from one side of ±8000 to the other, as in experiment 5 of Chen 2009.
+/// Returns axis-aligned segments across the whole square ±8000, as in experiment 5 of Chen 2009.
 [[nodiscard]] Workload long_segments(std::size_t count);
 
 /// Returns segments between random whole points in ±8000, as in experiment 5 of Chen 2009.

@@ -1,5 +1,5 @@
 // A player places buildings. The program goes back to an earlier state, tries changes, and finds the paths that a
-// building concerns. docs/guides/rewind.md explains this example.
+// building affects. docs/guides/rewind.md explains this example.
 
 #include <cstdint>
 #include <cstdio>
@@ -47,7 +47,7 @@ void try_out(World& world) {
   }
 }
 
-/// Finds the paths of three agents that a change concerns.
+/// Finds the paths of three agents that a change affects.
 void watch_paths(World& world) {
   PathWatch watch(world);
   std::vector<Path> paths;

@@ -28,7 +28,7 @@ from pathlib import Path
 SIZES = (1, 2, 4)
 LEAST = 0.002  # seconds: the exponent of shorter times is noise
 AIM = 1.15  # the largest exponent of an input whose cost is n log n, at these sizes
-ONE_OPERATION = 0.15  # the same for one operation whose cost is log n
+ONE_OPERATION = 0.15  # the largest exponent of one operation whose cost is log n
 
 WIDTH, ROW, LEFT, RIGHT, TOP, BOTTOM = 1000, 20, 470, 20, 40, 36
 WITHIN, ABOVE = "#0072b2", "#d55e00"  # of Okabe and Ito

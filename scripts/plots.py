@@ -27,7 +27,7 @@ def linear_axis(values):
 
 
 def logarithmic_axis(values):
-    """Returns the same for a logarithmic axis, with ticks at 1, 2 and 5 times the powers of ten.
+    """Returns the ticks of a logarithmic axis, at 1, 2 and 5 times the powers of ten, and the function as for linear_axis().
 
     Requires: values above 0.
     """

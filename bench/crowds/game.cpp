@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t kUnits = 1000;
 constexpr std::size_t kBuildings = 100;
 constexpr std::size_t kChanged = 10;  ///< buildings that disappear and appear in a tick
-constexpr double kSmallest = 3.0;     ///< the radius of the circle around a building, at least
-constexpr double kLargest = 6.0;      ///< the same, at most
+constexpr double kSmallest = 3.0;     ///< the smallest radius of the circle around a building
+constexpr double kLargest = 6.0;      ///< the largest radius of the circle around a building
 constexpr std::size_t kChecked = 40;  ///< of this many units, count_wrong_answers() tests one
 /// A position on the path of a disc is rounded, so the disc fits there with a radius that is this much smaller.
 constexpr double kShrink = 1.0 - 0x1p-30;

@@ -331,43 +331,66 @@ void polygon_around_boxes(std::size_t n, Meter& meter) {
   insert_and_remove(world, square({0, 0}, 900), meter);
 }
 
+/// Each operation moves ten boxes at random places.
+void ten_moves_at_once(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain).value();
+  insert_boxes(world, n);
+  const std::vector<Item> boxes = world.items();
+  const double step = 1600.0 / std::floor(std::sqrt(static_cast<double>(n)));
+  Random random(5);
+  std::vector<std::vector<Change>> operations(kRepetitions);
+  for (std::vector<Change>& changes : operations) {
+    for (int i = 0; i < 10; ++i) {
+      const Item& box = boxes[random.below(boxes.size())];
+      const double shift = step / 8 * random.unit();
+      changes.push_back(Change::replace(box.id, translated(box.shape, shift, shift)));
+    }
+  }
+  meter.start();
+  for (const std::vector<Change>& changes : operations) static_cast<void>(world.apply(changes).value());
+  meter.stop();
+}
+
 constexpr Input kInputs[] = {
     {"contours_outermost_first", 200, false, "n nested contours of 100 corners, removed outermost first",
      contours_outermost_first},
-    {"contours_in_random_order", 200, false, "the same, removed in random order", contours_in_random_order},
+    {"contours_in_random_order", 200, false, "n nested contours of 100 corners, removed in random order",
+     contours_in_random_order},
     {"squares_outermost_first", 4000, false, "n nested squares, inserted outermost first", squares_outermost_first},
-    {"squares_innermost_first", 4000, false, "the same, innermost first", squares_innermost_first},
-    {"squares_in_random_order", 4000, false, "the same in random order", squares_in_random_order},
-    {"squares_at_once", 4000, false, "the same with `insert_all`", squares_at_once},
+    {"squares_innermost_first", 4000, false, "n nested squares, inserted innermost first", squares_innermost_first},
+    {"squares_in_random_order", 4000, false, "n nested squares, inserted in random order", squares_in_random_order},
+    {"squares_at_once", 4000, false, "n nested squares, inserted with `insert_all`", squares_at_once},
     {"round_wall", 16000, false, "one polygon of two concentric rings, n corners, inserted", round_wall},
-    {"round_wall_of_two", 16000, false, "the same as two polygons", round_wall_of_two},
-    {"round_wall_removed", 16000, false, "the same two polygons, removed", round_wall_removed},
+    {"round_wall_of_two", 16000, false, "two concentric polygons, n corners together, inserted", round_wall_of_two},
+    {"round_wall_removed", 16000, false, "two concentric polygons, n corners together, removed", round_wall_removed},
     {"long_polylines", 20000, false, "two polylines beside each other in a thin domain, n corners, inserted",
      long_polylines},
-    {"long_polyline_removed", 20000, false, "one of the two polylines, removed", long_polyline_removed},
+    {"long_polyline_removed", 20000, false,
+     "one of two polylines beside each other in a thin domain, n corners, removed", long_polyline_removed},
     {"over_one_edge_removed", 20000, false, "a polyline that goes n times over one edge, removed",
      over_one_edge_removed},
     {"identical_rings", 5000, false, "a polygon of n identical rings, inserted", identical_rings},
     {"identical_polygons", 3000, false, "n identical polygons, inserted", identical_polygons},
-    {"identical_polygons_removed", 3000, false, "the same, removed", identical_polygons_removed},
+    {"identical_polygons_removed", 3000, false, "n identical polygons, removed", identical_polygons_removed},
     {"at_one_position_removed", 20000, false, "n points at one position, removed oldest first",
      at_one_position_removed},
     {"spokes_inserted", 10000, false, "n segments that end at one vertex, inserted", spokes_inserted},
-    {"spokes_removed", 10000, false, "the same, removed", spokes_removed},
+    {"spokes_removed", 10000, false, "n segments that end at one vertex, removed", spokes_removed},
     {"one_crossing_inserted", 4000, false, "n segments through one crossing, inserted", one_crossing_inserted},
-    {"one_crossing_removed", 1000, false, "the same, removed", one_crossing_removed},
+    {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", one_crossing_removed},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a wall across n edges between two curves, inserted", wall_between_curves},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",
      path_round_a_polygon},
-    {"small_in_large_domain", 20000, false, "n points 1,000 wide in a domain of ±1e15, each with a query",
+    {"small_in_large_domain", 20000, false, "n points of a square 1,000 wide in a domain of ±1e15, each with a query",
      small_in_large_domain},
-    {"small_in_large_domain_at_once", 20000, false, "the same with `insert_points`, then n queries",
-     small_in_large_domain_at_once},
+    {"small_in_large_domain_at_once", 20000, false,
+     "n points of a square 1,000 wide in a domain of ±1e15, at once; n queries", small_in_large_domain_at_once},
     {"one_at_a_time", 20000, false, "n points, inserted with n calls of `apply`", one_at_a_time},
     {"many_scales", 10000, false, "n points with coordinates from 2^-90 to 2^90, inserted", many_scales},
     {"door", 10000, true, "a door between two halves with n boxes, shut and opened", door},
     {"polygon_around_boxes", 10000, true, "a polygon around n boxes, inserted and removed", polygon_around_boxes},
+    {"ten_moves_at_once", 10000, true, "ten of n boxes at random places, moved by one operation", ten_moves_at_once},
 };
 
 }  // namespace

@@ -75,7 +75,8 @@ class Town {
     return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(vertices) / 3)));
   }
 
-  /// Prints the time, and by how many bytes the operation has changed the world's memory and that of its sectors.
+  /// Prints the time, and by how many bytes the operation has changed the memory of the world and the memory of its
+  /// sectors.
   template <class Run>
   void time(const char* what, const Run& run) {
     const MemoryUse before = world_.memory();

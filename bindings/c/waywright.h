@@ -240,13 +240,14 @@ enum {
 WW_API const char* ww_fill_rule_name(ww_fill_rule rule);
 
 /* The geometry of an item. A point has 1 point, a segment has 2, a polyline has 1 or more; these have one ring. A
-   polygon has one or more rings. The side from the last point of a ring to its first is implied. The shape refers to
-   points of yours, which must exist during each call with the shape. */
+   polygon has one or more rings. The side from the last point of a ring to its first point belongs to the ring, so you
+   need not repeat the first point. The shape refers to points of yours, which must exist during each call with the
+   shape. */
 typedef struct ww_shape {
   uint32_t struct_size;
   ww_item_kind kind;
   ww_fill_rule fill;      /* for a polygon */
-  const ww_point* points; /* of all rings, ring after ring */
+  const ww_point* points; /* the points of all rings, ring after ring */
   size_t point_count;
   /* The number of points of each ring; their sum is point_count. Null stands for one ring of all points. */
   const size_t* ring_sizes;
@@ -337,7 +338,7 @@ WW_API ww_status ww_world_insert_segment(ww_world* world, ww_point a, ww_point b
 WW_API ww_status ww_world_insert_polyline(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
                                           ww_id* inserted);
 /* Inserts a solid obstacle of one ring, with the fill rule WW_FILL_EVEN_ODD. The side from the last point to the first
-   is implied. For several rings or another fill rule, use ww_world_insert. */
+   belongs to the ring. For several rings or another fill rule, use ww_world_insert. */
 WW_API ww_status ww_world_insert_polygon(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
                                          ww_id* inserted);
 /* Removes an item. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
@@ -449,8 +450,9 @@ WW_API ww_status ww_world_would_disconnect(ww_world* world, const ww_change* cha
    have n^2 crossings. */
 
 /* Sets the largest number of vertices that one operation may make: those at new corners and at new crossings, of all
-   items of the operation together. An operation that would make more changes nothing and returns WW_TOO_MANY_VERTICES.
-   SIZE_MAX stands for no limit. ww_error.item is the item at which the operation passed the limit. */
+   items of the operation together. If an operation would make more vertices, it changes nothing and returns
+   WW_TOO_MANY_VERTICES. SIZE_MAX stands for no limit. ww_error.item is the item at which the operation passed the
+   limit. */
 WW_API ww_status ww_world_set_new_vertex_limit(ww_world* world, size_t limit);
 /* Gives the largest number of vertices that one operation may make. */
 WW_API ww_status ww_world_new_vertex_limit(const ww_world* world, size_t* limit);
@@ -554,7 +556,7 @@ typedef struct ww_nearest_fit {
   uint32_t struct_size;
   ww_bool is_found; /* whether the disc fits somewhere; if not, the other members are 0 */
   ww_point at;      /* where it fits, exactly as ww_world_fit_disc says */
-  double distance;  /* from query->point to `at` */
+  double distance;  /* the distance from query->point to `at` */
 } ww_nearest_fit;
 
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_nearest_fit_query). */
@@ -677,7 +679,7 @@ typedef int32_t ww_path_status;
 enum {
   WW_PATH_FOUND = 0,
   WW_PATH_START_BLOCKED = 1, /* the start lies strictly inside a polygon, or a wall is nearer than the radius */
-  WW_PATH_GOAL_BLOCKED = 2,  /* the same for the goal */
+  WW_PATH_GOAL_BLOCKED = 2,  /* the goal lies strictly inside a polygon, or a wall is nearer than the radius */
   WW_PATH_NO_PATH = 3        /* no path connects start and goal, for another reason than the two above */
 };
 /* Returns the name of a status of paths: "found", "start-blocked", "goal-blocked", "no-path". */
@@ -687,8 +689,8 @@ WW_API const char* ww_path_status_name(ww_path_status status);
 typedef struct ww_path_info {
   uint32_t struct_size;
   ww_path_status status;
-  double length;       /* 0 unless found */
-  double lower_bound;  /* no path is shorter; equal to `length` if the path is proven shortest; 0 unless found */
+  double length;       /* 0 if there is no path */
+  double lower_bound;  /* no path is shorter; equals `length` if the path is proven shortest; 0 if there is no path */
   double radius;       /* as in the query */
   uint64_t expansions; /* the triangles that the search entered; with a radius above 0, the steps of the search */
   int64_t nanoseconds; /* the time of the search; 0 unless ww_path_query.wants_time */
@@ -727,13 +729,13 @@ typedef struct ww_portal {
 
 /* Gives facts about a path. A new ww_path is a path with the status WW_PATH_NO_PATH. */
 WW_API ww_status ww_path_get_info(const ww_path* path, ww_path_info* info);
-/* Writes the start, the turns and the goal. Empty if there is no path, or if the query has a radius above 0. */
+/* Writes the start, the turns and the goal: nothing if there is no path, or if the query has a radius above 0. */
 WW_API ww_status ww_path_points(const ww_path* path, ww_point* points, size_t capacity, size_t* count);
-/* Writes the lines and arcs of the path of a disc's centre. Empty if there is no path, or if the radius is 0. */
+/* Writes the lines and arcs of the path of a disc's centre: nothing if there is no path, or if the radius is 0. */
 WW_API ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size_t capacity, size_t* count);
-/* Writes the edges that the path of a point agent crosses, in order. Empty unless the query has wants_channel. */
+/* Writes the edges that the path of a point agent crosses, in order, if the query has wants_channel. */
 WW_API ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count);
-/* Writes the items that block an end, ascending; 0 is the border of the domain. Empty unless an end is blocked. */
+/* Writes the items that block an end, ascending: nothing if no end is blocked. 0 is the border of the domain. */
 WW_API ww_status ww_path_blockers(const ww_path* path, ww_id* items, size_t capacity, size_t* count);
 /* Gives the largest disc that can move from start to goal, if no path for the disc of the query exists
    (WW_PATH_NO_PATH) and a smaller disc can move there. Otherwise the function sets is_connected to 0. The lists are as
@@ -768,8 +770,8 @@ WW_API ww_status ww_path_advance(const ww_path* path, double step, ww_precision 
 WW_API ww_status ww_path_nearest(const ww_path* path, ww_point point, ww_precision precision,
                                  ww_path_position* position);
 /* Writes the path as points, for programs that cannot use arcs: for a point agent its points; for a disc so many points
-   that the straight segments between them are nowhere farther than `tolerance` from the path. Empty if the path is not
-   found. Errors: WW_BAD_DISTANCE, if the tolerance is negative, not a number, or below 2^-20 times the radius. */
+   that the straight segments between them are nowhere farther than `tolerance` from the path. Writes nothing if there
+   is no path. Errors: WW_BAD_DISTANCE, if the tolerance is negative, not a number, or below 2^-20 times the radius. */
 WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_point* points, size_t capacity,
                                   size_t* count);
 
@@ -798,10 +800,10 @@ WW_API ww_status ww_search_record_windows(ww_search* search, ww_bool wanted);
 /* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded:
    use them only for pictures. */
 typedef struct ww_search_window {
-  ww_point root;      /* where the path turned last, or its start */
+  ww_point root;      /* the last turn of the path, or its start */
   ww_portal edge;     /* the whole edge; left and right as seen from the root */
   ww_portal interval; /* the piece of the edge that is visible from the root */
-  double length;      /* of the path from the start to the root */
+  double length;      /* the length of the path from the start to the root */
   double bound;       /* up to rounding, no path through the window to the goal is shorter than this */
 } ww_search_window;
 
@@ -831,9 +833,10 @@ WW_API ww_status ww_world_is_clear_between(const ww_world* world, ww_point from,
    longer has all bounding boxes since then: it keeps at least the last 2,048 boxes. */
 WW_API ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count, uint64_t since,
                                       ww_bool* is_affected);
-/* Finds out the same for a path, also of a disc. The path of a disc is affected if a box is so near that the disc may
-   touch it. A path that was not found is never affected. A path that is not affected need not be the shortest one any
-   more. */
+/* Finds out whether the operations after version `since` affect a path. For a point agent, the answer is the answer of
+   ww_world_is_affected for the points of the path. The path of a disc is affected if one of the bounding boxes is so
+   near that the disc may touch it. A path that was not found is never affected. A path that is not affected need not be
+   the shortest one any more. */
 WW_API ww_status ww_world_is_path_affected(const ww_world* world, const ww_path* path, uint64_t since,
                                            ww_bool* is_affected);
 /* Writes the indices of the affected paths, ascending. */
@@ -1144,12 +1147,12 @@ WW_API ww_status ww_script_scene(const ww_script* script, ww_scene* scene);
 
 typedef struct ww_scenario_query {
   uint32_t struct_size;
-  uint32_t line;   /* in the text, from 1 */
-  uint64_t width;  /* of the map, in cells */
-  uint64_t height; /* of the map, in cells */
+  uint32_t line;   /* the line in the text, from 1 */
+  uint64_t width;  /* the width of the map in cells */
+  uint64_t height; /* the height of the map in cells */
   ww_point start;
   ww_point goal;
-  double length;    /* of the path that the author has found; negative if there was none */
+  double length;    /* the length of the path that the author has found; negative if the author found none */
   double precision; /* half a unit of the last digit of `length` */
 } ww_scenario_query;
 
@@ -1199,7 +1202,7 @@ typedef struct ww_replay_result {
 } ww_replay_result;
 
 /* Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at the
-   first difference, which is no error. Ignores queries. `progress` may be null; its unit is a line. Errors:
+   first difference, which is no error. Ignores queries. `progress` may be null; it counts lines of the log. Errors:
    WW_COORDINATE_RANGE, WW_BAD_DOMAIN, for the domain. */
 WW_API ww_status ww_replay_run(ww_replay* replay, const ww_script* log, ww_progress progress, void* user_data);
 /* Gives the answer of the last replay. Before the first one, is_same is 1 and ticks is 0. */
@@ -1225,10 +1228,10 @@ typedef struct ww_replay_difference {
   ww_bool is_different;
   ww_difference_kind kind;
   uint32_t line;       /* the line in the first log, or 0 if this log ends before the difference */
-  uint32_t other_line; /* the same for the second log */
+  uint32_t other_line; /* the line in the second log, or 0 if this log ends before the difference */
   uint64_t tick;       /* the tick during which the logs begin to differ */
-  ww_id item;          /* for WW_DIFFERENCE_CHANGE: the item that the first log changes there, or 0 */
-  ww_id other_item;    /* the same for the second log */
+  ww_id item;          /* for WW_DIFFERENCE_CHANGE: the item that `line` of the first log changes, or 0 */
+  ww_id other_item;    /* for WW_DIFFERENCE_CHANGE: the item that `other_line` of the second log changes, or 0 */
 } ww_replay_difference;
 
 /* Compares two logs, change by change and hash by hash. Ignores queries, and the hash of a tick that has no hash in the
@@ -1248,7 +1251,7 @@ typedef struct ww_svg_options {
   double width;       /* in pixels, 240 to 100,000; 1200 by default; the height follows from the content */
   ww_bool mesh;       /* 1 by default: draw the free edges */
   ww_bool axes;       /* 1 by default: draw ticks with coordinates, a scale bar, and the direction of y */
-  ww_bool ids;        /* 1 by default: give each item its id as text on hover */
+  ww_bool ids;        /* 1 by default: show the kind and the id of an item while the pointer is on it */
   ww_bool y_down;     /* 0 by default: whether the y axis of the world points down */
   ww_bool has_crop;   /* 0 by default: the picture shows the domain */
   ww_box crop;        /* the box that the picture shows, if has_crop is set; it may extend beyond the domain */

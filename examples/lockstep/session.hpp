@@ -59,7 +59,7 @@ class Session {
   /// The last state that no command can change any more.
   [[nodiscard]] Tick final_tick() const;
   /// Goes back to the state at a tick, saves it, and plays again. Requires: the session remembers this state, and no
-  /// command can change it any more. The same holds for the next function.
+  /// command can change it any more. The next function requires this, too.
   [[nodiscard]] Bytes save(Tick tick);
   /// Returns what differs between the state at a tick and another state, in words. Leaves the session at this tick.
   [[nodiscard]] std::string difference(Tick tick, const Simulation& theirs);

@@ -48,8 +48,8 @@ namespace waywright {
 /// @endcode
 struct ChangedBox {
   std::uint64_t version = 0;  ///< the version of the world after the operation
-  /// The bounding box of an item that the operation inserted or removed. If the operation has more than 256 items, the
-  /// last box is the bounding box of several items.
+  /// The bounding box of an item that the operation inserted or removed. If the operation inserted and removed more
+  /// than 256 items, the last box is the bounding box of several items.
   Box box;
   bool is_insertion = false;  ///< whether the operation inserted an item in the box
   bool is_removal = false;    ///< whether the operation removed an item in the box

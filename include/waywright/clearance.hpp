@@ -66,10 +66,10 @@ struct NearestFitQuery {
 /// if doubles can express a position there. Of several equally near points, the first in (x, y) order is the answer.
 struct NearestFit {
   /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
-  /// the disc can move to the goal. If not, all other members are zero.
+  /// the disc can move to the goal. If the member is false, all other members are zero.
   bool is_found = false;
   Point at;               ///< a point where the disc fits, as World::fit_disc decides exactly
-  double distance = 0.0;  ///< from the query's point to `at`
+  double distance = 0.0;  ///< the distance from the query's point to `at`
 
   friend bool operator==(const NearestFit&, const NearestFit&) = default;
 };
@@ -87,7 +87,7 @@ struct NearestFit {
 /// const ItemId above = widest.to_items.front();  // == 2
 /// @endcode
 ///
-/// Source: Pollack, *The maximum capacity through a network*, 1960, on gaps that are Gabriel edges (Gabriel and Sokal
+/// Source: Pollack, *The maximum capacity through a network*, 1960. The gaps are Gabriel edges (Gabriel and Sokal
 /// 1969).
 struct WidestPath {
   /// Whether a disc of some radius above 0 can move from the start to the goal. This is impossible, for example, if the

@@ -28,8 +28,8 @@ struct ItemsHash {
 
   friend bool operator==(const ItemsHash&, const ItemsHash&) = default;
 };
-/// The hash of the mesh of a world: the SHA-256 of its dump. World::mesh_hash returns it. It is equal for two worlds
-/// under the same conditions as ItemsHash. docs/hashes.md defines the hash.
+/// The hash of the mesh of a world: the SHA-256 of its dump. World::mesh_hash returns it. Two worlds with equal domains
+/// and equal live items have equal hashes of the mesh, on every machine. docs/hashes.md defines the hash.
 struct MeshHash {
   std::array<std::uint8_t, 32> bytes{};
 

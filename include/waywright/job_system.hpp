@@ -12,7 +12,7 @@ namespace waywright {
 
 /// An interface to the threads of your program, for example the job system of a game or a thread pool. Derive a class
 /// from it if the library should run its parallel work on your threads. BulkOptions::jobs and World::find_paths take a
-/// job system. Without one, the library starts threads itself, by std::async.
+/// job system. Without a job system, the library starts threads itself, by std::async.
 ///
 /// @code{.cpp}
 /// class PoolJobs : public JobSystem {

@@ -21,7 +21,7 @@ namespace waywright {
 /// 16 bytes per triangle for each path algorithm that has used it.
 ///
 /// World::shrink_to_fit() does not free the slots of removed items, which later items will use. So if you have removed
-/// most items and want a smaller world, make a new world and insert the World::items() of the old one.
+/// most items and want a smaller world, make a new world and insert the World::items() of the old world.
 struct MemoryUse {
   std::size_t vertices = 0;     ///< for each vertex: its point, a half-edge from it, the items with a corner there
   std::size_t crossings = 0;    ///< for constructed vertices: the lines that cross there

@@ -46,7 +46,7 @@ enum class PathAlgorithm : std::uint8_t {
 /// @endcode
 struct PathBudget {
   /// The number of triangles that the whole search may enter, including the search for the first path. For a query with
-  /// a radius above 0, the member is the number of steps of the search. If the member is 0, the first path is the
+  /// a radius above 0, the member is the number of steps of the search. If the number is 0, the first path is the
   /// answer.
   std::size_t expansions = 0;
   /// The largest time since the start of the search. If this limit ends the search, the answer depends on the clock. In
@@ -139,7 +139,7 @@ struct PathPiece {
   Kind kind = Kind::line;
   Point from;                ///< where the piece starts
   Point to;                  ///< where it ends: the next piece starts there
-  Point centre;              ///< of an arc: a corner of an item, or of the domain
+  Point centre;              ///< of an arc: the centre of its circle, a corner of an item or of the domain
   double radius = 0.0;       ///< of an arc: the radius of the agent
   double start_angle = 0.0;  ///< of an arc: the angle from the centre to `from`, in radians
   double end_angle = 0.0;    ///< of an arc: larger than `start_angle` if the arc turns left, otherwise smaller
@@ -199,22 +199,22 @@ enum class Precision : std::uint8_t {
 /// @endcode
 struct WAYWRIGHT_API Path {
   PathStatus status = PathStatus::no_path;
-  double length = 0.0;  ///< the Euclidean length; 0 unless found
-  /// No path is shorter than this. Equal to `length` if the search has proven that the path is the shortest; 0 unless
-  /// found.
+  double length = 0.0;  ///< the Euclidean length; 0 if there is no path
+  /// No path is shorter than this number. It equals `length` if the search has proven that the path is the shortest. It
+  /// is 0 if there is no path.
   double lower_bound = 0.0;
   double radius = 0.0;  ///< the radius of the agent, as in the query
-  /// The start, the turns of the path, the goal. Empty if there is no path, or if the query has a radius above 0. If
-  /// the path turns at a crossing of two sides, the point of this turn has the rounded coordinates of the crossing. For
-  /// this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear() also lets the
-  /// agent turn at the exact crossing.
+  /// The start, the turns of the path and the goal. The list is empty if there is no path, or if the query has a radius
+  /// above 0. If the path turns at a crossing of two sides, the point of this turn has the rounded coordinates of the
+  /// crossing. For this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear()
+  /// also lets the agent turn at the exact crossing.
   std::vector<Point> points;
-  /// The lines and arcs from the start to the goal, if the query has a radius above 0. Empty if the radius is 0, or if
-  /// there is no path. If start and goal are equal, there is one line of length 0. No wall is nearer to a position on
-  /// the pieces than the radius, up to rounding errors.
+  /// The lines and arcs from the start to the goal, if the query has a radius above 0. The list is empty if the radius
+  /// is 0, or if there is no path. If start and goal are equal, there is one line of length 0. No wall is nearer to a
+  /// position on the pieces than the radius, up to rounding errors.
   std::vector<PathPiece> pieces;
-  /// The edges that the path crosses, in order. Empty if there is no path, if PathQuery::wants_channel is false, or if
-  /// the query has a radius above 0: the lines and arcs may leave the channel of the search.
+  /// The edges that the path crosses, in order. The list is empty if there is no path, if PathQuery::wants_channel is
+  /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member is the number of
   /// steps of the search.
@@ -224,7 +224,7 @@ struct WAYWRIGHT_API Path {
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
   /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
-  /// disc there, see DiscFit::items. Empty unless the status is start_blocked or goal_blocked.
+  /// disc there, see DiscFit::items. The list is empty unless the status is start_blocked or goal_blocked.
   std::vector<ItemId> blockers;
   /// The radius of the largest disc that can move from start to goal, and the gap that stops every larger disc. The
   /// search sets this member if the query has a radius above 0, the status is no_path, and a smaller disc can move from
@@ -299,7 +299,8 @@ struct WAYWRIGHT_API Path {
 ///
 /// Cost: for fewer than 256 goals, the cost of one path for each goal. For 256 goals or more, one search from the start
 /// finds all paths. Its cost depends on the number of triangles that are nearer to the start than the farthest goal.
-/// Each further goal adds little. For a radius above 0, the cost is always the cost of one path for each goal.
+/// Each further goal adds little to this cost. For a radius above 0, the cost is always the cost of one path for each
+/// goal.
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;

@@ -11,7 +11,7 @@ namespace waywright {
 
 /// The number of calls of one predicate, counted by the stage of the exact arithmetic that decided the call.
 struct StageCounts {
-  /// Doubles with a proven error bound. For crossings: doubles, if no step before the final division is rounded.
+  /// Doubles with a proven error bound. For crossings: doubles, if no step before the final division rounds.
   std::uint64_t doubles = 0;
   std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
   std::uint64_t integers = 0;  ///< integers of any size

@@ -101,7 +101,7 @@ struct ReplayResult {
 };
 
 /// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at
-/// the first difference. Ignores queries. `progress` may be empty; its unit is a line.
+/// the first difference. Ignores queries. `progress` may be empty. It counts lines of the log.
 /// Errors: the errors of World::create(), for the domain.
 /// Cost: the cost of the changes. The changes of one tick are one operation.
 [[nodiscard]] WAYWRIGHT_API Result<ReplayResult> replay(
@@ -121,8 +121,8 @@ struct ReplayDifference {
   std::uint64_t tick = 0;        ///< the tick during which the logs begin to differ
   std::uint32_t line = 0;        ///< the line in the first log
   std::uint32_t other_line = 0;  ///< the line in the second log
-  ItemId item;                   ///< if `kind` is change: the item that the first log changes there, or null
-  ItemId other_item;             ///< the same for the second log
+  ItemId item;                   ///< if `kind` is change: the item that `line` of the first log changes, or null
+  ItemId other_item;             ///< if `kind` is change: the item that `other_line` of the second log changes, or null
   std::vector<ItemId> changed;   ///< if `kind` is hash: the items changed since the last equal hash, ascending
 };
 

@@ -22,10 +22,10 @@ namespace waywright {
 /// an interval. If the search sees an edge at an angle that is too small for doubles, the interval reaches to the end
 /// of the edge.
 struct SearchWindow {
-  Point root;           ///< where the path turned last, or its start
+  Point root;           ///< the last turn of the path, or its start
   Portal edge;          ///< the whole edge; left and right as seen from the root
   Portal interval;      ///< the piece of the edge that is visible from the root
-  double length = 0.0;  ///< of the path from the start to the root
+  double length = 0.0;  ///< the length of the path from the start to the root
   double bound = 0.0;   ///< up to rounding, no path through the window to the goal is shorter than this
 
   friend bool operator==(const SearchWindow&, const SearchWindow&) = default;

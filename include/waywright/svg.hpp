@@ -34,7 +34,7 @@ struct SvgOptions {
   double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the height follows from the content
   bool mesh = true;       ///< draw the free edges
   bool axes = true;       ///< draw ticks with coordinates, a scale bar, and a sign that shows the direction of y
-  bool ids = true;        ///< give each item its id as text on hover
+  bool ids = true;        ///< show the kind and the id of an item while the pointer is on it
   bool y_down = false;    ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;
   /// The box that the picture shows. It may extend beyond the domain. If `crop` is empty, the picture shows the domain.
@@ -199,8 +199,9 @@ class WAYWRIGHT_API SvgFrame {
 /// @endcode
 ///
 /// The function computes positions in doubles. If an item reaches out of a crop box by more than 2^40 times the size of
-/// the box, the picture may show the item at a wrong position. The same is true if the radius of a disc is more than
-/// 10,000 times the size of the box. The function omits details of large worlds to keep the text small:
+/// the box, the picture may show the item at a wrong position. It may also show a disc at a wrong position if the
+/// radius of the disc is more than 10,000 times the size of the box. The function omits details of large worlds to keep
+/// the text small:
 /// - It omits a mesh of more than 300,000 edges in the picture, and the legend says so.
 /// - If the picture shows more than 50,000 items, no item shows its id on hover.
 ///

@@ -114,8 +114,9 @@ class WAYWRIGHT_API World {
   /// Inserts a polyline, as insert() does: an open chain of sides through one or more points.
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
   /// Inserts a solid obstacle of one or more closed rings, as insert() does:
-  /// `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from the last point of a ring to its first is implied.
-  /// The fill rule is FillRule::even_odd: a ring in a ring is a hole.
+  /// `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from the last point of a ring to its first point
+  /// belongs to the ring, so you need not repeat the first point. The fill rule is FillRule::even_odd: a ring in a ring
+  /// is a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
@@ -179,7 +180,7 @@ class WAYWRIGHT_API World {
 
   /// Makes the world keep its last `ticks` ticks from now on. A tick is a state of the world that mark() has named. If
   /// the history has more ticks, the world drops the oldest. With 0, the world drops its history and keeps none.
-  /// Cost: O(1), or linear in what the world drops.
+  /// Cost: O(1), or linear in the size of the history that the world drops.
   void keep_history(std::size_t ticks);
 
   /// Names the current state of the world. Returns its tick: 1 for the first call, and one more for each further call.
@@ -507,9 +508,9 @@ class WAYWRIGHT_API World {
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Returns whether a path is affected by the operations after version `since`. For a point agent, this is
-  /// is_affected() of Path::points. For a disc, the function returns whether one of the same bounding boxes comes so
-  /// near to Path::pieces that the disc may touch it: see ChangedBox. If the result is false and the path was valid for
-  /// its radius at that version, it is still valid.
+  /// is_affected() of Path::points. For a disc, the function returns whether the bounding box of an inserted or removed
+  /// item comes so near to Path::pieces that the disc may touch the box: see ChangedBox. If the result is false and the
+  /// path was valid for its radius at that version, it is still valid.
   ///
   /// A path that is not affected need not be the shortest one any more, if an operation has removed items. A path that
   /// was not found is never affected: search again for it.

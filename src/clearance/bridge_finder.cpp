@@ -12,15 +12,16 @@ using exact::Sign;
 using mesh::HalfEdge;
 using mesh::Vertex;
 using Seen = BridgeScratch::Seen;
-using View = BridgeScratch::View;
+using VisibleEdge = BridgeScratch::VisibleEdge;
 using Around = BridgeScratch::Around;
 using Beyond = BridgeScratch::Beyond;
 
 namespace {
 
-/// Returns false only if the angle between two successive sides of a polygon is at least 90 degrees: the dot product of
-/// acute sides is negative. Each coordinate of a corner may be wrong by `rounding`.
-bool is_acute(const Point& before, const Point& after, double rounding) {
+/// Returns false only if the angle between two successive edges of a face is at least 90 degrees. `before` and `after`
+/// are the vectors of the two edges, around the face: their dot product is negative if the angle is acute. Each
+/// coordinate of a vertex may be wrong by `rounding`.
+bool may_be_acute(const Point& before, const Point& after, double rounding) {
   const double x = before.x * after.x;
   const double y = before.y * after.y;
   if (x + y < 0.0) return true;
@@ -104,8 +105,8 @@ void BridgeFinder::note_angles(mesh::Face f) {
   const Point ab = b - a;
   const Point bc = c - b;
   const Point ca = a - c;
-  const unsigned acute = (is_acute(ca, ab, rounding_) ? 1U : 0U) | (is_acute(ab, bc, rounding_) ? 2U : 0U) |
-                         (is_acute(bc, ca, rounding_) ? 4U : 0U);
+  const unsigned acute = (may_be_acute(ca, ab, rounding_) ? 1U : 0U) | (may_be_acute(ab, bc, rounding_) ? 2U : 0U) |
+                         (may_be_acute(bc, ca, rounding_) ? 4U : 0U);
   scratch_.acute[number(f)] = static_cast<std::uint8_t>(acute);
 }
 
@@ -164,41 +165,44 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
   const bool sees_right = is_left_of(w, apex, seen[0]);
   const Choice first{crosses_left && sees_left, crosses_right && sees_right, sees_left, sees_right};
   scratch_.to_cross.clear();
-  View view{entry, 1, 0, 1, 0};
-  for (HalfEdge wall = go_on(corner, apex, first, view);; wall = cross(corner, from, view)) {
+  VisibleEdge visible{entry, 1, 0, 1, 0};
+  for (HalfEdge wall = go_on(corner, apex, first, visible);; wall = cross(corner, from, visible)) {
     if (wall != mesh::kNoHalfEdge) return wall;
-    if (view.entry != mesh::kNoHalfEdge) continue;
+    if (visible.entry != mesh::kNoHalfEdge) continue;
     if (scratch_.to_cross.empty()) return mesh::kNoHalfEdge;
-    view = scratch_.to_cross.back();
+    visible = scratch_.to_cross.back();
     scratch_.to_cross.pop_back();
   }
 }
 
-/// Looks at the apex of the face beyond the view. Returns the first of its two edges that is the wall, or kNoHalfEdge.
-/// Replaces the view by the view through an edge that a bridge may cross, or sets its `entry` to kNoHalfEdge.
-WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::cross(HalfEdge corner, const Point& from, View& view) {
+/// Looks at the apex of the face beyond a visible edge. Returns the first of the two edges of the apex that is the
+/// wall, or kNoHalfEdge. Replaces `visible` by one of these two edges, if a bridge may cross it. Otherwise sets its
+/// `entry` to kNoHalfEdge.
+WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::cross(HalfEdge corner, const Point& from, VisibleEdge& visible) {
   const auto& seen = scratch_.seen;
-  Seen apex = seen_from(from, mesh_.apex(view.entry));
-  bool crosses_left = may_cross(apex, seen[view.entry_left]);
-  bool crosses_right = may_cross(apex, seen[view.entry_right]);
+  Seen apex = seen_from(from, mesh_.apex(visible.entry));
+  bool crosses_left = may_cross(apex, seen[visible.entry_left]);
+  bool crosses_right = may_cross(apex, seen[visible.entry_right]);
   if (!(crosses_left | crosses_right)) {  // one branch that is easier to predict than two
-    view.entry = mesh::kNoHalfEdge;
+    visible.entry = mesh::kNoHalfEdge;
     return mesh::kNoHalfEdge;
   }
   apex.beyond = beyond_lines(apex);
   const Vertex w = mesh_.origin(corner);
-  const bool sees_left = is_left_of(w, seen[view.left], apex);
-  const bool sees_right = is_left_of(w, apex, seen[view.right]);
-  crosses_left = crosses_left && sees_left && (apex.beyond & seen[view.entry_left].beyond) == 0;
-  crosses_right = crosses_right && sees_right && (apex.beyond & seen[view.entry_right].beyond) == 0;
-  return go_on(corner, apex, {crosses_left, crosses_right, sees_left, sees_right}, view);
+  const bool sees_left = is_left_of(w, seen[visible.left], apex);
+  const bool sees_right = is_left_of(w, apex, seen[visible.right]);
+  crosses_left = crosses_left && sees_left && (apex.beyond & seen[visible.entry_left].beyond) == 0;
+  crosses_right = crosses_right && sees_right && (apex.beyond & seen[visible.entry_right].beyond) == 0;
+  return go_on(corner, apex, {crosses_left, crosses_right, sees_left, sees_right}, visible);
 }
 
-/// Does the rest of cross(). If both edges may be crossed, stores the second view in `to_cross`.
-WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::go_on(HalfEdge corner, const Seen& apex, Choice choice, View& view) {
-  const HalfEdge left = mesh::previous(view.entry);
-  const HalfEdge right = mesh::next(view.entry);
-  view.entry = mesh::kNoHalfEdge;
+/// Continues through the edges of the apex that `choice` names, as cross() describes. If there are two, stores the
+/// second one in `to_cross`. find_wall() calls this function for the first face.
+WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::go_on(HalfEdge corner, const Seen& apex, Choice choice,
+                                                     VisibleEdge& visible) {
+  const HalfEdge left = mesh::previous(visible.entry);
+  const HalfEdge right = mesh::next(visible.entry);
+  visible.entry = mesh::kNoHalfEdge;
   if (choice.crosses_left && mesh_.is_fixed(left)) {
     if (is_bridge_to(corner, left)) return left;
     choice.crosses_left = false;
@@ -210,13 +214,14 @@ WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::go_on(HalfEdge corner, const Seen
   if (!choice.crosses_left && !choice.crosses_right) return mesh::kNoHalfEdge;
   const auto at = static_cast<std::uint32_t>(scratch_.seen.size());
   scratch_.seen.push_back(apex);
-  const View beyond_right{mesh_.twin(right), choice.sees_left ? at : view.left, view.right, at, view.entry_right};
+  const VisibleEdge beyond_right{mesh_.twin(right), choice.sees_left ? at : visible.left, visible.right, at,
+                                 visible.entry_right};
   if (!choice.crosses_left) {
-    view = beyond_right;
+    visible = beyond_right;
     return mesh::kNoHalfEdge;
   }
   if (choice.crosses_right) scratch_.to_cross.push_back(beyond_right);
-  view = {mesh_.twin(left), view.left, choice.sees_right ? at : view.right, view.entry_left, at};
+  visible = {mesh_.twin(left), visible.left, choice.sees_right ? at : visible.right, visible.entry_left, at};
   return mesh::kNoHalfEdge;
 }
 

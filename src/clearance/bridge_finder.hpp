@@ -26,10 +26,10 @@ struct BridgeScratch {
     mesh::Vertex vertex;
     std::uint32_t beyond;  ///< bits for the two lines that BridgeFinder::find_wall() describes: 1 for x, 2 for y
   };
-  /// The face beyond an edge that a corner sees. The numbers are indices in `seen`.
-  struct View {
+  /// An edge that a corner sees, at least in part. The numbers are indices in `seen`.
+  struct VisibleEdge {
     mesh::HalfEdge entry;
-    std::uint32_t left;  ///< the vertices that bound the view
+    std::uint32_t left;  ///< the vertices that bound the part of the edge that the corner sees
     std::uint32_t right;
     std::uint32_t entry_left;  ///< the ends of the edge
     std::uint32_t entry_right;
@@ -48,7 +48,7 @@ struct BridgeScratch {
 
   std::vector<mesh::HalfEdge> to_enter;  ///< half-edges through which a search enters faces
   std::vector<Seen> seen;  ///< by a search from one corner; the first two are x and y of BridgeFinder::find_wall()
-  std::vector<View> to_cross;
+  std::vector<VisibleEdge> to_cross;
   std::vector<Beyond> to_clear;
   memory::ZeroedArray<std::uint8_t> acute;     ///< by face: see BridgeFinder::note_angles()
   memory::ZeroedArray<std::uint32_t> visited;  ///< by face: the number of the last search that visited it
@@ -102,10 +102,10 @@ class BridgeFinder {
   [[nodiscard]] static bool may_have_foot(unsigned acute, unsigned i) { return (acute | 1U << i) == 7U; }
   /// Returns false only if the edge is no bridge. Requires: note_angles() was called for both faces.
   [[nodiscard]] bool may_be_bridge(mesh::HalfEdge h) const {
-    const auto is_acute = [&](mesh::HalfEdge at) {
+    const auto may_be_acute = [&](mesh::HalfEdge at) {
       return (acute_angles(mesh::face(at)) >> (number(at) % 3) & 1U) != 0;
     };
-    return is_acute(mesh::previous(h)) && is_acute(mesh::previous(mesh_.twin(h)));
+    return may_be_acute(mesh::previous(h)) && may_be_acute(mesh::previous(mesh_.twin(h)));
   }
 
   /// Returns whether the free edge of `h` is a bridge. Requires: `h` and its twin belong to faces of the domain.
@@ -211,17 +211,18 @@ class BridgeFinder {
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
     return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
   }
-  /// What the search of find_wall() decides at the apex of the face beyond a view: which of the two edges of the apex
-  /// a bridge may cross, and whether the apex lies right of the left end of the view, and left of its right end.
+  /// What the search of find_wall() decides at the apex of the face beyond a visible edge: which of the two edges of
+  /// the apex a bridge may cross, and whether the apex lies right of the left bound of the visible part, and left of
+  /// its right bound.
   struct Choice {
     bool crosses_left;
     bool crosses_right;
     bool sees_left;
     bool sees_right;
   };
-  [[nodiscard]] mesh::HalfEdge cross(mesh::HalfEdge corner, const Point& from, BridgeScratch::View& view);
+  [[nodiscard]] mesh::HalfEdge cross(mesh::HalfEdge corner, const Point& from, BridgeScratch::VisibleEdge& visible);
   [[nodiscard]] mesh::HalfEdge go_on(mesh::HalfEdge corner, const BridgeScratch::Seen& apex, Choice choice,
-                                     BridgeScratch::View& view);
+                                     BridgeScratch::VisibleEdge& visible);
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
   /// The errors of two vertices together bound the error of their cross product, and of the difference between their
   /// dot product and a square. Each coordinate of an offset may be wrong by r = 2 * rounding_, and by half an ulp. So a

@@ -10,7 +10,7 @@ void for_each_item_on(const constraint::ExactTriangulation& triangulation, mesh:
   triangulation.for_each_side(wall, [&](const constraint::Side& side) { visit(side.item); });
 }
 
-/// Does the same for each side on a wall at the vertex.
+/// Calls visit(slot) for each side on each wall at the vertex, with the slot of the side's item.
 template <class Visit>
 void for_each_item_at(const constraint::ExactTriangulation& triangulation, mesh::Vertex v, Visit&& visit) {
   triangulation.topology().for_each_outgoing(v, [&](mesh::HalfEdge h) {

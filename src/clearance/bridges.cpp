@@ -149,7 +149,7 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
 void Bridges::find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, Face f) {
   const unsigned acute = finder.acute_angles(f);
   for (unsigned i = 0; i < 3; ++i) {
-    if (BridgeFinder::may_have_foot(acute, i)) find_at_corner(triangulation, finder, HalfEdge{3 * number(f) + i});
+    if (BridgeFinder::may_have_foot(acute, i)) find_at_corner(triangulation, finder, mesh::half_edge(f, i));
   }
 }
 

@@ -25,11 +25,13 @@ using mesh::HalfEdge;
 // 1. The circle of each face T that the segment crosses before q contains q and t strictly inside. The disc D' that
 //    touches D at w from inside and has t on its circle contains no vertex except the ends of b, and at most one of
 //    these two is a vertex of T left or right of the segment. If t were not strictly inside the circle of T, the circle
-//    of T would meet the segment twice up to t, and the circle of D' at least three times: at w or twice on each side,
-//    and so on, on the left and on the right of the segment. But two circles have at most two common positions. As t
-//    and a position before q are inside the circle, q is, too. So a search finds G: it begins with the face beyond
-//    `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly inside and
-//    touches a changed wall.
+//    of T would meet the segment twice up to t. Left of the segment, it would run from one of these two positions to a
+//    vertex of T, which is not inside D', and back to the other position. It would do so right of the segment, too. So
+//    it would meet the circle of D' at least three times: twice on the left and twice on the right or, if one of the
+//    two positions is w, at w, once on the left and once on the right. But two circles have at most two common
+//    positions. As t and a position before q are inside the circle, q is, too. So a search finds G: it begins with the
+//    face beyond `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly
+//    inside and touches a changed wall.
 // 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from t. D contains none
 //    of the vertices xi, except xk if b is the edge from w to xk. The edge from w to xi divides D into two pieces. The
 //    piece that contains q and t lies in the disc whose diameter is this edge: the circle of D meets the edge at a

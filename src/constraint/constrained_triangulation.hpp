@@ -141,7 +141,7 @@ class ConstrainedTriangulation {
   struct Step {
     mesh::Vertex vertex{};
     mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, if it exists already
-    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the fixed edge that the side meets; runs from right to left
+    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< of the fixed edge that the side meets; runs from right to left
   };
 
   /// An item with sides: the rank of its first corner, and its slot.

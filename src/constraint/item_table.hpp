@@ -18,8 +18,8 @@
 
 namespace waywright::constraint {
 
-/// One side of an item: the straight segment from corner to corner. Each edge that lies on it lists it as a user. Its
-/// ends are corners, so they are always explicit vertices.
+/// One side of an item: the straight segment from corner to corner. The side is a user of each edge that lies on it.
+/// The ends of a side are corners, so they are always explicit vertices.
 struct Side {
   std::uint32_t item = 0;  ///< slot in the item table
   mesh::Vertex from{};

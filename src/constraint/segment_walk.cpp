@@ -17,8 +17,9 @@ SegmentWalk::Stop SegmentWalk::leave_vertex(mesh::Vertex u) const {
   }
 }
 
-/// The start of a segment on an edge. If the end of the segment lies on the edge's line, this is at the vertex ahead.
-/// Otherwise the segment is about to leave the face at the edge that is away from its end.
+/// Returns the first stop of a segment that starts on an edge. If the end of the segment lies on the edge's line, the
+/// stop is the vertex ahead. Otherwise the stop is the edge itself: of its two faces, the segment counts as about to
+/// leave the one that does not lie towards its end.
 SegmentWalk::Stop SegmentWalk::stop_on_start_edge() const {
   const mesh::HalfEdge h = start_.h;
   if (geometry().order(from(), to()) == 0) return {mesh::kNoVertex, h, false, true};
@@ -29,21 +30,21 @@ SegmentWalk::Stop SegmentWalk::stop_on_start_edge() const {
   return {mesh::kNoVertex, end_side == Sign::positive ? mesh_.twin(h) : h};
 }
 
-/// The first step of a segment that starts inside the face of `any`.
+/// Returns the first stop of a segment that starts inside the face of `any`.
 SegmentWalk::Stop SegmentWalk::leave_face(mesh::HalfEdge any) const {
-  const std::array<mesh::HalfEdge, 3> sides = {any, mesh::next(any), mesh::previous(any)};
+  const std::array<mesh::HalfEdge, 3> edges = {any, mesh::next(any), mesh::previous(any)};
   std::array<Sign, 3> corner{};
-  for (std::size_t i = 0; i < 3; ++i) corner[i] = orientation(mesh_.origin(sides[i]));
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = orientation(mesh_.origin(edges[i]));
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    const mesh::Vertex v = mesh_.origin(sides[i]);
+    const mesh::Vertex v = mesh_.origin(edges[i]);
     // A corner on the line lies ahead if the corner after it is left of the line and the corner before it is right of
     // it.
     if (corner[i] == Sign::zero && corner[next] == Sign::positive && corner[(i + 2) % 3] == Sign::negative) {
       return stop_at_vertex(v, any);
     }
     if (corner[i] == Sign::negative && corner[next] == Sign::positive) {
-      return stop_at_edge(sides[i]);
+      return stop_at_edge(edges[i]);
     }
   }
   // Unreachable: a line through a point inside a face leaves the face through an edge or a corner.

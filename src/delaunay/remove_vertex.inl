@@ -147,7 +147,8 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 // except if n is the lowered point. Then n lies in every circle, also in the circle of m. So it is impossible that m
 // lies beyond the base and n in front of it.
 //
-// No edge of the hole hides a vertex that lies in the circle, because v lies in the circle and saw all vertices.
+// No edge of the hole hides a vertex that lies in the circle, because v lies in the circle, and no edge of the hole lay
+// between v and a vertex of the hole.
 // Source: Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*,
 // 2011, which uses decision tables. For vertices of usual degrees, this loop needs about as many in-circle tests.
 template <class Geometry>

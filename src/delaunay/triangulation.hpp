@@ -181,7 +181,7 @@ class Triangulation {
   void remember(mesh::HalfEdge h);
   [[nodiscard]] mesh::HalfEdge hint(const Point& point) const;
   void divide_sector(const Point& point);
-  [[nodiscard]] mesh::HalfEdge inner_side(mesh::HalfEdge h) const;
+  [[nodiscard]] mesh::HalfEdge twin_in_domain(mesh::HalfEdge h) const;
 
   [[nodiscard]] bool has_crossing(const std::vector<mesh::HalfEdge>& spokes) const;
   mesh::HalfEdge remove_free_vertex(const Star& star);

@@ -132,7 +132,7 @@ mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   if (sectors_.is_far(sector, least)) sectors_.for_each_around(sector, consider);
   if (nearest == mesh_.origin(recent_)) return recent_;
   const mesh::HalfEdge h = mesh_.outgoing(nearest);
-  return is_ghost_face(h) ? inner_side(h) : h;
+  return is_ghost_face(h) ? twin_in_domain(h) : h;
 }
 
 /// Divides the point's sector after a long walk, if the vertex that the sector remembers lies in the sector. If a walk
@@ -146,7 +146,7 @@ void Triangulation<Geometry>::divide_sector(const Point& point) {
 
 /// Returns a half-edge of the face in the domain that is adjacent to the ghost face of `h`.
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::inner_side(mesh::HalfEdge h) const {
+mesh::HalfEdge Triangulation<Geometry>::twin_in_domain(mesh::HalfEdge h) const {
   while (mesh_.apex(h) != ghost_) h = next(h);
   return mesh_.twin(h);
 }
@@ -232,7 +232,7 @@ mesh::HalfEdge Triangulation<Geometry>::force_edge(mesh::Vertex u, mesh::Vertex 
 
 template <class Geometry>
 void Triangulation<Geometry>::remember(mesh::HalfEdge h) {
-  recent_ = is_ghost_face(h) ? inner_side(h) : h;
+  recent_ = is_ghost_face(h) ? twin_in_domain(h) : h;
 }
 
 }  // namespace waywright::delaunay

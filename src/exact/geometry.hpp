@@ -140,8 +140,8 @@ class Geometry {
 
   /// The two lines that cross at a vertex. An explicit vertex has none.
   struct Lines {
-    LineTable::Number one = LineTable::kNone;
-    LineTable::Number other = LineTable::kNone;
+    LineTable::Slot one = LineTable::kNone;
+    LineTable::Slot other = LineTable::kNone;
   };
   /// The position of a vertex before a change, or its lines.
   struct PositionUndo {
@@ -173,7 +173,7 @@ class Geometry {
   memory::Pages<Lines, kVerticesPerPage> lines_of_;  ///< by vertex; has room for every constructed vertex
   std::uint32_t constructed_count_ = 0;
   LineTable lines_;
-  LineTable::Number recent_line_ = LineTable::kNone;  ///< the first line of the last new crossing
+  LineTable::Slot recent_line_ = LineTable::kNone;  ///< the first line of the last new crossing
   memory::Journal<PositionUndo> position_journal_;
   memory::Journal<LinesUndo> lines_journal_;
 };

@@ -30,7 +30,7 @@ std::size_t LineTable::size() const {
 }
 
 void LineTable::free_unused() {
-  for (const Number line : changed_) {
+  for (const Slot line : changed_) {
     if (records_[line].uses == 0) free_line(line);
   }
   changed_.clear();
@@ -39,7 +39,7 @@ void LineTable::free_unused() {
 // After the caller has restored the uses, exactly the new lines have no use.
 void LineTable::roll_back() {
   while (!changed_.empty()) {
-    const Number line = changed_.back();
+    const Slot line = changed_.back();
     changed_.pop_back();
     if (records_[line].uses == 0) free_line(line);
   }
@@ -57,7 +57,7 @@ LineTable::Key LineTable::key_of(const PointPair& points) {
 
 /// Returns the line whose key has the same bit as `key` at each fork on the way to it. If a line has this key, it is
 /// this line. Requires: the table has a line.
-LineTable::Number LineTable::nearest(const Key& key) const {
+LineTable::Slot LineTable::nearest(const Key& key) const {
   Node node = root_;
   while ((node & kFork) != 0) {
     const Fork& fork = forks_[node & ~kFork];
@@ -66,23 +66,23 @@ LineTable::Number LineTable::nearest(const Key& key) const {
   return node;
 }
 
-LineTable::Number LineTable::find_or_make_in_trie(const PointPair& points) {
+LineTable::Slot LineTable::find_or_make_in_trie(const PointPair& points) {
   if (root_ == kNone) return make(points);
-  const Number line = nearest(key_of(points));
+  const Slot line = nearest(key_of(points));
   return is_line(line, points) ? line : make(points);
 }
 
 // If memory runs out, `changed_` lists exactly the new lines, and every record and every fork is in use or free.
-LineTable::Number LineTable::make(const PointPair& points) {
+LineTable::Slot LineTable::make(const PointPair& points) {
   if (free_records_.is_empty()) {
     records_.push_back({{}, kFree, kNone});
-    records_.back().next = free_records_.push(static_cast<Number>(records_.size() - 1));
+    records_.back().next = free_records_.push(static_cast<Slot>(records_.size() - 1));
   }
   if (forks_.size() < records_.size()) {
     forks_.push_back({0, {kNone, kNone}});
     forks_.back().children[0] = free_forks_.push(static_cast<std::uint32_t>(forks_.size() - 1));
   }
-  const Number line = free_records_.first();
+  const Slot line = free_records_.first();
   changed_.push_back(line);
   free_records_.pop(records_[line].next);
   records_[line] = {points, 0, kNone};
@@ -90,7 +90,7 @@ LineTable::Number LineTable::make(const PointPair& points) {
   return line;
 }
 
-void LineTable::link(Number line) {
+void LineTable::link(Slot line) {
   if (root_ == kNone) {
     root_ = line;
     return;
@@ -110,7 +110,7 @@ void LineTable::link(Number line) {
   forks_[added].children[1 - child] = std::exchange(*at, kFork | added);
 }
 
-void LineTable::free_line(Number line) {
+void LineTable::free_line(Slot line) {
   const Key key = key_of(records_[line].points);
   Node* at = &root_;
   Node* fork_at = nullptr;  // the fork above the line

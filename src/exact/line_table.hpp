@@ -13,8 +13,8 @@
 
 namespace waywright::exact {
 
-/// The lines that cross at constructed vertices, by number. Many constructed vertices can lie on one line, and the
-/// table stores this line only once. It counts the uses of each line, and frees a line that has no use any more.
+/// The lines that cross at constructed vertices, by slot. Many constructed vertices can lie on one line, and the table
+/// stores this line only once. It counts the uses of each line, and frees a line that has no use any more.
 ///
 /// A binary trie finds the line of two points. Its keys are the bits of the four coordinates, so no input makes a path
 /// of the trie longer than 256 nodes.
@@ -25,36 +25,37 @@ namespace waywright::exact {
 /// Source: Morrison, *PATRICIA: practical algorithm to retrieve information coded in alphanumeric*, JACM 1968.
 class LineTable {
  public:
-  using Number = std::uint32_t;
-  static constexpr Number kNone = memory::FreeList::kEnd;  ///< no line has this number
+  using Slot = std::uint32_t;
+  static constexpr Slot kNone = memory::FreeList::kEnd;  ///< no line has this slot
 
   /// Returns the line through these two points. If the table has no such line, makes one without a use. The line may be
-  /// stored with its two points in the other order. If it is the line `hint`, the function finds it faster; the hint
-  /// may be any number. Requires: the points differ. Cost: at most 256 steps, and O(log n) for most inputs; amortised.
-  [[nodiscard]] Number find_or_make(const PointPair& points, Number hint = kNone) {
+  /// stored with its two points in the other order. If the line has the slot `hint`, the function finds it faster; the
+  /// hint may be any number. Requires: the points differ. Cost: at most 256 steps, and O(log n) for most inputs;
+  /// amortised.
+  [[nodiscard]] Slot find_or_make(const PointPair& points, Slot hint = kNone) {
     const bool is_hint = hint < records_.size() && records_[hint].uses != kFree && is_line(hint, points);
     return is_hint ? hint : find_or_make_in_trie(points);
   }
   /// Counts one use more of each of the two lines. Allocates nothing.
-  void add_uses(Number one, Number other) {
+  void add_uses(Slot one, Slot other) {
     ++records_[one].uses;
     ++records_[other].uses;
   }
   /// Counts one use less of each of the two lines. The next begin() frees a line that has no use then. If memory runs
   /// out, no use changes. Requires: the lines differ.
-  void remove_uses(Number one, Number other) {
-    for (const Number line : {one, other}) {
+  void remove_uses(Slot one, Slot other) {
+    for (const Slot line : {one, other}) {
       if (records_[line].uses == 1) changed_.push_back(line);
     }
     take_back_uses(one, other);
   }
   /// Takes add_uses() back. Allocates nothing, and a line without a use stays. Call it only before roll_back().
-  void take_back_uses(Number one, Number other) {
+  void take_back_uses(Slot one, Slot other) {
     --records_[one].uses;
     --records_[other].uses;
   }
   /// The two points of a line.
-  [[nodiscard]] const PointPair& operator[](Number line) const { return records_[line].points; }
+  [[nodiscard]] const PointPair& operator[](Slot line) const { return records_[line].points; }
 
   /// The number of lines, including lines without a use that the next begin() frees. Cost: linear.
   [[nodiscard]] std::size_t size() const;
@@ -88,7 +89,7 @@ class LineTable {
   struct Record {
     PointPair points;
     std::uint32_t uses;
-    Number next;  ///< the next free record, if this one is free
+    Slot next;  ///< the next free record, if this one is free
   };
   /// The keys below a fork agree in all bits before bit number `bit`. This bit decides whether a key lies below the
   /// first or below the second child. Bit 0 is the highest bit of the first coordinate.
@@ -97,25 +98,25 @@ class LineTable {
     std::array<Node, 2> children;  ///< of a free fork: the first is the next free fork
   };
 
-  [[nodiscard]] bool is_line(Number line, const PointPair& points) const {
+  [[nodiscard]] bool is_line(Slot line, const PointPair& points) const {
     const PointPair& stored = records_[line].points;
     return (stored.a == points.a && stored.b == points.b) || (stored.a == points.b && stored.b == points.a);
   }
   [[nodiscard]] static Key key_of(const PointPair& points);
-  [[nodiscard]] Number find_or_make_in_trie(const PointPair& points);
-  [[nodiscard]] Number nearest(const Key& key) const;
-  [[nodiscard]] Number make(const PointPair& points);
-  void free_line(Number line);
+  [[nodiscard]] Slot find_or_make_in_trie(const PointPair& points);
+  [[nodiscard]] Slot nearest(const Key& key) const;
+  [[nodiscard]] Slot make(const PointPair& points);
+  void free_line(Slot line);
   void free_unused();
   /// Puts a line into the trie. Requires: there is a free fork.
-  void link(Number line);
+  void link(Slot line);
 
   std::vector<Record> records_;
   memory::FreeList free_records_;  ///< linked by Record::next
   std::vector<Fork> forks_;        ///< as many as records
   memory::FreeList free_forks_;    ///< linked by the first child
   Node root_ = kNone;              ///< kNone if the table has no line
-  std::vector<Number> changed_;    ///< the lines that are new since begin(), and lines whose last use was removed
+  std::vector<Slot> changed_;      ///< the lines that are new since begin(), and lines whose last use was removed
 };
 
 }  // namespace waywright::exact

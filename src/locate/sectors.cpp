@@ -18,14 +18,14 @@ std::size_t end_of_range(const Elements& elements, std::size_t begin, IsIn&& is_
 }  // namespace
 
 /// The sector of a point in a zoomed sector, or in a zoom within this zoom, and so on.
-Sectors::Sector Sectors::find_in_zoom(const Point& point, Cell zoomed) const {
+Sectors::Sector Sectors::find_in_zoom(const Point& point, Content zoomed) const {
   for (;;) {
     const std::uint32_t i = zoomed & ~(kDivided | kZoomed);
     const Curve::Key key = zooms_[i].curve.nearest_key(point);
     constexpr int kShift = kKeyBits - 2;
     const Sector sector = find_quarter(key, zooms_[i].first + static_cast<std::size_t>(key >> kShift), kShift, i);
-    if (!is_zoomed(sector.cell)) return sector;
-    zoomed = sector.cell;
+    if (!is_zoomed(sector.content)) return sector;
+    zoomed = sector.content;
   }
 }
 
@@ -36,7 +36,7 @@ void Sectors::remember(const Point& point, mesh::Vertex v, std::size_t vertex_co
 
 void Sectors::replace(const Point& point, mesh::Vertex v, mesh::Vertex other) {
   const Sector sector = at(point);
-  if (sector.cell == number(v)) sectors_.set(sector.index, number(other));
+  if (sector.content == number(v)) sectors_.set(sector.index, number(other));
 }
 
 // A sector stays divided after most of its vertices have been removed. If there are many more quarters than vertices,
@@ -51,8 +51,8 @@ void Sectors::divide(const Point& point, std::size_t vertex_count) {
   }
   const Sector sector = at(point);
   if (sector.shift == 0) return add_zoom(point, sector);
-  const auto first = static_cast<Cell>(sectors_.size());
-  sectors_.append(4, sector.cell);
+  const auto first = static_cast<Content>(sectors_.size());
+  sectors_.append(4, sector.content);
   sectors_.set(sector.index, first | kDivided);
 }
 
@@ -62,22 +62,23 @@ void Sectors::add_zoom(const Point& point, const Sector& sector) {
   const Curve& curve = sector.zoom == kNoZoom ? curve_ : zooms_[sector.zoom].curve;
   const Box box = curve.cell_box(curve.nearest_key(point));
   if (!(box.min.x < box.max.x && box.min.y < box.max.y)) return;
-  const auto index = static_cast<Cell>(zooms_.size());
+  const auto index = static_cast<Content>(zooms_.size());
   zooms_.push_back({Curve(box), static_cast<std::uint32_t>(sectors_.size()), depth});
-  const Cell cell = sectors_[sector.index];
-  sectors_.append(4, cell);
+  const Content content = sectors_[sector.index];
+  sectors_.append(4, content);
   sectors_.set(sector.index, index | kDivided | kZoomed);
 }
 
-Sectors::Cell Sectors::any_vertex(Cell cell) const {
-  while ((cell & kDivided) != 0) cell = sectors_[is_zoomed(cell) ? zoom_of(cell).first : cell & ~kDivided];
-  return cell;
+Sectors::Content Sectors::any_vertex(Content content) const {
+  while ((content & kDivided) != 0)
+    content = sectors_[is_zoomed(content) ? zoom_of(content).first : content & ~kDivided];
+  return content;
 }
 
 // Replaces every whole sector by four: by its quarters if it is divided, otherwise by four sectors that remember the
 // same vertex.
 void Sectors::grow() {
-  std::vector<Cell> finer;
+  std::vector<Content> finer;
   finer.reserve(4 * sectors_.size());
   const std::size_t count = whole_count();
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,7 +96,7 @@ void Sectors::grow() {
       old = zoom.first;
       zoom.first = static_cast<std::uint32_t>(finer.size());
     } else {
-      finer[i] = static_cast<Cell>(finer.size()) | kDivided;
+      finer[i] = static_cast<Content>(finer.size()) | kDivided;
     }
     for (std::size_t quarter = 0; quarter < 4; ++quarter) finer.push_back(sectors_[old + quarter]);
   }
@@ -107,7 +108,7 @@ void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> ke
   int shift = kKeyBits - 2;
   while (shift > 2 && keys.size() > kVerticesPerSector << (kKeyBits - shift)) shift -= 2;
   whole_shift_ = shift;
-  sectors_ = memory::CompactArray(std::vector<Cell>(whole_count(), kNone));
+  sectors_ = memory::CompactArray(std::vector<Content>(whole_count(), kNone));
   zooms_.clear();
   std::size_t begin = 0;
   for (std::size_t i = 0; i < whole_count(); ++i) {
@@ -124,7 +125,7 @@ void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> ke
 void Sectors::fill_sector(std::size_t index, int shift, std::span<const Point> points, std::span<const Curve::Key> keys,
                           std::uint32_t first) {
   if (keys.size() <= kCrowd || shift == 0) {
-    sectors_.set(index, first + static_cast<Cell>(keys.size() / 2) - (keys.empty() ? 1 : 0));
+    sectors_.set(index, first + static_cast<Content>(keys.size() / 2) - (keys.empty() ? 1 : 0));
     if (keys.size() <= kCrowd) return;
     std::vector<Entry> entries(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) entries[i].vertex = first + static_cast<std::uint32_t>(i);
@@ -132,7 +133,7 @@ void Sectors::fill_sector(std::size_t index, int shift, std::span<const Point> p
   }
   const std::size_t quarters = sectors_.size();
   sectors_.append(4, kNone);
-  sectors_.set(index, static_cast<Cell>(quarters) | kDivided);
+  sectors_.set(index, static_cast<Content>(quarters) | kDivided);
   std::size_t begin = 0;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     const std::size_t end =
@@ -178,7 +179,7 @@ void Sectors::fill_quarter(const Sector& sector, std::span<const Point> points, 
   if (sector.shift == 0) return fill_zoom(sector, points, first, entries);
   const std::size_t quarters = sectors_.size();
   sectors_.append(4, sectors_[sector.index]);
-  sectors_.set(sector.index, static_cast<Cell>(quarters) | kDivided);
+  sectors_.set(sector.index, static_cast<Content>(quarters) | kDivided);
   const int shift = sector.shift - 2;
   std::size_t begin = 0;
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {

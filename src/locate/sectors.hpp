@@ -32,20 +32,20 @@ namespace waywright::locate {
 /// do not; and the number of sectors is not constant.
 class Sectors {
  public:
-  explicit Sectors(const Box& domain) : curve_(domain), sectors_(std::vector<Cell>(4, kNone)) {}
+  explicit Sectors(const Box& domain) : curve_(domain), sectors_(std::vector<Content>(4, kNone)) {}
 
   struct Sector {
     std::size_t index;
-    int shift;           ///< two keys are in one sector if they differ only in their lowest `shift` bits
-    std::uint32_t zoom;  ///< the zoom to whose curve these keys belong, or kNoZoom
-    std::uint32_t cell;  ///< what the sector contains
+    int shift;              ///< two keys are in one sector if they differ only in their lowest `shift` bits
+    std::uint32_t zoom;     ///< the zoom to whose curve these keys belong, or kNoZoom
+    std::uint32_t content;  ///< see Content
   };
   [[nodiscard]] WAYWRIGHT_ALWAYS_INLINE Sector at(const Point& point) const {
     const Sector sector = find(curve_.key(point));
-    return is_zoomed(sector.cell) ? find_in_zoom(point, sector.cell) : sector;
+    return is_zoomed(sector.content) ? find_in_zoom(point, sector.content) : sector;
   }
   /// The vertex that the sector remembers, or kNoVertex.
-  [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sector.cell); }
+  [[nodiscard]] mesh::Vertex near(const Sector& sector) const { return vertex_of(sector.content); }
   /// Whether a vertex at this squared distance from a point is far away, compared with the size of the point's sector.
   /// If it is, a sector near the point's sector may remember a nearer vertex.
   [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
@@ -58,8 +58,8 @@ class Sectors {
   void for_each_around(const Sector& sector, Visit&& visit) const {
     const bool is_whole = sector.zoom == kNoZoom && sector.shift == whole_shift_;
     const std::size_t count = is_whole ? std::min(kBlock, whole_count()) : 4;
-    sectors_.for_each(sector.index & ~(count - 1), count, [&](Cell cell) {
-      const mesh::Vertex v = vertex_of(any_vertex(cell));
+    sectors_.for_each(sector.index & ~(count - 1), count, [&](Content content) {
+      const mesh::Vertex v = vertex_of(any_vertex(content));
       if (v != mesh::kNoVertex) visit(v);
     });
   }
@@ -94,12 +94,12 @@ class Sectors {
   }
 
  private:
-  /// The vertex that a sector remembers. If kDivided is set: the index of the first of its four quarters, which are in
-  /// the order of the curve. If kZoomed is set, too: the index of the sector's zoom.
-  using Cell = std::uint32_t;
-  static constexpr Cell kDivided = 0x80000000;
-  static constexpr Cell kZoomed = 0x40000000;
-  static constexpr Cell kNone = 0x7fffffff;
+  /// The content of a sector: the vertex that it remembers. If kDivided is set: the index of the first of its four
+  /// quarters, which are in the order of the curve. If kZoomed is set, too: the index of the sector's zoom.
+  using Content = std::uint32_t;
+  static constexpr Content kDivided = 0x80000000;
+  static constexpr Content kZoomed = 0x40000000;
+  static constexpr Content kNone = 0x7fffffff;
   static constexpr std::size_t kVerticesPerSector = 3;
   static constexpr std::size_t kCrowd = 8;  ///< fill() divides a sector with more vertices than this
   static constexpr std::size_t kBlock = 16;
@@ -115,29 +115,29 @@ class Sectors {
     std::uint32_t depth;  ///< 0 if no zoom contains it
   };
 
-  [[nodiscard]] static bool is_divided(Cell cell) { return (cell & (kDivided | kZoomed)) == kDivided; }
-  [[nodiscard]] static bool is_zoomed(Cell cell) { return cell >= (kDivided | kZoomed); }
-  [[nodiscard]] const Zoom& zoom_of(Cell cell) const { return zooms_[cell & ~(kDivided | kZoomed)]; }
+  [[nodiscard]] static bool is_divided(Content content) { return (content & (kDivided | kZoomed)) == kDivided; }
+  [[nodiscard]] static bool is_zoomed(Content content) { return content >= (kDivided | kZoomed); }
+  [[nodiscard]] const Zoom& zoom_of(Content content) const { return zooms_[content & ~(kDivided | kZoomed)]; }
 
   [[nodiscard]] Sector find(Curve::Key key) const {
     return find_quarter(key, static_cast<std::size_t>(key >> whole_shift_), whole_shift_, kNoZoom);
   }
   [[nodiscard]] Sector find_quarter(Curve::Key key, std::size_t index, int shift, std::uint32_t zoom) const {
-    Cell cell = sectors_[index];
-    while (is_divided(cell)) {
+    Content content = sectors_[index];
+    while (is_divided(content)) {
       shift -= 2;
-      index = (cell & ~kDivided) + static_cast<std::size_t>(key >> shift & 3);
-      cell = sectors_[index];
+      index = (content & ~kDivided) + static_cast<std::size_t>(key >> shift & 3);
+      content = sectors_[index];
     }
-    return {index, shift, zoom, cell};
+    return {index, shift, zoom, content};
   }
-  [[nodiscard]] Sector find_in_zoom(const Point& point, Cell zoomed) const;
+  [[nodiscard]] Sector find_in_zoom(const Point& point, Content zoomed) const;
   void add_zoom(const Point& point, const Sector& sector);
   [[nodiscard]] std::size_t whole_count() const { return std::size_t{1} << (kKeyBits - whole_shift_); }
-  [[nodiscard]] static mesh::Vertex vertex_of(Cell cell) {
-    return cell == kNone ? mesh::kNoVertex : mesh::Vertex{cell};
+  [[nodiscard]] static mesh::Vertex vertex_of(Content content) {
+    return content == kNone ? mesh::kNoVertex : mesh::Vertex{content};
   }
-  [[nodiscard]] Cell any_vertex(Cell cell) const;
+  [[nodiscard]] Content any_vertex(Content content) const;
   void grow();
   /// A point of a crowded cell: its vertex, and its key on the curve of a zoom.
   struct Entry {

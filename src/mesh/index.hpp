@@ -21,6 +21,11 @@ template <class Index>
 
 [[nodiscard]] constexpr Face face(HalfEdge h) { return Face{number(h) / 3}; }
 [[nodiscard]] constexpr HalfEdge first(Face f) { return HalfEdge{number(f) * 3}; }
+/// The half-edge `i` of a face, 0, 1 or 2.
+[[nodiscard]] constexpr HalfEdge half_edge(Face f, std::uint32_t i) { return HalfEdge{3 * number(f) + i}; }
+/// The number `i` with half_edge(f, i) == h. Requires: `h` is a half-edge of `f`. Costs less than face(), which
+/// divides.
+[[nodiscard]] constexpr std::uint32_t index_in(Face f, HalfEdge h) { return number(h) - 3 * number(f); }
 [[nodiscard]] constexpr HalfEdge next(HalfEdge h) {
   return HalfEdge{number(h) % 3 == 2 ? number(h) - 2 : number(h) + 1};
 }

@@ -61,7 +61,7 @@ void Abstraction::update(const Triangulation& triangulation) {
   }
   collect_made(triangulation);
   remove_common_polygons();
-  if (is_in_the_open(mesh)) {
+  if (is_in_open_space(mesh)) {
     components_.update_in_open_space(mesh, changed_, made_);
     core_.update_in_open_space(mesh, changed_, made_);
   } else {
@@ -133,7 +133,7 @@ void Abstraction::remove_common_polygons() {
 /// Returns whether the change happened in open space: every face of `changed_` had three passages in the core, all
 /// these faces belonged to one component, and all edges of the faces in `made_` are passages. The new faces then belong
 /// to the same component, and each has three passages in the core.
-bool Abstraction::is_in_the_open(const mesh::TriangleMesh& mesh) const {
+bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Id component = Components::kNone;
   for (const Face f : changed_) {

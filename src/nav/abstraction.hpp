@@ -77,7 +77,7 @@ class Abstraction {
   void collect_touched(const mesh::TriangleMesh& mesh);
   void collect_made(const Triangulation& triangulation);
   void remove_common_polygons();
-  [[nodiscard]] bool is_in_the_open(const mesh::TriangleMesh& mesh) const;
+  [[nodiscard]] bool is_in_open_space(const mesh::TriangleMesh& mesh) const;
 
   Components components_;
   TwoCore core_;

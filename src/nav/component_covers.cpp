@@ -97,7 +97,7 @@ void Components::cover_new_groups(const Triangulation& triangulation, const Chan
       reached_.pop_back();
       for (std::uint32_t k = group.begin; k < group.end; ++k) {
         for (std::uint32_t j = 0; j < 3; ++j) {
-          const HalfEdge h{3 * number(faces_[k]) + j};
+          const HalfEdge h = mesh::half_edge(faces_[k], j);
           const std::uint32_t other = mark(mesh::face(mesh.twin(h))) - group_mark_;
           if (other >= groups_.size() || groups_[other].id != kNone) continue;
           cover_group(triangulation, changes, other, h);
@@ -114,7 +114,7 @@ bool Components::cover_from_beyond(const Triangulation& triangulation, const Cha
   const mesh::TriangleMesh& mesh = triangulation.topology();
   for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge beyond = mesh.twin(HalfEdge{3 * number(faces_[i]) + k});
+      const HalfEdge beyond = mesh.twin(mesh::half_edge(faces_[i], k));
       if (ids_[number(beyond) / 3] == kNone && !triangulation.triangulation().is_ghost_face(beyond)) continue;
       cover_group(triangulation, changes, group, beyond);
       return true;

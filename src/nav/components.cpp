@@ -101,7 +101,7 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     faces_.push_back(f);
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const HalfEdge h{3 * number(faces_[i]) + k};
+        const HalfEdge h = mesh::half_edge(faces_[i], k);
         const Face other = mesh::face(mesh.twin(h));
         if (!PointAgent::can_cross(mesh, h)) {
           if (mark(other) >= group_mark_) unite(regions_, group, mark(other) - group_mark_);
@@ -173,7 +173,7 @@ void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remain
     const Face f = stack_.back();
     stack_.pop_back();
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge h{3 * number(f) + i};
+      const HalfEdge h = mesh::half_edge(f, i);
       if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }

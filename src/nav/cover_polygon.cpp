@@ -201,7 +201,7 @@ void Components::flood(const Triangulation& triangulation, const Winding& windin
     const Face f = stack_.back();
     stack_.pop_back();
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge h{3 * number(f) + k};
+      const HalfEdge h = mesh::half_edge(f, k);
       if (!mesh.is_fixed(h) || (!winding.changes_across(h) && !is_on_enclosed(triangulation, h))) {
         visit(mesh::face(mesh.twin(h)));
       }

@@ -185,7 +185,7 @@ void Components::step(const mesh::TriangleMesh& mesh, std::uint32_t set) {
   searches_[set].last_in_queue = search;
   const Face f = searches_[search].found[searches_[search].next++];
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge h{3 * number(f) + i};
+    const HalfEdge h = mesh::half_edge(f, i);
     const Face other = mesh::face(mesh.twin(h));
     if (PointAgent::can_cross(mesh, h) && ids_[number(other)] != kNone) note_found(search, other);
   }

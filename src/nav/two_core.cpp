@@ -84,7 +84,7 @@ void TwoCore::add_passage(HalfEdge h) {
 /// when climb() takes it into the core.
 void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge h{3 * number(f) + i};
+    const HalfEdge h = mesh::half_edge(f, i);
     if (!PointAgent::can_cross(mesh, h)) continue;
     const HalfEdge back = mesh.twin(h);
     const Face other = mesh::face(back);
@@ -102,7 +102,7 @@ void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around)
 void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   for (const Face f : made) {
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge h{3 * number(f) + i};
+      const HalfEdge h = mesh::half_edge(f, i);
       if (is_passage(h) && !is_passage(mesh.twin(h))) climb(mesh, mesh.twin(h));
     }
   }
@@ -138,7 +138,7 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
 void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
   while (is_core(f) && degree(f) < 2) {
     if (degree(f) == 0) return write(f, kRoot);
-    const HalfEdge up{3 * number(f) + static_cast<std::uint32_t>(std::countr_zero(passages(f)))};
+    const HalfEdge up = mesh::half_edge(f, static_cast<std::uint32_t>(std::countr_zero(passages(f))));
     write(f, tree_state(up));
     const HalfEdge back = mesh.twin(up);
     f = mesh::face(back);

@@ -40,9 +40,10 @@ class TwoCore {
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Returns whether `h` is a passage from one face of the core to another.
   [[nodiscard]] bool is_passage(mesh::HalfEdge h) const { return is_passage(mesh::face(h), h); }
-  /// Does the same for a half-edge of `f`. Saves the division that finds the face.
+  /// Returns whether `h`, a half-edge of `f`, is a passage from one face of the core to another. Saves the division
+  /// that finds the face.
   [[nodiscard]] bool is_passage(mesh::Face f, mesh::HalfEdge h) const {
-    return (states_[number(f)] >> (number(h) - 3 * number(f)) & 1U) != 0;
+    return (states_[number(f)] >> mesh::index_in(f, h) & 1U) != 0;
   }
   /// The face's passages in the core: bit i stands for the face's half-edge number i.
   [[nodiscard]] unsigned passages(mesh::Face f) const { return states_[number(f)] & unsigned{kPassages}; }
@@ -52,7 +53,7 @@ class TwoCore {
   /// without a core. Requires: `f` is not in the core.
   [[nodiscard]] mesh::HalfEdge towards_core(mesh::Face f) const {
     const std::uint32_t i = states_[number(f)] >> kPassageShift & 3U;
-    return i == kNoPassage ? mesh::kNoHalfEdge : mesh::HalfEdge{3 * number(f) + i};
+    return i == kNoPassage ? mesh::kNoHalfEdge : mesh::half_edge(f, i);
   }
 
   /// Returns whether the face of `h` is a tree face, and `h` leads from there towards the core.

@@ -30,7 +30,7 @@ bool DeadEnds::is_before_tree(mesh::HalfEdge exit) const {
 unsigned DeadEnds::find_passages(mesh::Face f) const {
   unsigned passages = 0;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const mesh::HalfEdge exit{3 * number(f) + i};
+    const mesh::HalfEdge exit = mesh::half_edge(f, i);
     if (!is_no_exit(f, exit)) passages |= 1U << i;
   }
   return passages;

@@ -23,13 +23,13 @@ class DeadEnds {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_before_tree(exit));
   }
-  /// Returns the edges of a face that are no walls and beyond which more lies than a dead end without a goal. The
-  /// result has one bit for each half-edge of the face.
+  /// Returns the edges of a face across which a path to a goal may lead: no walls, and no edges into a dead end without
+  /// a goal. The result has one bit for each half-edge of the face.
   [[nodiscard]] unsigned passages(mesh::Face f) const {
     if (core_ == nullptr || goals_below_[number(f)].query == stamp_.value()) return find_passages(f);
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
-    return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
+    return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }
 
  private:

@@ -12,7 +12,7 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-/// Stops a segment walk as soon as it is not certain that the straight line between the ends is free: at a wall,
+/// Stops a segment walk as soon as it is not certain that the straight line between the ends is clear: at a wall,
 /// at a vertex on the line, or if a polygon covers the first face.
 class Ends::StraightLine : public constraint::SegmentVisitor {
  public:
@@ -24,7 +24,7 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
   }
 
   /// Returns whether the walk has reached the goal.
-  [[nodiscard]] bool is_free() const { return is_inside_ && !is_stopped_; }
+  [[nodiscard]] bool is_clear() const { return is_inside_ && !is_stopped_; }
 
   bool through_face(HalfEdge h) {
     if (is_inside_) [[likely]]
@@ -77,7 +77,7 @@ void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction*
   moved_start_.reset();
 }
 
-void Ends::free_start() {
+void Ends::move_blocked_start() {
   find_start_faces();
   if (start_faces_.empty()) move_start({});
   may_start_move_ = false;
@@ -98,7 +98,7 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
   return known_status();
 }
 
-/// Returns the status of the path if the straight line is not free and no search is necessary. An end can have no open
+/// Returns the status of the path if the straight line is not clear and no search is necessary. An end can have no open
 /// face around it and still lie strictly inside no polygon: then it lies on the boundaries of the polygons that cover
 /// its surroundings, and the status is no_path, unless the two ends are equal.
 std::optional<PathStatus> Ends::known_status() {
@@ -111,7 +111,7 @@ std::optional<PathStatus> Ends::known_status() {
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
   if (abstraction_ != nullptr && !are_connected(abstraction_->components())) return PathStatus::no_path;
-  // If the ends have a face in common but the straight line is not free, both ends lie on one edge of this face. The
+  // If the ends have a face in common but the straight line is not clear, both ends lie on one edge of this face. The
   // path runs along the edge.
   const bool is_straight =
       std::any_of(start_faces_.begin(), start_faces_.end(), [&](HalfEdge h) { return is_goal(mesh::face(h)); });
@@ -122,7 +122,7 @@ std::optional<PathStatus> Ends::known_status() {
 bool Ends::sees_goal() {
   StraightLine line(*this);
   constraint::SegmentWalk(*triangulation_, start_, goal_, start_location_).run(line);
-  return line.is_free();
+  return line.is_clear();
 }
 
 // A position strictly inside a polygon has no open face around it.

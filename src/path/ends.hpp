@@ -30,9 +30,9 @@ class Ends {
                  const std::optional<double>& tolerance);
   /// Moves the start if it is blocked. Call it before the first goal in a query with many goals, so that all paths
   /// begin at the same point.
-  void free_start();
+  void move_blocked_start();
   /// Locates the goal. Returns the status of the path if no search is necessary, for example because the straight line
-  /// is free, because an end is blocked, or because the abstraction says that the ends are not connected. Otherwise
+  /// is clear, because an end is blocked, or because the abstraction says that the ends are not connected. Otherwise
   /// returns nothing. Requires: the goal lies in the domain.
   std::optional<PathStatus> find_status_without_search(const Point& goal);
 
@@ -61,10 +61,10 @@ class Ends {
     return false;
   }
   /// The edges that the straight path crosses, as half-edges of the faces that it leaves. Requires: the straight path
-  /// is free.
+  /// is clear.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& crossed() const { return crossed_; }
   /// The edges that the straight line crosses before it meets a wall or a vertex. Requires: the straight path is not
-  /// free.
+  /// clear.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& tried() const { return tried_; }
   [[nodiscard]] bool has_moved() const { return moved_start_ || moved_goal_; }
 

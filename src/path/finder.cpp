@@ -147,7 +147,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
   pending_goals_.clear();
   std::size_t expansions = 0;
   ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
-  ends_.free_start();
+  ends_.move_blocked_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     clear(paths[i]);
     const std::optional<PathStatus> known = ends_.find_status_without_search(query.goals[i]);

@@ -211,18 +211,18 @@ void PolylineWalk::leave_edge(HalfEdge h) {
 
 /// Leaves a position inside the face of `h`.
 void PolylineWalk::leave_face(HalfEdge h) {
-  const std::array<HalfEdge, 3> sides = {h, mesh::next(h), mesh::previous(h)};
+  const std::array<HalfEdge, 3> edges = {h, mesh::next(h), mesh::previous(h)};
   std::array<Sign, 3> corner{};
-  for (std::size_t i = 0; i < 3; ++i) corner[i] = orientation(mesh_->origin(sides[i]));
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = orientation(mesh_->origin(edges[i]));
   for (std::size_t i = 0; i < 3; ++i) {
     const Sign after = corner[(i + 1) % 3];
     const Sign before = corner[(i + 2) % 3];
     // A corner on the line lies ahead if the next corner is to the left of the line and the previous one to its right.
     if (corner[i] == Sign::zero && after == Sign::positive && before == Sign::negative) {
-      if (ends_before(mesh_->origin(sides[i]))) return arrive(LocatedKind::face, h);
-      return reach_vertex(sides[i]);
+      if (ends_before(mesh_->origin(edges[i]))) return arrive(LocatedKind::face, h);
+      return reach_vertex(edges[i]);
     }
-    if (corner[i] == Sign::negative && after == Sign::positive) return cross_faces(sides[i]);
+    if (corner[i] == Sign::negative && after == Sign::positive) return cross_faces(edges[i]);
   }
 }
 

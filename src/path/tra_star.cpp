@@ -98,7 +98,7 @@ void TraStar::mark_passages_between_goals() {
     const bool has_goal_outside = (marks_of(f) & (kGoal | kGoalOutside)) != 0 || std::popcount(down) > 1;
     for (std::uint32_t i = 0; i < 3; ++i) {
       if ((down >> i & 1U) == 0) continue;
-      const Face below = mesh::face(mesh_->twin(HalfEdge{3 * number(f) + i}));
+      const Face below = mesh::face(mesh_->twin(mesh::half_edge(f, i)));
       if (has_goal_outside) mark(below, kGoalOutside);
       tops_.push_back(below);
     }
@@ -114,7 +114,7 @@ unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
 unsigned TraStar::passages_down(Face f) const {
   unsigned passages = 0;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge exit{3 * number(f) + i};
+    const HalfEdge exit = mesh::half_edge(f, i);
     if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
     const HalfEdge entry = mesh_->twin(exit);
     const Face below = mesh::face(entry);
@@ -129,7 +129,7 @@ void TraStar::leave_start_face(HalfEdge h) {
   const Face f = mesh::face(h);
   const unsigned passages = passages_on(f, marks_of(f));
   for (const HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
-    if ((passages >> (number(exit) - 3 * number(f)) & 1U) == 0) continue;
+    if ((passages >> mesh::index_in(f, exit) & 1U) == 0) continue;
     follow(exit, ChannelNode::kNone,
            {ends_->start(), position_of(mesh_->target(exit)), position_of(mesh_->origin(exit))});
   }
@@ -162,8 +162,8 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
     const HalfEdge left = mesh::previous(entry);
     const HalfEdge right = mesh::next(entry);
     const unsigned passages = passages_on(f, marks);
-    const bool goes_left = (passages >> (number(left) - 3 * number(f)) & 1U) != 0;
-    const bool goes_right = (passages >> (number(right) - 3 * number(f)) & 1U) != 0;
+    const bool goes_left = (passages >> mesh::index_in(f, left) & 1U) != 0;
+    const bool goes_right = (passages >> mesh::index_in(f, right) & 1U) != 0;
     if ((marks & kGoal) != 0 || (goes_left && goes_right)) return open(exit, entry, before, sight);
     if (!goes_left && !goes_right) return;
     const Point& apex = position_of(mesh_->origin(left));
@@ -197,7 +197,7 @@ void TraStar::collect_channel(std::uint32_t goal_node) {
     for (HalfEdge entry = mesh_->twin(node.exit); entry != node.entry; entry = mesh_->twin(exits_.back())) {
       const Face f = mesh::face(entry);
       const HalfEdge left = mesh::previous(entry);
-      const bool goes_left = (passages_on(f, marks_of(f)) >> (number(left) - 3 * number(f)) & 1U) != 0;
+      const bool goes_left = (passages_on(f, marks_of(f)) >> mesh::index_in(f, left) & 1U) != 0;
       exits_.push_back(goes_left ? left : mesh::next(entry));
     }
   }

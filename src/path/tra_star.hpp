@@ -68,7 +68,7 @@ class TraStar {
   [[nodiscard]] unsigned passages_up(mesh::Face f) const {
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
-    return up == mesh::kNoHalfEdge ? 0 : 1U << (number(up) - 3 * number(f));
+    return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }
   [[nodiscard]] unsigned passages_above_goal(mesh::Face f, std::uint32_t marks) const;
   [[nodiscard]] unsigned passages_down(mesh::Face f) const;

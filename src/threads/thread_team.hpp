@@ -18,8 +18,8 @@ namespace waywright::threads {
 using Job = std::function<void()>;
 
 /// The threads that work on a large task: the calling thread and, if the caller asks for more, threads that a job
-/// system lends or that are started for each run. No result depends on the number of threads. The pieces of a run do
-/// not wait for one another, so one thread may also do them one after the other.
+/// system provides or that the team starts for each run. No result depends on the number of threads. The pieces of a
+/// run do not wait for one another, so one thread may also do them one after the other.
 class ThreadTeam {
  public:
   using Report = std::function<void(std::size_t done)>;

@@ -142,17 +142,17 @@ void write_time(const detail::DiscSearch& disc, Path& path) {
 
 /// Moves the ends at which the disc does not fit. Returns whether it fits at both ends now. If not, writes to `path`
 /// which end is blocked.
-bool World::Impl::free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
+bool World::Impl::move_blocked_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   fit_disc(query.goal, query.radius, scratch, scratch.fit);
   const std::optional<Point> goal = scratch.fit.fits ? std::optional(query.goal) : std::nullopt;
-  if (!free_disc_end(query, true, goal, scratch, path)) return false;
-  return goal || free_disc_end(query, false, query.start, scratch, path);
+  if (!move_blocked_disc_end(query, true, goal, scratch, path)) return false;
+  return goal || move_blocked_disc_end(query, false, query.start, scratch, path);
 }
 
 /// Moves one end if the disc does not fit there. Returns whether the disc fits at this end now. `other` is the other
 /// end if the disc fits there, otherwise nothing.
-bool World::Impl::free_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
-                                detail::QueryScratch& scratch, Path& path) const {
+bool World::Impl::move_blocked_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
+                                        detail::QueryScratch& scratch, Path& path) const {
   Point& end = is_start ? query.start : query.goal;
   fit_disc(end, query.radius, scratch, scratch.fit);
   if (scratch.fit.fits) return true;
@@ -209,12 +209,12 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
   disc.begun.reset();
   disc.wants_time = query.wants_time;
   if (query.wants_time || query.budget.time != std::chrono::nanoseconds::max()) disc.begun = Clock::now();
-  PathQuery freed = query;
-  if (!free_disc_ends(freed, scratch, path)) {
+  PathQuery moved = query;
+  if (!move_blocked_disc_ends(moved, scratch, path)) {
     write_time(disc, path);
     return true;
   }
-  begin_disc_search(freed, scratch);
+  begin_disc_search(moved, scratch);
   if (disc.outcome == Outcome::running) return false;
   write_path(disc, kInfinity, path);
   write_time(disc, path);

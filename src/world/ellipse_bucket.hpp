@@ -130,10 +130,10 @@ class EllipseBucket {
     const double dy = beyond(box.min.y, box.max.y, y);
     return dx * dx + dy * dy;
   }
-  /// Not negative if the box may meet the ellipse: if the box, wider by the reach on each side, contains a position of
-  /// the ellipse. Let a and b be the distances of the wider box from the foci. Then a + b <= length if and only if the
-  /// square of 2 a b is at most the square of the rest, and the rest is not negative: the rest is length^2 - a^2 - b^2.
-  /// The products of four coordinates neither overflow nor underflow.
+  /// Not negative if the box may meet the ellipse: if the box, larger by the reach in each of the four directions,
+  /// contains a position of the ellipse. Let a and b be the distances of the larger box from the foci. Then a + b <=
+  /// length if and only if the square of 2 a b is at most the square of the rest, and the rest is not negative: the
+  /// rest is length^2 - a^2 - b^2. The products of four coordinates neither overflow nor underflow.
   static double margin_of(const Block& block, std::size_t lane, const Box& box) {
     const double a2 = squared_distance(box, block.reach[lane], block.start_x[lane], block.start_y[lane]);
     const double b2 = squared_distance(box, block.reach[lane], block.goal_x[lane], block.goal_y[lane]);

@@ -17,7 +17,8 @@ namespace waywright {
   return error;
 }
 
-/// The same for the insertion of a batch. The index of the error is the index of the item in the batch.
+/// The error of the insertion of a batch that has made too many vertices. Its index is the index of the item in the
+/// batch.
 template <class Triangulation, class Batch>
 [[nodiscard]] Error limit_error(const Triangulation& triangulation, const Batch& batch) {
   const std::size_t index = triangulation.refused_index();

@@ -140,9 +140,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   void nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
   // The steps of find_disc_paths_from() and begin_disc_path().
-  [[nodiscard]] bool free_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
-  [[nodiscard]] bool free_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
-                                   detail::QueryScratch& scratch, Path& path) const;
+  [[nodiscard]] bool move_blocked_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
+  [[nodiscard]] bool move_blocked_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
+                                           detail::QueryScratch& scratch, Path& path) const;
   [[nodiscard]] std::optional<Point> find_disc_end(const PathQuery& query, const Point& end,
                                                    const std::optional<Point>& other,
                                                    detail::QueryScratch& scratch) const;

@@ -66,9 +66,9 @@ Rational squared_length(const exact::Gap& gap) {
   return area * area / (dx * dx + dy * dy);
 }
 
-// If another wall touches the circle whose diameter is a gap, the library does not call this gap a bridge. A disc that
-// is longer than the gap then fits at no position on one side of it. So the two agree about all discs that fit at both
-// ends.
+// If another wall touches the circle whose diameter is a gap, the library does not call this gap a bridge. Then a disc
+// whose diameter is larger than the gap fits at no position on the left of the gap, or at no position on its right. So
+// the library and the oracle agree about all discs that fit at both ends.
 void check_scene(const NamedScene& scene) {
   SCOPED_TRACE(scene.name);
   const disc::Connectivity oracle(walls_of(scene));

@@ -27,11 +27,11 @@ Key key_of(const PointPair& points) {
   return std::pair(a.x, a.y) < std::pair(b.x, b.y) ? Key{a.x, a.y, b.x, b.y} : Key{b.x, b.y, a.x, a.y};
 }
 
-/// What the table must contain: the uses of each line, and the number that the table gave it.
+/// What the table must contain: the uses of each line, and the slot that the table gave it.
 struct Model {
   struct Line {
     std::size_t uses = 0;
-    LineTable::Number number = LineTable::kNone;
+    LineTable::Slot slot = LineTable::kNone;
   };
   std::map<Key, Line> lines;
 
@@ -42,13 +42,13 @@ struct Model {
 
 void expect_equal(const LineTable& table, const Model& model) {
   ASSERT_EQ(table.size(), model.lines.size());
-  std::vector<LineTable::Number> numbers;
+  std::vector<LineTable::Slot> slots;
   for (const auto& [key, line] : model.lines) {
-    ASSERT_EQ(key_of(table[line.number]), key);
-    numbers.push_back(line.number);
+    ASSERT_EQ(key_of(table[line.slot]), key);
+    slots.push_back(line.slot);
   }
-  std::sort(numbers.begin(), numbers.end());
-  ASSERT_EQ(std::adjacent_find(numbers.begin(), numbers.end()), numbers.end()) << "two lines have one number";
+  std::sort(slots.begin(), slots.end());
+  ASSERT_EQ(std::adjacent_find(slots.begin(), slots.end()), slots.end()) << "two lines have one slot";
 }
 
 // Operations of random length on few different lines, so that the table frees lines, uses their records again, and
@@ -72,25 +72,25 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
     ASSERT_NO_FATAL_FAILURE(expect_equal(table, model));
     const Model before = model;
     const bool grows = operation / 300 % 2 == 0;
-    std::vector<std::pair<bool, std::array<LineTable::Number, 2>>> log;  // whether the uses were added, and the lines
-    LineTable::Number hint = LineTable::kNone;
+    std::vector<std::pair<bool, std::array<LineTable::Slot, 2>>> log;  // whether the uses were added, and the lines
+    LineTable::Slot hint = LineTable::kNone;
     for (std::int64_t i = random.between(0, 20); i > 0; --i) {
-      std::array<LineTable::Number, 2> pair{};
+      std::array<LineTable::Slot, 2> pair{};
       const bool adds = model.lines.size() < 4 || random.chance(grows ? 60 : 40);
       if (adds) {
-        for (LineTable::Number& number : pair) {
+        for (LineTable::Slot& slot : pair) {
           const PointPair points = {{coordinate(), coordinate()}, {9, coordinate()}};
-          number = random.chance(50) ? table.find_or_make(points, hint) : table.find_or_make({points.b, points.a});
+          slot = random.chance(50) ? table.find_or_make(points, hint) : table.find_or_make({points.b, points.a});
           Model::Line& line = model.lines[key_of(points)];
-          if (line.number == LineTable::kNone) line.number = number;
-          ASSERT_EQ(number, line.number) << "a second record of one line";
+          if (line.slot == LineTable::kNone) line.slot = slot;
+          ASSERT_EQ(slot, line.slot) << "a second record of one line";
         }
-        hint = static_cast<LineTable::Number>(random.below(50));
+        hint = static_cast<LineTable::Slot>(random.below(50));
         table.add_uses(pair[0], pair[1]);
       } else {
-        std::vector<LineTable::Number> used;
+        std::vector<LineTable::Slot> used;
         for (const auto& [key, line] : model.lines) {
-          if (line.uses > 0) used.push_back(line.number);
+          if (line.uses > 0) used.push_back(line.slot);
         }
         if (used.size() < 2) continue;
         const std::size_t first = random.below(used.size());
@@ -98,9 +98,9 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
         table.remove_uses(pair[0], pair[1]);
       }
       log.emplace_back(adds, pair);
-      for (const LineTable::Number number : pair) {
+      for (const LineTable::Slot slot : pair) {
         for (auto& [key, line] : model.lines) {
-          if (line.number == number) adds ? ++line.uses : --line.uses;
+          if (line.slot == slot) adds ? ++line.uses : --line.uses;
         }
       }
     }
@@ -128,9 +128,9 @@ TEST(LineTable, UsesFreedRecordsAgain) {
   MemoryUse use;
   for (int round = 0; round < 3; ++round) {
     table.begin();
-    std::vector<LineTable::Number> numbers;
-    for (int i = 0; i < 10000; ++i) numbers.push_back(table.find_or_make(line(i + round * 10000)));
-    for (std::size_t i = 0; i < numbers.size(); i += 2) table.add_uses(numbers[i], numbers[i + 1]);
+    std::vector<LineTable::Slot> slots;
+    for (int i = 0; i < 10000; ++i) slots.push_back(table.find_or_make(line(i + round * 10000)));
+    for (std::size_t i = 0; i < slots.size(); i += 2) table.add_uses(slots[i], slots[i + 1]);
     EXPECT_EQ(table.size(), 10000U);
     MemoryUse now;
     table.count_memory(now, &MemoryUse::crossings);
@@ -138,7 +138,7 @@ TEST(LineTable, UsesFreedRecordsAgain) {
       EXPECT_EQ(now.crossings, use.crossings);
     }
     use = now;
-    for (std::size_t i = 0; i < numbers.size(); i += 2) table.remove_uses(numbers[i], numbers[i + 1]);
+    for (std::size_t i = 0; i < slots.size(); i += 2) table.remove_uses(slots[i], slots[i + 1]);
     table.begin();
     EXPECT_EQ(table.size(), 0U);
   }
@@ -146,7 +146,7 @@ TEST(LineTable, UsesFreedRecordsAgain) {
 
 TEST(LineTable, FindsALineWhateverTheSignOfZero) {
   LineTable table;
-  const LineTable::Number line = table.find_or_make({{0.0, 5.0}, {-0.0, -1.0}});
+  const LineTable::Slot line = table.find_or_make({{0.0, 5.0}, {-0.0, -1.0}});
   (void)table.find_or_make({{-3.0, 5.0}, {-3.0, -1.0}});  // the sign of the first coordinate divides the two
   EXPECT_EQ(table.find_or_make({{0.0, -1.0}, {-0.0, 5.0}}), line);
   EXPECT_EQ(table.find_or_make({{-0.0, -1.0}, {-0.0, 5.0}}), line);
@@ -171,7 +171,7 @@ void add_grid(exact::Geometry& geometry, std::uint32_t count) {
   }
 }
 
-// The bytes, derived by hand: 8 for the numbers of the two lines of a vertex, in pages of 64 vertices, and less than 1
+// The bytes, derived by hand: 8 for the slots of the two lines of a vertex, in pages of 64 vertices, and less than 1
 // for the table of pages. A line takes 40 bytes, and its fork 12.
 TEST(Geometry, StoresEachLineOnce) {
   constexpr std::uint32_t kCount = 100;

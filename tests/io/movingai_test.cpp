@@ -193,7 +193,8 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
   for (std::size_t y = 0; y < rows.size(); ++y) {
     for (std::size_t x = 0; x < rows[y].size(); ++x) {
       if (covered[y][x] != is_blocked(rows[y][x])) {
-        return "cell " + std::to_string(x) + "," + std::to_string(y) + " is on the wrong side of the rings";
+        return "cell " + std::to_string(x) + "," + std::to_string(y) +
+               " is blocked outside of the rings, or free inside";
       }
     }
   }

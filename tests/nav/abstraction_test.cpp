@@ -74,7 +74,7 @@ class Expected {
       if (mesh_.is_live(Face{i}) && !triangulation.triangulation().is_ghost_face(h)) faces_.push_back(i);
     }
     for (const std::uint32_t f : faces_) {
-      for (const HalfEdge h : free_sides(f)) set_[set_of(f)] = set_of(beyond(h));
+      for (const HalfEdge h : free_half_edges(f)) set_[set_of(f)] = set_of(beyond(h));
     }
     core_.insert(faces_.begin(), faces_.end());
     for (bool is_done = false; !is_done;) {
@@ -100,15 +100,15 @@ class Expected {
     while (set_[f] != f) f = set_[f];
     return f;
   }
-  [[nodiscard]] std::vector<HalfEdge> free_sides(std::uint32_t f) const {
-    std::vector<HalfEdge> sides = {HalfEdge{3 * f}, HalfEdge{3 * f + 1}, HalfEdge{3 * f + 2}};
-    std::erase_if(sides, [&](HalfEdge h) { return mesh_.is_fixed(h); });
-    return sides;
+  [[nodiscard]] std::vector<HalfEdge> free_half_edges(std::uint32_t f) const {
+    std::vector<HalfEdge> half_edges = {HalfEdge{3 * f}, HalfEdge{3 * f + 1}, HalfEdge{3 * f + 2}};
+    std::erase_if(half_edges, [&](HalfEdge h) { return mesh_.is_fixed(h); });
+    return half_edges;
   }
   [[nodiscard]] std::uint32_t beyond(HalfEdge h) const { return number(mesh::face(mesh_.twin(h))); }
   [[nodiscard]] unsigned passages(std::uint32_t f) const {
     unsigned count = 0;
-    for (const HalfEdge h : free_sides(f)) count += core_.contains(beyond(h)) ? 1 : 0;
+    for (const HalfEdge h : free_half_edges(f)) count += core_.contains(beyond(h)) ? 1 : 0;
     return count;
   }
 

@@ -140,7 +140,8 @@ Fault check_edges(const std::vector<Edge>& edges, const Arrangement& arrangement
       return name + " is in " + std::to_string(count) + " triangles, " + (boundary ? "on" : "off") +
              " the domain's boundary";
     }
-    if (count == 2 && edge.forward == edges[i + 1].forward) return name + " has two triangles on one side";
+    if (count == 2 && edge.forward == edges[i + 1].forward)
+      return name + " has two triangles on its left, or two on its right";
     if (count == 2 && !constrained) {
       if (const Fault fault = check_empty_circle(edge, edges[i + 1], arrangement)) return fault;
     }

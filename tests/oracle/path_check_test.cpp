@@ -90,7 +90,7 @@ TEST(OraclePath, MayNotPassADoubleCorner) {
 }
 
 TEST(OraclePath, MaySlideBetweenASolidAndAWallOnlyWhereThereIsRoom) {
-  // No path runs between two boxes side by side. A path runs along the inner side of a hole.
+  // No path runs along the side that two boxes share. A path may run along the sides of a hole.
   const OracleScene boxes = square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 2}, {6, 4})});
   EXPECT_THAT(fault_of(boxes, {{4, 2}, {4, 4}}), HasSubstr("inside of a solid after (4 2)"));
   EXPECT_THAT(fault_of(boxes, {{4, 1}, {4, 5}}), HasSubstr("where walls meet, (4 2)"));

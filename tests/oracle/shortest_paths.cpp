@@ -69,8 +69,8 @@ struct ShortestPaths::Impl {
     });
   }
 
-  /// Returns which sides of a piece of a wall are free: left and right of it, seen along it.
-  [[nodiscard]] std::pair<bool, bool> free_sides(std::uint32_t from, std::uint32_t to) const {
+  /// Returns whether a path can run along a piece of a wall on its left, and whether it can on its right.
+  [[nodiscard]] std::pair<bool, bool> is_free_left_and_right(std::uint32_t from, std::uint32_t to) const {
     const bool vertical = compare_x(vertices[from], vertices[to]) == 0;
     const ExactPoint middle = Grid::midpoint(vertices[from], vertices[to]);
     const Cover within = cover_of(oracle.domain, middle, vertical);
@@ -87,7 +87,7 @@ struct ShortestPaths::Impl {
 
   void collect_spokes() {
     for (const OracleConstraint& piece : oracle.arrangement.constraints) {
-      const auto [left, right] = free_sides(piece.from, piece.to);
+      const auto [left, right] = is_free_left_and_right(piece.from, piece.to);
       hubs[piece.from].spokes.push_back({piece.to, left, right});
       hubs[piece.to].spokes.push_back({piece.from, right, left});
     }
@@ -125,7 +125,8 @@ struct ShortestPaths::Impl {
     return static_cast<std::uint32_t>(found - spokes.begin());
   }
 
-  /// Returns whether one of the two sides of a piece of a wall leads from a node's wedge into another node's wedge.
+  /// Returns whether a path along a piece of a wall, on its left or on its right, leads from a node's wedge into
+  /// another node's wedge.
   [[nodiscard]] bool are_connected_along_wall(const Node& u, std::uint32_t spoke_u, const Node& v,
                                               std::uint32_t spoke_v) const {
     const auto before = [&](const Node& node, std::uint32_t spoke) {

@@ -74,7 +74,7 @@ TEST_P(PointPaths, StraightFromWallToWall) {
   expect_straight({8, 1.5}, {3, 6});
   expect_straight({8, 2}, {9, 2});
   // A point behind a wall or behind the inside of a solid is not near.
-  EXPECT_EQ(path_of(world, {1, 5}, {3, 5}).length, 2.0) << "the wall's near side is its far side too";
+  EXPECT_EQ(path_of(world, {1, 5}, {3, 5}).length, 2.0) << "a path may end on the wall, and cross no wall for this";
   EXPECT_DOUBLE_EQ(path_of(world, {2, 5}, {4, 5}).length, 2 * std::numbers::sqrt2);
   EXPECT_DOUBLE_EQ(path_of(world, {8, 1}, {9, 2}).length, 2.0);
   EXPECT_DOUBLE_EQ(path_of(world, {8, 1.5}, {9, 1.5}).length, 2.0);
@@ -94,9 +94,9 @@ TEST_P(PointPaths, AroundTheNearerSideOfASolid) {
   EXPECT_DOUBLE_EQ(path.length, 2 + 4 * std::numbers::sqrt2);
 }
 
-// Around a wedge whose tip touches the boundary. A path can reach the tip from both sides, and all faces there belong
-// to dead-end trees. The item that was inserted and removed may have changed which face is the root.
-TEST_P(PointPaths, OnTheNearerSideToATipThatPartsTheGround) {
+// Around a wedge whose tip touches the boundary. A path can reach the tip from its left and from its right, and all
+// faces there belong to dead ends. The item that was inserted and removed may have changed which face is the root.
+TEST_P(PointPaths, TakesTheShorterWayToATipThatDividesTheGround) {
   const double length = 2 * std::numbers::sqrt2 + std::sqrt(45.0);
   for (int guest = 0; guest < 10; ++guest) {
     World world = world_of(kTen, {{ItemKind::polygon, {{{5, 0}, {8, 6}, {2, 6}}}}});
@@ -155,7 +155,7 @@ TEST_P(PointPaths, HolesAreRoomsOfTheirOwn) {
 
 TEST_P(PointPaths, NoPathAlongASideThatTwoSolidsShare) {
   const World world = world_of(kTen, {rectangle(2, 2, 5, 8), rectangle(5, 2, 8, 8)});
-  // The point is strictly inside neither solid, but has a solid on each side.
+  // The point is strictly inside neither solid, but one solid lies left of it, and the other one right of it.
   EXPECT_EQ(path_of(world, {5, 5}, {1, 1}).status, PathStatus::no_path);
   EXPECT_EQ(path_of(world, {5, 5}, {5, 5}).status, PathStatus::found);
   EXPECT_EQ(path_of(world, {5, 2}, {5, 8}).points.size(), 4U) << "around one of the solids";
@@ -200,9 +200,9 @@ TEST(ShortestPaths, AroundATipThatAlmostTouchesAWall) {
   EXPECT_NEAR(path.length, length_of({query.start, end, corner, tip, query.goal}), 1e-12);
 }
 
-// On one side of a bent wall the search knows that the corner is near. On the other side the corner is far, and that
-// knowledge does not apply.
-TEST(ShortestPaths, WhatIsNearOnOneSideOfAWallIsNotOnTheOther) {
+// In the wedge outside of a bent wall, the path to the bend is short. In the wedge inside, it is long. The search must
+// not use the length of the first path in the second wedge.
+TEST(ShortestPaths, TheDistanceOfABendInOneWedgeIsNotItsDistanceInTheOther) {
   const World world = world_of(kTen, {{ItemKind::polyline, {{{0, 6}, {6, 6}, {6, 1}}}}});
   const Path path = world.find_path({{9, 7}, {1, 5}}).value();
   EXPECT_NEAR(path.length, length_of({{9, 7}, {6, 1}, {1, 5}}), 1e-12);

@@ -56,8 +56,10 @@ TEST(Clear, NoPolylineLeadsThroughAPointWhereWallsMeet) {
   EXPECT_FALSE(is_clear(world, {{1, 5}, {9, 5}}));
   EXPECT_FALSE(is_clear(world, {{1, 5}, {5, 5}, {9, 5}}));
   EXPECT_TRUE(is_clear(world, {{1, 5}, {5, 5}, {1, 9}}));
-  EXPECT_TRUE(is_clear(world, {{5, 5}, {9, 5}})) << "a start on the wall may leave on either side";
-  EXPECT_FALSE(is_clear(world, {{1, 5}, {5, 5}, {5, 9}, {9, 9}})) << "it stays on its side of the wall";
+  EXPECT_TRUE(is_clear(world, {{5, 5}, {9, 5}}))
+      << "from a start on the wall, the agent may leave to the left or to the right";
+  EXPECT_FALSE(is_clear(world, {{1, 5}, {5, 5}, {5, 9}, {9, 9}}))
+      << "the agent would pass from the left of the wall to its right";
   EXPECT_TRUE(is_clear(world, {{1, 5}, {5, 5}, {5, 9}, {1, 9}}));
 }
 

@@ -106,34 +106,28 @@ void print(const ChangeCounts& counts) {
             << " comparisons with rebuilds, " << counts.oracles << " with the oracle";
 }
 
-struct BridgesCounts {
+/// The number of steps of some worlds, and the number of steps or changes that were undone.
+struct UndoCounts {
   std::size_t steps = 0;
   std::size_t undone = 0;
 
-  BridgesCounts& operator+=(const BridgesCounts& other) {
+  UndoCounts& operator+=(const UndoCounts& other) {
     steps += other.steps;
     undone += other.undone;
     return *this;
   }
 };
 
+struct BridgesCounts : UndoCounts {};
+
 void print(const BridgesCounts& counts) {
   std::cout << counts.steps << " changes, " << counts.undone << " steps undone";
 }
 
-struct RollbackCounts {
-  std::size_t steps = 0;
-  std::size_t changes = 0;
-
-  RollbackCounts& operator+=(const RollbackCounts& other) {
-    steps += other.steps;
-    changes += other.changes;
-    return *this;
-  }
-};
+struct RollbackCounts : UndoCounts {};
 
 void print(const RollbackCounts& counts) {
-  std::cout << counts.steps << " rollbacks, " << counts.changes << " changes taken back";
+  std::cout << counts.steps << " rollbacks, " << counts.undone << " changes taken back";
 }
 
 void print(const HistoryCounts& counts) {

@@ -7,8 +7,8 @@
 #include "waywright/scene.hpp"
 
 /// Readers of the input formats of other triangulators; only tests use them. They throw std::runtime_error for text
-/// that does not follow its format. Items are numbered from 1. The domain is the bounding box, enlarged on each side by
-/// an eighth of its larger extent, by 1 at least, and to whole numbers.
+/// that does not follow its format. Items are numbered from 1. The domain is the bounding box, enlarged in each of the
+/// four directions by an eighth of its larger extent, by 1 at least, and to whole numbers.
 namespace waywright::test {
 
 /// Reads a file of artem-ogre/CDT: `V E`, then V points, then E pairs of indices from 0. Points on no edge become

@@ -59,8 +59,8 @@ TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
   }
 }
 
-// Two blocked cells touch at (1, 1). A path that starts there may start on either side, and the sides are far from each
-// other.
+// Two blocked cells touch at (1, 1). A path that starts there may start in either of the two free areas at this point,
+// and no short path leads from one area to the other.
 TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
   TemporaryFolder folder;
   const std::string map = folder.file("u.map", "type octile\nheight 4\nwidth 4\nmap\n@...\n.@..\n....\n....\n");

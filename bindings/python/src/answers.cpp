@@ -24,7 +24,8 @@ std::string text_of(const std::vector<ItemId>& ids) {
 }
 
 void bind_location(py::module_& module) {
-  py::class_<Location>(module, "Location", "The answer of World.locate(): what the mesh has at a point.")
+  py::class_<Location>(module, "Location",
+                       "The answer of World.locate(): the vertex, edge or face at a point, and the polygons there.")
       .def_property_readonly(
           "kind", [](const Location& self) { return self.kind; }, "'vertex', 'edge' or 'face'.")
       .def_property_readonly(
@@ -62,13 +63,13 @@ void bind_ray_hit(py::module_& module) {
           "hit", [](const RayHit& self) { return self.hit; }, "Whether there is a wall.")
       .def_property_readonly(
           "at", [](const RayHit& self) { return self.at; },
-          "Where the segment touches the wall, or where the centre of the disc is then.")
+          "Where the segment touches the wall, or where the centre of the disc is when the disc touches the wall.")
       .def_property_readonly(
           "contact", [](const RayHit& self) { return self.contact; },
           "The position on the walls that is nearest to ``at``.")
       .def_property_readonly(
           "items", [](const RayHit& self) { return self.items; },
-          "The ids of the items that are touched, ascending; 0 is the border of the domain.")
+          "The ids of the items that the segment or the disc touches, ascending; 0 is the border of the domain.")
       .def("__bool__", [](const RayHit& self) { return self.hit; })
       .def(
           "__eq__", [](const RayHit& a, const RayHit& b) { return a == b; }, py::is_operator())
@@ -133,11 +134,12 @@ void bind_widest(py::module_& module) {
                          "every larger disc.")
       .def_property_readonly(
           "is_connected", [](const WidestPath& self) { return self.is_connected; },
-          "Whether the walls leave a connection at all.")
+          "Whether a disc of some radius above 0 can move from the start to the goal.")
       .def_property_readonly(
           "is_limited", [](const WidestPath& self) { return self.is_limited; }, "Whether a gap limits the disc.")
       .def_property_readonly(
-          "radius", [](const WidestPath& self) { return self.radius; }, "The largest radius.")
+          "radius", [](const WidestPath& self) { return self.radius; },
+          "The largest radius of a disc that passes all gaps.")
       .def_property_readonly(
           "gap", [](const WidestPath& self) { return py::make_tuple(self.from, self.to); }, "The two ends of the gap.")
       .def_property_readonly(

@@ -96,7 +96,7 @@ bool is_usable(const PathPiece& piece) {
          is_in_range(piece.radius);
 }
 
-/// Returns the same for a path. A damaged pickle can fail here.
+/// Returns whether the numbers of a path are plausible. The numbers in a damaged pickle may not be.
 bool is_usable(const Path& path) {
   return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.radius) && path.radius >= 0.0 &&
          std::all_of(path.points.begin(), path.points.end(), [](const Point& point) { return is_in_range(point); }) &&
@@ -184,7 +184,7 @@ The result is rounded so that it does not lie beyond a wall. ``precision`` is 'f
           "Returns the position on the path that is nearest to a point.")
       .def(
           "walk", [](const Path& self, double step) { return own_points(walk(found(self), step)); }, py::arg("step"),
-          R"(Returns the points that an agent reaches which starts at the start and walks ``step`` in each tick.
+          R"(Returns the positions of an agent that starts at the start of the path and walks ``step`` in each tick.
 
 >>> world.find_path((10, 70), (30, 70)).walk(8)
 array([[10., 70.],
@@ -208,14 +208,16 @@ void bind_facts(PathClass& path) {
       .def_property_readonly(
           "found", [](const Path& self) { return self.status == PathStatus::found; }, "Whether there is a path.")
       .def_property_readonly(
-          "length", [](const Path& self) { return self.length; }, "The length; 0 unless found.")
+          "length", [](const Path& self) { return self.length; }, "The length; 0 if there is no path.")
       .def_property_readonly(
-          "lower_bound", [](const Path& self) { return self.lower_bound; }, "No path is shorter.")
+          "lower_bound", [](const Path& self) { return self.lower_bound; },
+          "A lower bound: no path is shorter than this number.")
       .def_property_readonly(
           "radius", [](const Path& self) { return self.radius; }, "The radius of the agent.")
       .def_property_readonly(
           "points", [](const py::object& self) { return view_points(self.cast<const Path&>().points, self); },
-          "The start, the turns and the goal: an array that shares the memory of the path. Empty for a radius above 0.")
+          "The start, the turns and the goal: an array that shares the memory of the path. It is empty for a "
+          "radius above 0.")
       .def_property_readonly(
           "pieces", &pieces_of,
           "The lines and arcs of a path for a radius above 0: a structured array with the fields kind "
@@ -230,16 +232,17 @@ void bind_facts(PathClass& path) {
           "The seconds that the search took, if the query wants them.")
       .def_property_readonly(
           "moved_start", [](const Path& self) { return moved(self.moved_start); },
-          "If the search moved the start: where it was, and where the path begins. Otherwise None.")
+          "If the search moved the start: the start of the query, and the point where the path begins. Otherwise None.")
       .def_property_readonly(
           "moved_goal", [](const Path& self) { return moved(self.moved_goal); },
-          "If the search moved the goal: where it was, and where the path ends. Otherwise None.")
+          "If the search moved the goal: the goal of the query, and the point where the path ends. Otherwise None.")
       .def_property_readonly(
           "blockers", [](const Path& self) { return self.blockers; },
           "The ids of the items that block an end, ascending.")
       .def_property_readonly(
           "widest", [](const Path& self) { return self.widest; },
-          "The largest disc that gets through, if this one does not: a WidestPath or None.");
+          "A WidestPath: the largest disc that can move from start to goal, if the disc of the query cannot. Otherwise "
+          "None.");
 }
 
 }  // namespace

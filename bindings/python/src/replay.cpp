@@ -78,13 +78,13 @@ void bind_result(py::module_& module) {
           "is_same", [](const ReplayResult& self) { return self.is_same; },
           "Whether all changes were made and all hashes are equal.")
       .def_property_readonly(
-          "ticks", [](const ReplayResult& self) { return self.ticks; }, "The ticks that were replayed.")
+          "ticks", [](const ReplayResult& self) { return self.ticks; }, "The number of ticks that were replayed.")
       .def_property_readonly(
           "tick", [](const ReplayResult& self) { return self.tick; },
           "The first tick whose hash differs, or during which a change was refused.")
       .def_property_readonly(
           "last_same", [](const ReplayResult& self) { return self.last_same; },
-          "The last tick before it whose hash is equal, or 0.")
+          "The last tick before ``tick`` whose hash is equal, or 0.")
       .def_property_readonly(
           "line", [](const ReplayResult& self) { return self.line; }, "The line in the log.")
       .def_property_readonly(

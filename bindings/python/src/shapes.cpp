@@ -163,7 +163,7 @@ One of several changes that World.apply() makes together.
       .def_property_readonly(
           "kind", [](const Change& self) { return self.kind; }, "'insert', 'remove' or 'replace'.")
       .def_property_readonly(
-          "id", [](const Change& self) { return self.id; }, "The id of the item; 0 if the world shall choose it.")
+          "id", [](const Change& self) { return self.id; }, "The id of the item; 0 if the world chooses the id.")
       .def_property_readonly(
           "shape", [](const Change& self) { return self.shape; }, "The shape of an insertion or a replacement.")
       .def(

@@ -65,7 +65,7 @@ std::string repr_of(const PathChanges& changes) {
 void bind_path_changes(py::module_& module) {
   py::class_<PathChanges>(
       module, "PathChanges",
-      "The answer of PathWatch.update(): the keys of the paths that the operations concern, ascending.")
+      "The answer of PathWatch.update(): the keys of the paths that the operations affect, ascending.")
       .def_property_readonly(
           "blocked", [](const PathChanges& self) { return self.blocked; },
           "The paths of point agents that are not clear any more.")

@@ -111,7 +111,7 @@ True
             return self.write([&](World& w) { return w.would_disconnect(list, points.span(), radius).value(); });
           },
           py::arg("changes"), py::arg("points"), py::arg("radius") = 0.0,
-          R"(Returns whether changes would wall an agent in: cut off one of the points from another, or block it.
+          R"(Returns whether changes would block one of the points, or disconnect it from another one.
 
 >>> world.would_disconnect(waywright.Shape.segment((30, 0), (30, 100)), [(10, 50), (90, 50)])
 True

@@ -143,9 +143,9 @@ def find_paths(
 ) -> PathBatch:
     """Finds a path for each pair of a start and a goal, on several threads.
 
-    ``radius`` is one number, or one for each query. With ``tolerance``, the points of a disc's path are those of
+    ``radius`` is one number, or one for each query. With ``tolerance``, the points of a disc's path are the points of
     Path.polyline(). Without ``wants_points``, the answer has statuses and lengths only. ``progress`` is a function of two
-    numbers, what is done and the total, or True for a bar of tqdm. Ctrl-C ends the call.
+    numbers, how much is done and the total, or True for a bar of tqdm. Ctrl-C ends the call.
 
     >>> batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], radius=5, threads=2)
     >>> batch.lengths.round(3)

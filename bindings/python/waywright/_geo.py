@@ -28,7 +28,7 @@ def _object_of(source: Any) -> Geometry:
 
 
 def geometry_of(source: Any) -> Geometry:
-    """Returns the GeoJSON geometry of an object: of a feature its geometry."""
+    """Returns the GeoJSON geometry of an object. If the object is a feature, returns the geometry of the feature."""
     geometry = _object_of(source)
     if geometry.get("type") != "Feature":
         return geometry

@@ -30,9 +30,10 @@ def _axes(ax: Axes | None) -> Axes:
 
 
 def _directed(rings: list[np.ndarray]) -> list[np.ndarray]:
-    """Returns rings whose directions alternate from ring to ring inside it.
+    """Returns the rings in such directions that the rule 'nonzero' fills the area that 'even-odd' fills.
 
-    matplotlib fills by the rule 'nonzero'. Directed in this manner, rings that do not cross show what 'even-odd' fills.
+    matplotlib fills by the rule 'nonzero'. A ring directly inside another ring gets the opposite direction. This is
+    exact for rings that do not cross.
     """
     from matplotlib.path import Path as Outline
 

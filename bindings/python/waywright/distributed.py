@@ -1,8 +1,9 @@
 """Queries on a cluster of Dask: many queries over one world, or many worlds over one batch of queries.
 
-A world travels to each worker once, as the bytes of a saved world. Each worker checks its hash. Later changes travel as
-operations, and each worker carries them out before it answers the next query about the changed world. A worker that dies
-or joins late gets the same bytes and operations, and so gives the same answers.
+The program sends a world to each worker once, as the bytes of a saved world. Each worker checks the hash of the world.
+The program sends later changes as operations, and each worker carries them out before it answers the next query about
+the changed world. A worker that joins late, or replaces a dead worker, gets the same bytes and operations, and so gives
+the same answers.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ class WorkerError(RuntimeError):
 
 
 class State(NamedTuple):
-    """Which world, after which operation, and the hash of its items."""
+    """The state of a world: the name of the world, the number of its operations, and the hash of its items."""
 
     name: str
     version: int
@@ -66,7 +67,7 @@ class _Worlds:
 
     @contextmanager
     def use(self, base: bytes, base_state: State, updates: Sequence[Update]):
-        """Gives the world after the updates. No other task changes it meanwhile."""
+        """Gives the world after the updates. No other task changes the world until this task has used it."""
         with self._lock:
             kept = self._at(base, base_state, updates)
             kept.users += 1
@@ -149,8 +150,8 @@ def _answer(
 class DistributedWorld:
     """A world on all workers of a Dask client.
 
-    It starts as a copy of ``world``. Use apply() to change it. The answers are those of World.find_paths(), whatever the
-    workers do.
+    It starts as a copy of ``world``. Use apply() to change it. The answers equal the answers of World.find_paths(). They
+    do not depend on the workers.
 
     >>> with distributed.Client() as client:                       # doctest: +SKIP
     ...     everywhere = waywright.distributed.DistributedWorld(client, world)

@@ -113,10 +113,10 @@ export interface PathPiece {
   readonly kind: 'line' | 'arc';
   readonly from: Point;
   readonly to: Point;
-  /** Of an arc. */
+  /** The centre and the radius of an arc. They have no meaning for a line. */
   readonly centre: Point;
   readonly radius: number;
-  /** Of an arc, in radians. If `endAngle` is larger, the arc turns left. */
+  /** The angles of an arc, in radians. If `endAngle` is larger, the arc turns left. */
   readonly startAngle: number;
   readonly endAngle: number;
 }
@@ -241,15 +241,15 @@ function readPosition(struct: number, position: PathPosition): PathPosition {
 /** Facts about a path. */
 export interface PathInfo {
   readonly status: PathStatus;
-  /** 0 unless found. */
+  /** The length; 0 if there is no path. */
   readonly length: number;
-  /** No path is shorter. */
+  /** A lower bound: no path is shorter than this number. */
   readonly lowerBound: number;
-  /** As in the query. */
+  /** The radius of the agent, as in the query. */
   readonly radius: number;
   /** How many triangles the search has entered. */
   readonly expansions: number;
-  /** 0 unless the query has asked for the time. */
+  /** The time of the search; 0 unless the query has asked for the time. */
   readonly nanoseconds: number;
   readonly pointCount: number;
   readonly pieceCount: number;

@@ -34,13 +34,13 @@ let initialStack = 0;
 /** How often the module was unloaded. An object of an earlier module no longer exists. */
 export let generation = 0;
 
-/** What forgets its addresses when the module is unloaded. */
+/** The functions that drop addresses of the module when the module is unloaded. */
 const forgetters: (() => void)[] = [];
 export function onUnload(forget: () => void): void {
   forgetters.push(forget);
 }
 
-/** What forgets objects that a trapped call may have left unfinished. */
+/** The function that drops objects that a call may have left unfinished when a trap stopped it. */
 let forgetUnfinished = (): void => undefined;
 export function onTrap(forget: () => void): void {
   forgetUnfinished = forget;

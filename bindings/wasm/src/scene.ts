@@ -130,10 +130,11 @@ export interface ScriptLine {
   readonly to: Point;
   /** Whether a line `ray` has a radius. */
   readonly hasRadius: boolean;
-  /** 0 if the line has none. */
+  /** The radius in the line; 0 if the line has no radius. */
   readonly radius: number;
-  /** Null if the line has none. */
+  /** The algorithm in the line, or null if the line has no algorithm. */
   readonly algorithm: PathAlgorithm | null;
+  /** The tolerance in the line, or null if the line has no tolerance. */
   readonly endTolerance: number | null;
   readonly hasGoal: boolean;
   /** Of a line `tick`: its number. Of a line `mark` or `rewind`: the tick of `World.mark`. */

@@ -56,7 +56,7 @@ export abstract class WorldHistory extends WorldItems {
   /**
    * Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. The question
    * gets this world. It may make queries, but no changes, clones, searches in slices, path watches and replay logs of this
-   * world. It answers at once: a promise is refused.
+   * world. It must return its answer at once: `attempt` refuses a promise.
    */
   attempt<T>(changes: readonly Change[], question: (changed: this) => T): T {
     if (typeof question !== 'function') refuse(`the question is ${shown(question)}, not a function`);

@@ -2,7 +2,7 @@
 import { Mesh, type World } from 'waywright';
 import { type BridgesAnswer, LEVEL, type MeshAnswer } from './protocol';
 
-/** For each side of each triangle: the triangle on its other side, -1 for none, -2 if the edge is a wall. */
+/** For each edge of each triangle: the triangle beyond the edge, -1 for none, -2 if the edge is a wall. */
 interface Adjacency {
   readonly neighbours: Int32Array;
   readonly freeEdges: Uint32Array;

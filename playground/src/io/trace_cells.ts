@@ -120,7 +120,7 @@ class Tracer {
   }
 }
 
-/** Returns one polygon for each group of blocked cells. Cell (x, y) is the square from there to (x + 1, y + 1). */
+/** Returns one polygon for each group of blocked cells. Cell (x, y) is the square from (x, y) to (x + 1, y + 1). */
 export function traceCells(rows: readonly string[], count: CornerCount): Item[] {
   return new Tracer(rows, count).run();
 }

@@ -9,7 +9,7 @@ export type FillRule = 'even-odd' | 'nonzero';
 export type Algorithm = 'optimal' | 'ta' | 'tra';
 export const ALGORITHMS: readonly Algorithm[] = ['optimal', 'ta', 'tra'];
 
-/** The shape of an item, as a world script has it. The side from the last corner of a ring to the first is implied. */
+/** The shape of an item, as a world script has it. The side from the last corner of a ring to the first belongs to the ring. */
 export type Item =
   | { readonly kind: 'point'; readonly xy: XY }
   | { readonly kind: 'segment'; readonly points: readonly [XY, XY] }

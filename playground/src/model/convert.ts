@@ -42,7 +42,7 @@ function toNumber(id: ItemId): number {
 
 const toPoint = (pair: Pair): XY => ({ x: pair[0], y: pair[1] });
 
-/** The ends of a new world: those of the file, or two opposite corners. */
+/** The ends of the path in a new world: the ends in the file, or two opposite corners of the domain. */
 function endsFor([x0, y0, x1, y1]: Bounds, given: { start?: Pair | null; goal?: Pair | null; radius?: number }): Ends {
   const at = (part: number): XY => ({ x: x0 + part * (x1 - x0), y: y0 + part * (y1 - y0) });
   return {

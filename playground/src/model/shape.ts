@@ -4,7 +4,7 @@ export type Kind = 'point' | 'segment' | 'polyline' | 'polygon';
 
 export interface Shape {
   readonly kind: Kind;
-  /** x, y of all points, those of the rings one after the other. */
+  /** x, y of all points, ring after ring. */
   readonly points: Float64Array;
   /** The number of points of each ring of a polygon with several rings. */
   readonly rings?: readonly number[];

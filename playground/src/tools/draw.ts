@@ -203,7 +203,7 @@ export class ChainTool extends CornersTool {
   readonly id = 'chain';
   readonly label = 'Chain';
   readonly key = 'c';
-  readonly hint = 'Click the corners of a chain of walls. Enter, or a second click on the last corner, ends it.';
+  readonly hint = 'Click the corners of a chain. Its straight pieces are walls. Enter, or a second click on the last corner, ends it.';
   protected readonly kind = 'polyline';
   protected readonly least = 2;
 }

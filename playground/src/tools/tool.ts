@@ -7,7 +7,7 @@ import type { View } from '../view/view';
 export interface Press {
   /** The position in the world, on the grid if snapping is on. */
   readonly at: XY;
-  /** The same without the grid. */
+  /** The position in the world, also if snapping is on. */
   readonly exact: XY;
   readonly adds: boolean;
 }

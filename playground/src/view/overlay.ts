@@ -89,7 +89,7 @@ function drawDot(context: Context, at: XY, radius: number, colour: string, ring:
   context.stroke();
 }
 
-/** The gap that is too narrow, or the one that limits the largest disc, and the items on its two sides. */
+/** The gap that is too narrow, or the one that limits the largest disc, and the items at its two ends. */
 export function drawGap(context: Context, camera: Camera, session: Session, theme: Theme): void {
   const { routes, document } = session;
   if (routes === null) return;
