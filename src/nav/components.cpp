@@ -80,7 +80,7 @@ void Components::remove_changed_faces(std::span<const Face> changed) {
 
 /// Finds the groups of new faces and their old neighbours. An old face is a face that has not changed, and its edges
 /// have not changed, either. So if an old component has lost faces, each of its remaining pieces has a passage to a new
-/// face: each piece contains an old neighbour of a group. Groups that share a wall are in one region.
+/// face: each piece contains an old neighbour of a group.
 void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
   groups_.clear();
   group_sets_.clear();
@@ -96,16 +96,14 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
     const auto begin = static_cast<std::uint32_t>(faces_.size());
     const std::uint32_t group_mark = next_mark_++;
     group_sets_.push_back(group);
-    regions_.push_back(group);
     set_mark(f, group_mark);
     faces_.push_back(f);
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const HalfEdge h = mesh::half_edge(faces_[i], k);
+        if (!PointAgent::can_cross(mesh, h)) continue;
         const Face other = mesh::face(mesh.twin(h));
-        if (!PointAgent::can_cross(mesh, h)) {
-          if (mark(other) >= group_mark_) unite(regions_, group, mark(other) - group_mark_);
-        } else if (ids_[number(other)] != kNone) {
+        if (ids_[number(other)] != kNone) {
           old_neighbours_.push_back({ids_[number(other)], group, other});
         } else if (mark(other) == no_group) {
           set_mark(other, group_mark);
@@ -178,17 +176,6 @@ void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remain
     }
   }
   free_record(remainder.component);
-}
-
-std::uint32_t Components::root_of(std::vector<std::uint32_t>& sets, std::uint32_t i) {
-  while (sets[i] != i) i = sets[i] = sets[sets[i]];
-  return i;
-}
-
-void Components::unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j) {
-  const std::uint32_t a = root_of(sets, i);
-  const std::uint32_t b = root_of(sets, j);
-  sets[std::max(a, b)] = std::min(a, b);
 }
 
 Components::Id Components::add_record(std::uint32_t size, Set cover) {

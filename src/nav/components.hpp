@@ -17,6 +17,7 @@
 #include "memory/journaled_array.hpp"
 #include "memory/pages.hpp"
 #include "nav/cover_tree.hpp"
+#include "nav/disjoint_sets.hpp"
 
 namespace waywright::nav {
 
@@ -166,6 +167,7 @@ class Components {
   // Finding pieces.
   void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
+  void find_regions(const mesh::TriangleMesh& mesh);
   void start_searches(std::span<const OldNeighbour> old_neighbours);
   void start_search(std::uint32_t group);
   void search_beside(const mesh::TriangleMesh& mesh, std::uint32_t region);
@@ -177,10 +179,6 @@ class Components {
   void note_found(std::uint32_t search, mesh::Face f);
   void unite_searches(std::uint32_t i, std::uint32_t j);
   void add_piece(std::uint32_t set, Id component);
-
-  // Disjoint sets of groups, or of searches, stored as trees. The root of a tree is the first member of the set.
-  [[nodiscard]] static std::uint32_t root_of(std::vector<std::uint32_t>& sets, std::uint32_t i);
-  static void unite(std::vector<std::uint32_t>& sets, std::uint32_t i, std::uint32_t j);
 
   // Marks of faces.
   [[nodiscard]] std::uint32_t mark(mesh::Face f) const { return marks_.has_room(number(f)) ? marks_[number(f)] : 0; }
@@ -231,11 +229,11 @@ class Components {
   std::uint32_t search_mark_ = 0;  ///< mark of the first search
   std::vector<mesh::Face> faces_;  ///< new faces, group by group
   std::vector<Group> groups_;
-  std::vector<std::uint32_t> group_sets_;     ///< the sets of connected groups, as root_of() reads them
-  std::vector<std::uint32_t> regions_;        ///< the sets of groups that share walls, as root_of() reads them
+  std::vector<std::uint32_t> group_sets_;     ///< the sets of connected groups, see root_of()
+  std::vector<std::uint32_t> regions_;        ///< the sets of groups that share walls; empty until find_regions()
   std::vector<OldNeighbour> old_neighbours_;  ///< by component, then by group
   std::vector<Search> searches_;              ///< the first search_sets_.size() of them search one old component
-  std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, as root_of() reads them
+  std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, see root_of()
   std::vector<std::uint32_t> compared_;       ///< a search of each unfinished set beside the region of search_beside()
   std::uint32_t round_ = 0;                   ///< see Search::round
   std::vector<Remainder> remainders_;         ///< of all old components

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "nav/components.hpp"
@@ -49,6 +50,7 @@ void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_div
 /// *An on-line edge-deletion problem*, JACM 1981 (searches that run alternately).
 void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end) {
   const std::span neighbours(old_neighbours_.data() + begin, end - begin);
+  if (regions_.empty()) find_regions(mesh);
   start_searches(neighbours);
   const auto count = static_cast<std::uint32_t>(search_sets_.size());
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -73,6 +75,20 @@ void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin
     size -= remainders_.back().size;
   }
   remainders_.push_back({component, searches_[rest].group, size, false, begin, end});
+}
+
+/// Makes one region of each set of groups that share walls.
+void Components::find_regions(const mesh::TriangleMesh& mesh) {
+  regions_.resize(groups_.size());
+  std::iota(regions_.begin(), regions_.end(), 0U);
+  for (std::uint32_t group = 1; group < groups_.size(); ++group) {
+    for (std::uint32_t i = groups_[group].begin; i < groups_[group].end; ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = mark(mesh::face(mesh.twin(mesh::half_edge(faces_[i], k)))) - group_mark_;
+        if (other < group) unite(regions_, group, other);
+      }
+    }
+  }
 }
 
 /// Starts one search for each set of groups that are already known to be connected, from all their old neighbours.
