@@ -8,7 +8,8 @@ Each FILE is the output of `./dev bench --benchmark_out=FILE --benchmark_out_for
 Several files count as one longer run. Prints a Markdown table: for each workload and contender the median time of an
 operation in microseconds, the spread of the repetitions (the width of their middle half in per cent of the median), the
 number of vertices, and for rivals the ratio ours / rival (below 1: the library is faster). If a contender failed at a
-workload, its row contains the error.
+workload, its row contains the error. A second table lists the benchmarks without a time of an operation, with the medians
+of their counters.
 """
 
 import json
@@ -18,11 +19,44 @@ from collections import defaultdict
 
 OURS = "waywright"
 FAILED = "failed: "
+OF_EACH_RUN = (  # numbers of a run that are not counters
+    "family_index",
+    "per_family_instance_index",
+    "repetitions",
+    "repetition_index",
+    "threads",
+    "iterations",
+    "real_time",
+    "cpu_time",
+)
 TIMED_BY = ("manual_time", "process_time", "real_time")  # suffixes that the benchmark library adds to names
 
 
 def is_ours(contender):
     return contender == OURS or contender.startswith(OURS + "_")
+
+
+def each_run(file_names):
+    """Yields (parts of the name, results) of each run, in the order in which the program registered the benchmarks."""
+    for file_name in file_names:
+        with open(file_name, encoding="utf-8") as file:
+            report = json.load(file)
+        # Interleaving changes the order of the runs.
+        for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
+            if run.get("run_type") != "aggregate":
+                yield [part for part in run["run_name"].split("/") if ":" not in part and part not in TIMED_BY], run
+
+
+def read_counters(file_names):
+    """Returns {benchmark: {counter: [value, ...]}} of the benchmarks without a time of an operation."""
+    counters = defaultdict(lambda: defaultdict(list))
+    for parts, run in each_run(file_names):
+        if run.get("error_occurred") or "per_op" in run:
+            continue
+        for name, value in run.items():
+            if isinstance(value, (int, float)) and not isinstance(value, bool) and name not in OF_EACH_RUN:
+                counters["/".join(parts)][name].append(value)
+    return counters
 
 
 def read_runs(file_names):
@@ -31,19 +65,13 @@ def read_runs(file_names):
     For a contender that failed, the list contains the error, a string, instead.
     """
     runs = defaultdict(lambda: defaultdict(list))
-    for file_name in file_names:
-        with open(file_name, encoding="utf-8") as file:
-            report = json.load(file)
-        # Interleaving changes the order of the runs.
-        for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
-            if run.get("run_type") == "aggregate":
-                continue
-            parts = [part for part in run["run_name"].split("/") if ":" not in part and part not in TIMED_BY]
-            workload, contender = "/".join(parts[:-1]), parts[-1]
-            if not run.get("error_occurred"):
-                runs[workload][contender].append((run["per_op"] * 1e6, round(run.get("vertices", 0))))
-            elif run["error_message"].startswith(FAILED):
+    for parts, run in each_run(file_names):
+        workload, contender = "/".join(parts[:-1]), parts[-1]
+        if run.get("error_occurred"):
+            if run["error_message"].startswith(FAILED):
                 runs[workload][contender] = [run["error_message"]]
+        elif "per_op" in run:
+            runs[workload][contender].append((run["per_op"] * 1e6, round(run.get("vertices", 0))))
     return runs
 
 
@@ -96,11 +124,19 @@ def main(arguments):
     if not arguments or arguments[0].startswith("-"):
         print(__doc__.strip(), file=sys.stderr)
         return 2
-    print("| workload | contender | µs per operation | spread | vertices | ours / rival |")
-    print("| --- | --- | ---: | ---: | ---: | ---: |")
-    for workload, contenders in read_runs(arguments).items():
+    runs = read_runs(arguments)
+    if runs:
+        print("| workload | contender | µs per operation | spread | vertices | ours / rival |")
+        print("| --- | --- | ---: | ---: | ---: | ---: |")
+    for workload, contenders in runs.items():
         for row in rows_of(workload, contenders):
             print("| " + " | ".join(row) + " |")
+    counters = read_counters(arguments)
+    if counters:
+        print("\n" * bool(runs) + "| benchmark | medians |")
+        print("| --- | --- |")
+    for benchmark, values in counters.items():
+        print(f"| {benchmark} | " + ", ".join(f"{name} {number(statistics.median(v))}" for name, v in values.items()) + " |")
     return 0
 
 
