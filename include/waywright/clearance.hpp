@@ -60,10 +60,11 @@ struct NearestFitQuery {
 ///
 /// The coordinates of the answer are doubles, so the answer can lie a little farther away than the nearest position at
 /// which the disc fits. The distance is the smallest possible one, up to a relative error of 1e-9 or up to the rounding
-/// of coordinates. In a corner where the disc only just fits between two walls, it fits at few points whose coordinates
-/// are doubles. There the answer can lie up to about a millionth of the radius farther away than the nearest of these
-/// points. If the disc fits only at a single position, or only along a line between two walls, there is an answer only
-/// if doubles can express a position there. Of several equally near points, the first in (x, y) order is the answer.
+/// of coordinates. In an angle between two walls in which the disc only just fits, it fits at few points whose
+/// coordinates are doubles. There the answer can lie up to about a millionth of the radius farther away than the
+/// nearest of these points. If the disc fits only at a single position, or only along a line between two walls, there
+/// is an answer only if doubles can express a position there. Of several equally near points, the first in (x, y) order
+/// is the answer.
 struct NearestFit {
   /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
   /// the disc can move to the goal. If the member is false, all other members are zero.

@@ -28,7 +28,7 @@ struct MemoryUse {
   std::size_t faces = 0;        ///< for each face: its vertices and neighbours
   std::size_t walls = 0;        ///< for each constrained edge: the list of the sides that lie on it
   std::size_t items = 0;        ///< ids, kinds and sides of the items
-  std::size_t sectors = 0;      ///< for point location: the vertices from which searches start
+  std::size_t sectors = 0;      ///< for point location: the vertices from which walks start
   std::size_t abstraction = 0;  ///< the path abstraction: see WorldOptions::keep_abstraction
   std::size_t bridges = 0;      ///< the bridges: see WorldOptions::keep_bridges
   std::size_t history = 0;      ///< the ticks to which World::rewind can return

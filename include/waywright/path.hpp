@@ -46,8 +46,7 @@ enum class PathAlgorithm : std::uint8_t {
 /// @endcode
 struct PathBudget {
   /// The number of triangles that the whole search may enter, including the search for the first path. For a query with
-  /// a radius above 0, the member is the number of steps of the search. If the number is 0, the first path is the
-  /// answer.
+  /// a radius above 0, the member limits Path::expansions. If the number is 0, the first path is the answer.
   std::size_t expansions = 0;
   /// The largest time since the start of the search. If this limit ends the search, the answer depends on the clock. In
   /// all other cases the answer does not depend on the clock.
@@ -216,8 +215,8 @@ struct WAYWRIGHT_API Path {
   /// The edges that the path crosses, in order. The list is empty if there is no path, if PathQuery::wants_channel is
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
-  /// The number of triangles that the search entered. If the query has a radius above 0, the member is the number of
-  /// steps of the search.
+  /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
+  /// vertices at which the search let the disc turn, and the triangles that the search for a first channel took.
   std::size_t expansions = 0;
   /// The time that the search took. 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};

@@ -47,18 +47,18 @@ class WAYWRIGHT_API PathSearch {
   /// search is running afterwards.
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
-  /// wall. If the segment meets no wall, the first step ends the search. For a radius above 0: the location of both
-  /// ends, and the walls near them.
+  /// wall. If the segment meets no wall, the first call of step() ends the search. For a radius above 0: the location
+  /// of both ends, and the walls near them.
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
-  /// search is done. If the radius is 0, the first step ends a search by PathAlgorithm::tra. If no search is running,
-  /// the function returns true. For a radius above 0, `expansions` is the number of further steps of the search. If
+  /// search is done. If the radius is 0, the first call ends a search by PathAlgorithm::tra. If no search is running,
+  /// the function returns true. For a radius above 0, `expansions` counts as Path::expansions does. If
   /// there is no path, the last slice also finds Path::widest, at the cost of World::widest_path.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
-  /// Cost: proportional to the number of triangles that the search enters; for a radius above 0, to its steps.
-  /// Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
+  /// Cost: proportional to the number of triangles that the search enters; for a radius above 0, to what
+  /// Path::expansions counts. Exceptions: std::bad_alloc, if memory runs out. This cancels the search.
   Result<bool> step(std::size_t expansions);
 
   /// Returns the answer if the search is done. Before that, a search by PathAlgorithm::ta returns the best path so far

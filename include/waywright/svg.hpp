@@ -33,9 +33,9 @@ enum class SvgTheme : std::uint8_t {
 struct SvgOptions {
   double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the height follows from the content
   bool mesh = true;       ///< draw the free edges
-  bool axes = true;       ///< draw ticks with coordinates, a scale bar, and a sign that shows the direction of y
-  bool ids = true;        ///< show the kind and the id of an item while the pointer is on it
-  bool y_down = false;    ///< whether the y axis of the world points down
+  bool axes = true;  ///< draw marks with coordinates on the axes, a scale bar, and a sign that shows the direction of y
+  bool ids = true;   ///< show the kind and the id of an item while the pointer is on it
+  bool y_down = false;  ///< whether the y axis of the world points down
   SvgTheme theme = SvgTheme::automatic;
   /// The box that the picture shows. It may extend beyond the domain. If `crop` is empty, the picture shows the domain.
   /// The SVG text contains nothing that lies outside the box.

@@ -101,10 +101,9 @@ class WAYWRIGHT_API World {
   /// from 0 over all rings.
   /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large, too_many_vertices.
   /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
-  /// O(log n) for each item that shares a position or an edge with this one. With the abstraction, also: the triangles
-  /// inside a polygon, except those inside smaller polygons in it; if walls divide an area, the triangles of the
-  /// smaller piece.
-  /// Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
+  /// O(log k) for each vertex and each edge that it shares with k other items. With the abstraction, also: the
+  /// triangles inside a polygon, except those inside smaller polygons in it; if walls divide an area, the triangles of
+  /// the smaller piece. Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
   /// Inserts a point, as insert() does: a vertex that stays as long as the item is live. It is not a wall.
@@ -412,7 +411,7 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<NearestFit> nearest_fit(const NearestFitQuery& query) const;
 
   /// Finds the largest disc that can move from `start` to `goal`, and the gap that stops every larger disc. All
-  /// comparisons are exact. The disc must also fit at the two ends themselves: see fit_disc().
+  /// comparisons are exact. The result does not say whether the disc fits at the two ends: fit_disc() says this.
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
   /// Cost: the walls nearest to both ends, and n log n in the number of gaps at least as wide as the narrowest gap of
   /// the widest path. Allocates nothing if `context` and `widest` have been used for a query of the same size before.

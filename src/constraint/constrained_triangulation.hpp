@@ -219,7 +219,7 @@ class ConstrainedTriangulation {
   /// Returns a side that lies on the edge of `along` and does not end at its target, or nothing.
   [[nodiscard]] std::optional<std::uint32_t> guide_along(mesh::HalfEdge along) const;
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
-  mesh::HalfEdge take(mesh::Vertex u, const Step& step, std::uint32_t side);
+  mesh::HalfEdge add_piece(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);
   void remove_side(std::uint32_t slot);
   void remove_corner_use(mesh::Vertex v, std::uint32_t item);

@@ -102,7 +102,7 @@ template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   if (has_too_many_vertices()) return;
   Side side = items_.side(slot);
-  if (is_hub(side.from) && topology().has_more_edges(side.from, side.to)) std::swap(side.from, side.to);
+  if (is_hub(side.from) && topology().has_many_and_more_edges(side.from, side.to)) std::swap(side.from, side.to);
   mesh::Vertex u = side.from;
   mesh::Vertex end = side.to;
   Step step = leave_corner(u, side);
@@ -110,12 +110,12 @@ void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
     if (step.fixed != mesh::kNoHalfEdge) {
       const mesh::Vertex x = cut(step.fixed, side);
       if (has_too_many_vertices()) return;
-      const mesh::HalfEdge piece = take(u, step_to_crossing(u, x), slot);
+      const mesh::HalfEdge piece = add_piece(u, step_to_crossing(u, x), slot);
       step = leave_crossing(topology().twin(piece), side);
       u = x;
     } else {
       const std::optional<std::uint32_t> guide = guide_along(step.along);
-      const mesh::HalfEdge piece = take(u, step, slot);
+      const mesh::HalfEdge piece = add_piece(u, step, slot);
       u = step.vertex;
       if (u == end) return;
       if (end == side.to && topology().has_many_edges(u)) {
@@ -147,10 +147,8 @@ template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::step_to_crossing(mesh::Vertex u,
                                                                                                        mesh::Vertex x) {
   const mesh::TriangleMesh& mesh = topology();
-  const auto is_corner = [&](mesh::HalfEdge h) {
-    return mesh.origin(h) == x || mesh.target(h) == x || mesh.apex(h) == x;
-  };
-  if (crossed_.empty() || is_corner(crossed_.front())) {
+  const auto has_x = [&](mesh::HalfEdge h) { return mesh.origin(h) == x || mesh.target(h) == x || mesh.apex(h) == x; };
+  if (crossed_.empty() || has_x(crossed_.front())) {
     return {x, mesh.twin(mesh.find(x, u)), mesh::kNoHalfEdge};
   }
   std::size_t count = 1;
@@ -159,8 +157,9 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   return {x, mesh::kNoHalfEdge, mesh::kNoHalfEdge};
 }
 
+/// Makes the piece from u to the end of the step a fixed edge that `side` uses. Returns its half-edge.
 template <class Geometry>
-mesh::HalfEdge ConstrainedTriangulation<Geometry>::take(mesh::Vertex u, const Step& step, std::uint32_t side) {
+mesh::HalfEdge ConstrainedTriangulation<Geometry>::add_piece(mesh::Vertex u, const Step& step, std::uint32_t side) {
   if (step.along == mesh::kNoHalfEdge || !topology().is_fixed(step.along)) new_walls_.add(topology(), u, step.vertex);
   if (step.along == mesh::kNoHalfEdge) {
     return triangulation_.force_edge(u, step.vertex, crossed_, UseLists::single(side));

@@ -27,7 +27,7 @@ class LocalEdges {
   /// segment with another function.
   bool force_edge(mesh::Vertex u, mesh::Vertex w, mesh::Label label) {
     if (!is_own(u) || !is_own(w)) return false;
-    if (mesh_.has_more_edges(u, w)) std::swap(u, w);
+    if (mesh_.has_many_and_more_edges(u, w)) std::swap(u, w);
     const mesh::HalfEdge edge = mesh_.find(u, w);
     if (edge != mesh::kNoHalfEdge) {
       if (mesh_.is_fixed(edge)) return false;

@@ -57,7 +57,7 @@ LineTable::Key LineTable::key_of(const PointPair& points) {
 
 /// Returns the line whose key has the same bit as `key` at each fork on the way to it. If a line has this key, it is
 /// this line. Requires: the table has a line.
-LineTable::Slot LineTable::nearest(const Key& key) const {
+LineTable::Slot LineTable::candidate(const Key& key) const {
   Node node = root_;
   while ((node & kFork) != 0) {
     const Fork& fork = forks_[node & ~kFork];
@@ -68,7 +68,7 @@ LineTable::Slot LineTable::nearest(const Key& key) const {
 
 LineTable::Slot LineTable::find_or_make_in_trie(const PointPair& points) {
   if (root_ == kNone) return make(points);
-  const Slot line = nearest(key_of(points));
+  const Slot line = candidate(key_of(points));
   return is_line(line, points) ? line : make(points);
 }
 
@@ -96,7 +96,7 @@ void LineTable::link(Slot line) {
     return;
   }
   const Key key = key_of(records_[line].points);
-  const std::uint32_t bit = first_difference(key, key_of(records_[nearest(key)].points));
+  const std::uint32_t bit = first_difference(key, key_of(records_[candidate(key)].points));
   Node* at = &root_;
   while ((*at & kFork) != 0 && forks_[*at & ~kFork].bit < bit) {
     Fork& fork = forks_[*at & ~kFork];

@@ -13,11 +13,12 @@
 
 namespace waywright::exact {
 
-/// The lines that cross at constructed vertices, by slot. Many constructed vertices can lie on one line, and the table
-/// stores this line only once. It counts the uses of each line, and frees a line that has no use any more.
+/// The lines that cross at constructed vertices, by slot. A line is a pair of points: two different pairs are two
+/// lines, also if they are collinear. The table stores the line of a pair only once, however many constructed vertices
+/// lie on it. It counts the uses of each line, and frees a line that has no use any more.
 ///
-/// A binary trie finds the line of two points. Its keys are the bits of the four coordinates, so no input makes a path
-/// of the trie longer than 256 nodes.
+/// A binary trie finds the line of two points. Its keys are the bits of the four coordinates, so no chain of nodes from
+/// the root to a line is longer than 256.
 ///
 /// An undo log records which lines are new. The caller must record the uses: before roll_back(), it must restore the
 /// number of uses that each line had at the last begin().
@@ -28,7 +29,7 @@ class LineTable {
   using Slot = std::uint32_t;
   static constexpr Slot kNone = memory::FreeList::kEnd;  ///< no line has this slot
 
-  /// Returns the line through these two points. If the table has no such line, makes one without a use. The line may be
+  /// Returns the line of these two points. If the table has no such line, makes one without a use. The line may be
   /// stored with its two points in the other order. If the line has the slot `hint`, the function finds it faster; the
   /// hint may be any number. Requires: the points differ. Cost: at most 256 steps, and O(log n) for most inputs;
   /// amortised.
@@ -49,7 +50,8 @@ class LineTable {
     }
     take_back_uses(one, other);
   }
-  /// Takes add_uses() back. Allocates nothing, and a line without a use stays. Call it only before roll_back().
+  /// Takes add_uses() back. Allocates nothing, and a line without a use stays. From outside, call it only before
+  /// roll_back().
   void take_back_uses(Slot one, Slot other) {
     --records_[one].uses;
     --records_[other].uses;
@@ -82,7 +84,7 @@ class LineTable {
   static constexpr std::uint32_t kFree = 0xffffffff;  ///< instead of the number of uses
   /// The bits of the four coordinates of a line. They do not depend on the order of the two points.
   using Key = std::array<std::uint64_t, 4>;
-  /// A node of the trie: a line, or a fork with this bit added to its index.
+  /// A node of the trie: the slot of a line, or the index of a fork plus kFork.
   using Node = std::uint32_t;
   static constexpr Node kFork = 0x80000000;
 
@@ -104,7 +106,7 @@ class LineTable {
   }
   [[nodiscard]] static Key key_of(const PointPair& points);
   [[nodiscard]] Slot find_or_make_in_trie(const PointPair& points);
-  [[nodiscard]] Slot nearest(const Key& key) const;
+  [[nodiscard]] Slot candidate(const Key& key) const;
   [[nodiscard]] Slot make(const PointPair& points);
   void free_line(Slot line);
   void free_unused();

@@ -14,11 +14,11 @@
 
 namespace waywright::memory {
 
-/// An array of 32-bit numbers. pack() stores the array in a third of the memory if neighbouring numbers differ by
-/// little: in blocks of 16 numbers, each as one number and 16 differences of 8 bits. A *wide* block, whose numbers
-/// differ too much, contains the index of 16 numbers of 32 bits. A packed array can change as any other array. If so
-/// many blocks become wide that the packed array takes more memory than a plain one (at most 84 bytes instead of 64 for
-/// 16 numbers), shrink_to_fit() makes it plain again.
+/// An array of 32-bit numbers. pack() stores the array in a third of the memory if the numbers of each block of 16
+/// differ by at most 255: each block as its smallest number, and for each of its numbers the difference from it, in 8
+/// bits. A *wide* block, whose numbers differ by more, contains the index of 16 numbers of 32 bits. A packed array can
+/// change as any other array. If so many blocks become wide that the packed array takes more memory than a plain one
+/// (at most 84 bytes instead of 64 for 16 numbers), shrink_to_fit() makes it plain again.
 class CompactArray {
  public:
   CompactArray() = default;

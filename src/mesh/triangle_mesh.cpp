@@ -62,7 +62,7 @@ bool TriangleMesh::has_many_edges(Vertex v) const {
   return true;
 }
 
-bool TriangleMesh::has_more_edges(Vertex u, Vertex v) const {
+bool TriangleMesh::has_many_and_more_edges(Vertex u, Vertex v) const {
   if (!has_many_edges(u)) return false;
   HalfEdge g = outgoing(u);
   HalfEdge h = outgoing(v);

@@ -39,7 +39,7 @@ class TriangleMesh {
   /// several times, in the order of the changes.
   enum class Touch : std::uint8_t {
     made,
-    rebuilt,
+    rebuilt,  ///< also: one of its edges became fixed or free
     freed,
     relabelled  ///< one of its fixed edges got another label, and stayed fixed
   };
@@ -84,7 +84,7 @@ class TriangleMesh {
   [[nodiscard]] bool has_many_edges(Vertex v) const;
   /// Whether `u` has many edges, and more than `v`. Cost: O(1), or proportional to the number of edges of the vertex
   /// with fewer edges.
-  [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const;
+  [[nodiscard]] bool has_many_and_more_edges(Vertex u, Vertex v) const;
 
   [[nodiscard]] std::size_t vertex_count() const { return outgoing_.size() - free_vertex_count_; }
   [[nodiscard]] std::size_t face_count() const { return half_edges_.size() / 3 - free_face_count_; }
@@ -276,8 +276,8 @@ class TriangleMesh {
   Flipped flip_unlogged(HalfEdge h);
   void make_room_to_take_over(HalfEdge to, HalfEdge from);
 
-  /// Moves the twin and label of `from` to `to`. Both half-edges represent the same edge, before and after a face is
-  /// rebuilt.
+  /// Moves the twin and label of `from` to `to`. `from` represents an edge before its face is rebuilt, and `to`
+  /// represents this edge afterwards.
   void take_over(HalfEdge to, HalfEdge from);
   void set_origin(HalfEdge h, Vertex v) { half_edges_[number(h)].origin = v; }
 

@@ -28,7 +28,7 @@ class UnloggedMesh {
   [[nodiscard]] bool is_fixed(HalfEdge h) const { return mesh_.is_fixed(h); }
   [[nodiscard]] Label label(HalfEdge h) const { return mesh_.label(h); }
   [[nodiscard]] HalfEdge find(Vertex from, Vertex to) const { return mesh_.find(from, to); }
-  [[nodiscard]] bool has_more_edges(Vertex u, Vertex v) const { return mesh_.has_more_edges(u, v); }
+  [[nodiscard]] bool has_many_and_more_edges(Vertex u, Vertex v) const { return mesh_.has_many_and_more_edges(u, v); }
   [[nodiscard]] bool is_live(Face f) const { return mesh_.is_live(f); }
 
   /// Keeps the face for add_face(). Until then, is_live() is false.

@@ -59,14 +59,14 @@ void Abstraction::update(const Triangulation& triangulation) {
     is_updated_ = true;
     return guard.done();
   }
-  collect_made(triangulation);
+  collect_new_faces(triangulation);
   remove_common_polygons();
   if (is_in_open_space(mesh)) {
-    components_.update_in_open_space(mesh, changed_, made_);
-    core_.update_in_open_space(mesh, changed_, made_);
+    components_.update_in_open_space(mesh, changed_, new_faces_);
+    core_.update_in_open_space(mesh, changed_, new_faces_);
   } else {
-    components_.update(triangulation, {changed_, made_, removed_, inserted_, triangulation.may_have_divided()});
-    core_.update(mesh, changed_, made_);
+    components_.update(triangulation, {changed_, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
+    core_.update(mesh, changed_, new_faces_);
   }
   is_updated_ = true;
   guard.done();
@@ -91,7 +91,7 @@ void Abstraction::roll_back() {
 
 /// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
-  changed_ = made_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
+  changed_ = new_faces_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
   before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), TwoCore(triangulation)});
   std::swap(components_, before_->components);
   std::swap(core_, before_->core);
@@ -111,10 +111,10 @@ void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
   for (const Face f : changed_) is_touched_[number(f)] = false;
 }
 
-/// Collects in `made_` the faces of `changed_` that now lie in the domain.
-void Abstraction::collect_made(const Triangulation& triangulation) {
-  made_.clear();
-  std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(made_),
+/// Collects in `new_faces_` the faces of `changed_` that now lie in the domain.
+void Abstraction::collect_new_faces(const Triangulation& triangulation) {
+  new_faces_.clear();
+  std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(new_faces_),
                [&](Face f) { return triangulation.triangulation().is_in_domain(f); });
 }
 
@@ -131,8 +131,8 @@ void Abstraction::remove_common_polygons() {
 }
 
 /// Returns whether the change happened in open space: every face of `changed_` had three passages in the core, all
-/// these faces belonged to one component, and all edges of the faces in `made_` are passages. The new faces then belong
-/// to the same component, and each has three passages in the core.
+/// these faces belonged to one component, and all edges of the faces in `new_faces_` are passages. The new faces then
+/// belong to the same component, and each has three passages in the core.
 bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Id component = Components::kNone;
@@ -141,7 +141,7 @@ bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh) const {
     if (component == Components::kNone) component = components_.component_of(f);
     if (core_.degree(f) != 3 || components_.component_of(f) != component) return false;
   }
-  return component != Components::kNone && std::all_of(made_.begin(), made_.end(), [&](Face f) {
+  return component != Components::kNone && std::all_of(new_faces_.begin(), new_faces_.end(), [&](Face f) {
            const mesh::HalfEdge h = mesh::first(f);
            return PointAgent::can_cross(mesh, h) && PointAgent::can_cross(mesh, mesh::next(h)) &&
                   PointAgent::can_cross(mesh, mesh::previous(h));
@@ -162,7 +162,7 @@ void Abstraction::count_memory(MemoryUse& use) const {
   components_.count_memory(use);
   core_.count_memory(use);
   use.abstraction += is_touched_.capacity() / 8;
-  memory::count_spare(use, inserted_, removed_, changed_, made_, common_);
+  memory::count_spare(use, inserted_, removed_, changed_, new_faces_, common_);
 }
 
 void Abstraction::shrink_to_fit() {
@@ -171,7 +171,7 @@ void Abstraction::shrink_to_fit() {
   components_.shrink_to_fit();
   core_.shrink_to_fit();
   memory::shrink(is_touched_);
-  memory::release(inserted_, removed_, changed_, made_, common_);
+  memory::release(inserted_, removed_, changed_, new_faces_, common_);
 }
 
 }  // namespace waywright::nav

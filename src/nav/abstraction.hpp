@@ -75,7 +75,7 @@ class Abstraction {
 
   void rebuild(const Triangulation& triangulation);
   void collect_touched(const mesh::TriangleMesh& mesh);
-  void collect_made(const Triangulation& triangulation);
+  void collect_new_faces(const Triangulation& triangulation);
   void remove_common_polygons();
   [[nodiscard]] bool is_in_open_space(const mesh::TriangleMesh& mesh) const;
 
@@ -98,7 +98,7 @@ class Abstraction {
   // Scratch.
   std::vector<bool> is_touched_;  ///< by face
   std::vector<mesh::Face> changed_;
-  std::vector<mesh::Face> made_;
+  std::vector<mesh::Face> new_faces_;
   std::vector<std::uint32_t> common_;
 };
 

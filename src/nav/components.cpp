@@ -25,7 +25,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
     next_mark_ = 1;
   }
   remove_changed_faces(changes.changed);
-  find_groups(mesh, changes.made);
+  find_groups(mesh, changes.new_faces);
   remove_from_covers(changes);
   find_remainders(mesh, changes.may_divide);
   assign_components(mesh);
@@ -34,7 +34,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
 }
 
 void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
-                                      std::span<const Face> made) {
+                                      std::span<const Face> new_faces) {
   make_room(mesh);
   Id component = kNone;
   std::uint32_t removed_count = 0;
@@ -44,9 +44,9 @@ void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<
     ++removed_count;
     set_id(f, kNone);
   }
-  for (const Face f : made) set_id(f, component);
+  for (const Face f : new_faces) set_id(f, component);
   Record record = records_[component];
-  record.size += static_cast<std::uint32_t>(made.size()) - removed_count;
+  record.size += static_cast<std::uint32_t>(new_faces.size()) - removed_count;
   records_.write(component, record);
 }
 
@@ -81,7 +81,7 @@ void Components::remove_changed_faces(std::span<const Face> changed) {
 /// Finds the groups of new faces and their old neighbours. An old face is a face that has not changed, and its edges
 /// have not changed, either. So if an old component has lost faces, each of its remaining pieces has a passage to a new
 /// face: each piece contains an old neighbour of a group.
-void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
+void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> new_faces) {
   groups_.clear();
   group_sets_.clear();
   regions_.clear();
@@ -89,8 +89,8 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   old_neighbours_.clear();
   const std::uint32_t no_group = next_mark_++;
   group_mark_ = next_mark_;
-  for (const Face f : made) set_mark(f, no_group);
-  for (const Face f : made) {
+  for (const Face f : new_faces) set_mark(f, no_group);
+  for (const Face f : new_faces) {
     if (mark(f) != no_group) continue;
     const auto group = static_cast<std::uint32_t>(groups_.size());
     const auto begin = static_cast<std::uint32_t>(faces_.size());

@@ -53,12 +53,12 @@ class Components {
   }
 
   /// What has changed since the last update. `changed` lists the faces, by slot, that were made, rebuilt or freed.
-  /// `made` lists the faces of `changed` that now lie in the domain. Each list contains a face once. `removed` and
-  /// `inserted` list the polygons, by slot and in ascending order. A polygon that was both removed and inserted is in
-  /// neither list.
+  /// `new_faces` lists the faces of `changed` that now lie in the domain. Each list contains a face once. `removed` and
+  /// `inserted` list the polygons, by slot and in ascending order. A polygon that the operation inserted and removed
+  /// again is in neither list. A replaced polygon is in both lists, with different slots.
   struct Changes {
     std::span<const mesh::Face> changed;
-    std::span<const mesh::Face> made;
+    std::span<const mesh::Face> new_faces;
     std::span<const std::uint32_t> removed;
     std::span<const std::uint32_t> inserted;
     /// If false, the walls that the operation made divide no component.
@@ -68,13 +68,13 @@ class Components {
   /// value.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
-  /// Does the same as update(), for a change with three properties: the faces in `made` fill the area of the faces in
-  /// `changed`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
+  /// Does the same as update(), for a change with three properties: the faces in `new_faces` fill the area of the faces
+  /// in `changed`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
   void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
-                            std::span<const mesh::Face> made);
+                            std::span<const mesh::Face> new_faces);
 
-  /// Compares this object with `other`, which also contains the components of `faces`. Returns the first difference, or
-  /// nothing if there is none.
+  /// Compares the components of `faces` in this object with their components in `other`. Returns the first difference,
+  /// or nothing if there is none. Requires: both objects contain these faces.
   [[nodiscard]] std::optional<std::string> find_difference(const Components& other,
                                                            std::span<const mesh::Face> faces) const;
 
@@ -128,7 +128,7 @@ class Components {
     std::uint32_t next_of_region = 0;  ///< the next search beside the same region
     std::uint32_t next_in_queue = 0;   ///< the next search of the set in its queue: those that may be unfinished
     std::uint32_t last_in_queue = 0;   ///< of a root: the last search in the queue of its set, or kNone
-    std::uint32_t round = 0;           ///< of a root: the last round of search_beside() that has counted its set
+    std::uint32_t round = 0;           ///< of a root: the last round of list_unfinished() that has met its set
   };
   /// Old faces of one component that are still connected: a piece, whose faces a search has listed, or the rest of the
   /// component, whose faces no search has listed completely.
@@ -137,13 +137,14 @@ class Components {
     std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
     bool is_piece;
-    /// For a piece: the range of its faces in `piece_faces_`. For the rest: the range of its faces in
-    /// `old_neighbours_`.
+    /// For a piece: the range of its faces in `piece_faces_`. For the rest: the range of all old neighbours of its
+    /// component in `old_neighbours_`. Some of them may belong to pieces.
     std::uint32_t begin, end;
   };
 
   // Finding the components of a whole triangulation.
-  /// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face.
+  /// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face: then `component` is
+  /// kNone.
   struct SeparatingWall {
     Id component;
     mesh::HalfEdge h;
@@ -156,7 +157,7 @@ class Components {
   // Updating ids.
   void make_room(const mesh::TriangleMesh& mesh);
   void remove_changed_faces(std::span<const mesh::Face> changed);
-  void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
+  void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> new_faces);
   void assign_components(const mesh::TriangleMesh& mesh);
   void move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id);
   void set_id(mesh::Face f, Id id) { ids_.write(number(f), id); }
@@ -223,7 +224,8 @@ class Components {
   std::size_t free_count_before_ = 0;
 
   // Scratch.
-  memory::Pages<std::uint32_t> marks_;  ///< by face: the mark of the last flood or search there; no mark is used twice
+  memory::Pages<std::uint32_t>
+      marks_;  ///< by face: the mark of the last flood, search or group there; no mark is used twice
   std::uint32_t next_mark_ = 1;
   std::uint32_t group_mark_ = 0;   ///< mark of the first group; `group_mark_` - 1 marks new faces without a group
   std::uint32_t search_mark_ = 0;  ///< mark of the first search
@@ -263,7 +265,7 @@ class Components {
   std::span<const std::uint32_t> inserted_;    ///< see Changes
   bool may_enclose_ = false;                   ///< whether the flood looks for enclosed polygons
   bool knows_touching_ = false;                ///< whether `touching_` is complete
-  constraint::SlotSet touching_;               ///< polygons at the boundary of the polygon
+  constraint::SlotSet touching_;               ///< the polygons whose boundary touches the boundary of `covering_`
   constraint::SlotSet tested_;                 ///< polygons that is_enclosed() has tested
   constraint::SlotSet is_enclosed_;
   std::vector<std::uint32_t> enclosed_;  ///< the elements of `is_enclosed_`

@@ -10,15 +10,16 @@
 // A *region* consists of new faces that are adjacent, also across walls: it fills one connected part of the changed
 // area. Before the change, each way between two old faces led through old faces and through regions. So if the old
 // faces beside each region are still connected with each other, no component is divided, and it is enough to look at
-// one region after the other: searches that start beside one region advance alternately until only one set of searches
-// is unfinished.
+// one region after the other. Searches that have met form a *set* of searches. The searches that start beside one
+// region advance alternately, until at most one of their sets is unfinished.
 //
-// A finished set is a piece: it contains all faces that can be reached from it. The ways that led through a piece no
-// longer exist, so the regions beside a piece count as one region from then on. When every region has at most one
-// unfinished set, all unfinished sets are connected. Proof: the regions and pieces connect any two unfinished sets.
-// Take two unfinished sets that are not connected, and the shortest chain of regions and sets from one to the other.
-// All sets between the two are pieces, so all regions of the chain count as one region, and this region has two
-// unfinished sets.
+// The faces that a finished set has found are a *piece*: no way leads from them to other faces. The ways that led
+// through a piece no longer exist, so the regions beside a piece count as one region from then on. When each region has
+// at most one unfinished set, all unfinished sets are connected. Proof: suppose that two unfinished sets are not
+// connected. Before the change they were, so a chain of regions and sets leads from one to the other. Of all such
+// pairs, take one with the shortest chain. An unfinished set between the two would not be connected with one of them,
+// and would have a shorter chain to it. So all sets between the two are finished, all regions of the chain count as one
+// region, and this region has two unfinished sets: a contradiction.
 
 namespace waywright::nav {
 
@@ -114,7 +115,7 @@ void Components::start_searches(std::span<const OldNeighbour> old_neighbours) {
   }
 }
 
-/// Starts a search from a root of `group_sets_`, without any face.
+/// Makes a search for the connected groups whose root is `group`. It has found no face yet.
 void Components::start_search(std::uint32_t group) {
   const auto i = static_cast<std::uint32_t>(search_sets_.size());
   search_sets_.push_back(i);
@@ -148,7 +149,8 @@ void Components::add_to_compared(std::uint32_t search) {
   }
 }
 
-/// Makes `compared_` a list of the roots of the unfinished sets of its searches, each once.
+/// Keeps in `compared_` the root of each unfinished set, once. If a set is finished, joins the regions beside its piece
+/// to `region`, and adds the searches beside these regions.
 void Components::list_unfinished(std::uint32_t region) {
   ++round_;
   std::size_t kept = 0;
@@ -181,7 +183,8 @@ void Components::join_regions_of(std::uint32_t set, std::uint32_t region) {
   }
 }
 
-/// Returns whether the searches of a set have looked at the neighbours of all faces that they have found.
+/// Returns whether the searches of a set have looked at the neighbours of all faces that they have found. Removes
+/// finished searches from the start of the queue of the set.
 bool Components::is_finished(std::uint32_t set) {
   while (searches_[set].last_in_queue != kNone) {
     const std::uint32_t last = searches_[set].last_in_queue;

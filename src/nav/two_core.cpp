@@ -43,28 +43,28 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // exceptions: a second tree face or a face of the core is adjacent to the new faces, or a root or a face of the core
 // was removed. Then a cycle may lead up from the tree face and come back to the new faces elsewhere, so update() climbs
 // first.
-void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> changed, std::span<const Face> made) {
+void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> changed, std::span<const Face> new_faces) {
   states_.grow_to(mesh.face_slots(), kAbsent);
   Surroundings around;
   for (const Face f : changed) {
     around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
     write(f, kAbsent);
   }
-  for (const Face f : made) write(f, kCore | kNew);
-  for (const Face f : made) join(mesh, f, around);
-  to_peel_.assign(made.begin(), made.end());
+  for (const Face f : new_faces) write(f, kCore | kNew);
+  for (const Face f : new_faces) join(mesh, f, around);
+  to_peel_.assign(new_faces.begin(), new_faces.end());
   const bool hangs_on_one = around.trees == 1 && !around.has_core && !around.had_top;
   if (hangs_on_one) peel(mesh);
-  if (around.trees > 0) climb_trees(mesh, made);
+  if (around.trees > 0) climb_trees(mesh, new_faces);
   peel(mesh);
-  for (const Face f : made) states_.unrecorded(number(f)) = static_cast<State>(states_[number(f)] & ~kNew);
+  for (const Face f : new_faces) states_.unrecorded(number(f)) = static_cast<State>(states_[number(f)] & ~kNew);
 }
 
 void TwoCore::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
-                                   std::span<const Face> made) {
+                                   std::span<const Face> new_faces) {
   states_.grow_to(mesh.face_slots(), kAbsent);
   for (const Face f : changed) write(f, kAbsent);
-  for (const Face f : made) write(f, kCore | kPassages);
+  for (const Face f : new_faces) write(f, kCore | kPassages);
 }
 
 void TwoCore::write(Face f, State state) {
@@ -99,8 +99,8 @@ void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around)
   }
 }
 
-void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> made) {
-  for (const Face f : made) {
+void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> new_faces) {
+  for (const Face f : new_faces) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge h = mesh::half_edge(f, i);
       if (is_passage(h) && !is_passage(mesh.twin(h))) climb(mesh, mesh.twin(h));

@@ -62,19 +62,20 @@ class TwoCore {
     return (state & kCore) == 0 && (state >> kPassageShift & 3U) == number(h) % 3;
   }
 
-  /// Updates the core to the mesh. `changed` lists the faces, by slot, that have changed since the last update. `made`
-  /// lists those faces of `changed` that are in the graph now. Each list contains a face once. If memory runs out,
-  /// roll_back() restores the old core.
-  void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed, std::span<const mesh::Face> made);
+  /// Updates the core to the mesh. `changed` lists the faces, by slot, that have changed since the last update.
+  /// `new_faces` lists those faces of `changed` that are in the graph now. Each list contains a face once. If memory
+  /// runs out, roll_back() restores the old core.
+  void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
+              std::span<const mesh::Face> new_faces);
 
   /// Returns whether the face was not in the graph after the last update.
   [[nodiscard]] bool is_absent(mesh::Face f) const {
     return number(f) >= states_.size() || states_[number(f)] == kAbsent;
   }
   /// Does the same as update(). Requires: all faces of `changed` that were in the graph had three passages in the core,
-  /// and all faces of `made` have three passages.
+  /// and all faces of `new_faces` have three passages.
   void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
-                            std::span<const mesh::Face> made);
+                            std::span<const mesh::Face> new_faces);
 
   /// Returns the first difference from `other`, another core of the same graph, or nothing if there is none. The two
   /// may differ in the roots of trees without a core, but each such tree must have a root.
@@ -126,7 +127,7 @@ class TwoCore {
     bool had_top = false;  ///< whether a root or a face of the core was removed
   };
   void join(const mesh::TriangleMesh& mesh, mesh::Face f, Surroundings& around);
-  void climb_trees(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> made);
+  void climb_trees(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> new_faces);
   void climb(const mesh::TriangleMesh& mesh, mesh::HalfEdge back);
   void peel(const mesh::TriangleMesh& mesh);
   void peel_from(const mesh::TriangleMesh& mesh, mesh::Face f);

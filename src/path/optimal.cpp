@@ -127,15 +127,15 @@ void Optimal::count_goal_face(mesh::Face f) {
 }
 
 /// Returns how many goal faces lie in the face's component. Requires: this is a component of a start face.
-std::uint32_t Optimal::goals_around(mesh::Face f) const {
+std::uint32_t Optimal::goals_in_component_of(mesh::Face f) const {
   return goals_in_components_[index_of(components_->component_of(f))].count;
 }
 
-/// Returns whether no goal face lies beyond `exit`. Requires: `exit` is a passage, but not one in the core, and its
-/// component has a goal. In a tree without a core, the result does not depend on which face is the root.
-bool Optimal::is_dead_end(mesh::HalfEdge exit) const {
+/// Returns whether no goal face lies beyond `exit`. Requires: `exit` is a passage, but not one between two faces of the
+/// core, and its component has a goal. In a tree without a core, the result does not depend on which face is the root.
+bool Optimal::leads_to_no_goal(mesh::HalfEdge exit) const {
   const mesh::Face f = mesh::face(exit);
-  if (core_->leads_up(exit)) return goals_below(f) != 0 && goals_below(f) == goals_around(f);
+  if (core_->leads_up(exit)) return goals_below(f) != 0 && goals_below(f) == goals_in_component_of(f);
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
@@ -145,7 +145,7 @@ void Optimal::leave_start() {
   const locate::LocatedKind kind = ends_->start_location().kind;
   at_once_bound_ = -1.0;  // no bound is negative, so push() adds no window to `at_once_`
   for (const mesh::HalfEdge h : ends_->start_faces()) {
-    if (core_ != nullptr && goals_around(mesh::face(h)) == 0) continue;
+    if (core_ != nullptr && goals_in_component_of(mesh::face(h)) == 0) continue;
     if (kind == locate::LocatedKind::vertex) reached(mesh_->origin(h)).length = 0.0;
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
       if (exit == h && kind != locate::LocatedKind::face) continue;
@@ -185,9 +185,9 @@ void Optimal::follow(Node node) {
   }
 }
 
-//        apex            The window has entered the face across `entry`, from below: its left end is the edge's
-//       /    \           origin. If the apex lies outside the cone, the window continues across one edge. If the apex
-//   origin - target      lies inside the cone, it divides the window.
+//        apex            The window has entered the face across `entry`, from below. Seen by the window, the left end
+//       /    \           of `entry` is its origin. If the apex lies outside the cone, the window continues across one
+//   origin - target      edge. If the apex lies inside the cone, it divides the window.
 void Optimal::follow_window(Node window) {
   Cone cone(*this, window);
   for (int faces = 1;; ++faces) {
@@ -199,13 +199,15 @@ void Optimal::follow_window(Node window) {
     const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
     if (const Sign left = cone.from_left(position); left != Sign::negative) {
-      const bool sees_apex = left == Sign::positive;
-      if (window.left == mesh_->origin(window.entry) && note_turn(window, cone, Kind::left_turn, sees_apex)) return;
+      const bool turn_sees_apex = left == Sign::positive;
+      if (window.left == mesh_->origin(window.entry) && note_turn(window, cone, Kind::left_turn, turn_sees_apex))
+        return;
       exit = mesh::next(window.entry);
       if (left == Sign::zero) narrow_left(window, cone, apex, window.left_root);
     } else if (const Sign right = cone.from_right(position); right != Sign::positive) {
-      const bool sees_apex = right == Sign::negative;
-      if (window.right == mesh_->target(window.entry) && note_turn(window, cone, Kind::right_turn, sees_apex)) return;
+      const bool turn_sees_apex = right == Sign::negative;
+      if (window.right == mesh_->target(window.entry) && note_turn(window, cone, Kind::right_turn, turn_sees_apex))
+        return;
       exit = mesh::previous(window.entry);
       if (right == Sign::zero) narrow_right(window, cone, apex, window.right_root);
     } else {
@@ -282,14 +284,15 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
 //       /      \         can reach the area left of the bound. No wall at v lies to the right of the path, because the
 //   v -------- target    cone has passed there. If v has no walls, there is nothing to turn around.
 //
-// Returns whether the window waits in the new node until the search makes the turn. Beyond the far edge, the window and
-// the new root's window lie beside each other, and then move on as one bundle.
-bool Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex) {
+// Let the far edge be the edge of the face opposite to v. Returns whether the window waits in the new node until the
+// search makes the turn. Beyond the far edge, the window and the new root's window lie beside each other, and then move
+// on as one bundle.
+bool Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool turn_sees_apex) {
   const bool is_left = kind == Kind::left_turn;
   const mesh::HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const mesh::HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const bool sees_passage = sees_apex && !is_excluded(far_edge);
-  if (!sees_passage && is_excluded(near_edge)) {
+  const bool turn_sees_passage = turn_sees_apex && !is_excluded(far_edge);
+  if (!turn_sees_passage && is_excluded(near_edge)) {
     bool is_at_goal = false;
     for_each_goal(mesh::face(window.entry), [&](std::uint32_t) { is_at_goal = true; });
     if (!is_at_goal) return false;
@@ -306,7 +309,7 @@ bool Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool se
   reached_before.spoke = is_left ? window.entry : mesh_->twin(window.entry);
   nodes_.push_back(window);
   nodes_.back().kind = kind;
-  nodes_.back().has_window = sees_passage && can_wait(window, cone, kind, least);
+  nodes_.back().has_window = turn_sees_passage && can_wait(window, cone, kind, least);
   open_.push(least, static_cast<std::uint32_t>(nodes_.size() - 1));
   return nodes_.back().has_window;
 }
@@ -321,7 +324,7 @@ bool Optimal::can_wait(const Node& window, const Cone& cone, Kind kind, double l
   return bound(beyond, cone.left_direction(), cone.right_direction()) >= least;
 }
 
-/// Moves the window that waits in a turn, without the turn.
+/// If the search drops a turn, pushes the window that waits in it across the far edge.
 void Optimal::push_waiting(const Node& turn) {
   if (!turn.has_window) return;
   Node window = turn;
@@ -386,12 +389,12 @@ void Optimal::make_turn(const Node& turn) {
   const auto from_continuation = [&](const Geometry::View& position) {
     return kIsLeft ? cone.from_right(position) : cone.from_left(position);
   };
-  const bool sees_apex = from_continuation(geometry_->view(number(apex))) == kInwards;
+  const bool turn_sees_apex = from_continuation(geometry_->view(number(apex))) == kInwards;
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
     const bool is_seen = from_continuation(Geometry::view(goals_[goal].point)) != -kInwards;
     if (is_seen) end_at(goal, root, turn.trace);
   });
-  if (sees_apex && !is_excluded(far_edge)) {
+  if (turn_sees_apex && !is_excluded(far_edge)) {
     window.trace = traced(window.entry, turn.trace);
     if (turn.has_window) {
       (kIsLeft ? window.right_root : window.left_root) = kIsLeft ? turn.right_root : turn.left_root;

@@ -158,7 +158,7 @@ class Optimal {
   void list_components();
   [[nodiscard]] std::size_t index_of(nav::Components::Id component) const;
   void count_goal_face(mesh::Face f);
-  [[nodiscard]] std::uint32_t goals_around(mesh::Face f) const;
+  [[nodiscard]] std::uint32_t goals_in_component_of(mesh::Face f) const;
   void leave_start();
   void look(mesh::Face f) {
     if (looked_at_ != nullptr) looked_at_->look(f);
@@ -174,7 +174,7 @@ class Optimal {
   void narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const;
   void divide(const Node& window, const Cone& cone, mesh::Vertex apex);
   void reach_goals(const Node& window, const Cone& cone);
-  bool note_turn(const Node& window, const Cone& cone, Kind kind, bool sees_apex);
+  bool note_turn(const Node& window, const Cone& cone, Kind kind, bool turn_sees_apex);
   [[nodiscard]] bool can_wait(const Node& window, const Cone& cone, Kind kind, double least) const;
   void push_waiting(const Node& turn);
   template <Kind kTurn>
@@ -201,14 +201,14 @@ class Optimal {
   void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
   void limit_lengths();
 
-  /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or beyond it lies a
-  /// dead end without a goal.
+  /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or it leads to
+  /// no goal face.
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_dead_end(exit));
+    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
   [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const { return is_excluded(mesh::face(exit), exit); }
-  [[nodiscard]] bool is_dead_end(mesh::HalfEdge exit) const;
+  [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
     const GoalsBelow& below = goals_below_[number(f)];
     return below.query == stamp_.value() ? below.count : 0;

@@ -80,7 +80,7 @@ Result<std::vector<ItemId>> check_all(const constraint::ExactTriangulation& tria
 
 }  // namespace
 
-void World::Impl::record_removal(std::uint32_t slot) {
+void World::Impl::add_removal_to_history(std::uint32_t slot) {
   if (!history.is_recording()) return;
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -93,7 +93,7 @@ void World::Impl::record_removal(std::uint32_t slot) {
   });
 }
 
-void World::Impl::note_removal(std::uint32_t slot) {
+void World::Impl::add_removal_to_change_log(std::uint32_t slot) {
   if (triangulation.items().kind(slot) == ItemKind::point) return;
   triangulation.items().outline(slot, outline);
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -173,7 +173,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
   return ids;
 }
 
-// The attempt always makes an Operation, because its changes must be taken back.
+// Unlike apply(), an attempt makes an Operation even if all changes are insertions, because it must take them back.
 Result<void> World::begin_attempt(std::span<const Change> changes) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;

@@ -104,7 +104,7 @@ void World::Impl::rewind(History::Tick tick) {
   [[maybe_unused]] std::optional<Error> error;
   if (is_most_removed(changes, triangulation)) {
     change_log.begin();
-    for (const ItemId id : changes.removed) note_removal(triangulation.items().slot(id));
+    for (const ItemId id : changes.removed) add_removal_to_change_log(triangulation.items().slot(id));
     note_changes(Batch{changes.inserted, changes.inserted_ids});
     for (const ItemId id : changes.removed) note_for_snapshots(id);
     for (const ItemId id : changes.inserted_ids) note_for_snapshots(id);

@@ -123,9 +123,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   void note_changes(const Batch& batch);
   template <class Rings>
   void note_item(ItemKind kind, const Rings& rings);
-  void note_removal(std::uint32_t slot);
+  void add_removal_to_change_log(std::uint32_t slot);
   /// Records in `history` the shape of an item that an operation removes.
-  void record_removal(std::uint32_t slot);
+  void add_removal_to_history(std::uint32_t slot);
   /// Says which data the world keeps for path queries.
   [[nodiscard]] Kept kept() const { return {abstraction.has_value(), clearance != nullptr}; }
   // The queries behind the functions of World with these names. Requires: the query has no error.
@@ -215,8 +215,8 @@ std::optional<Error> World::Operation::insert_all(const Batch& batch, const thre
 
 inline void World::Operation::remove(ItemId id) {
   const std::uint32_t slot = impl_.triangulation.items().slot(id);
-  if (kind_ == Kind::change) impl_.record_removal(slot);
-  if (kind_ != Kind::follow) impl_.note_removal(slot);
+  if (kind_ == Kind::change) impl_.add_removal_to_history(slot);
+  if (kind_ != Kind::follow) impl_.add_removal_to_change_log(slot);
   note_changed(id);
   if (impl_.abstraction && impl_.triangulation.items().is_polygon(slot)) impl_.abstraction->note_removed(slot);
   impl_.triangulation.remove(id);
