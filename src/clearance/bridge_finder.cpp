@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/compiler.hpp"
 
@@ -160,29 +161,31 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   const auto seen = [&](Vertex v) { return Diameter::seen(position_of(v) - from, errors_); };
   HalfEdge exit = mesh::next(corner);
   HalfEdge entry = mesh_.twin(exit);
-  Diameter::Seen apex = seen(mesh_.apex(entry));
-  std::array<Diameter::Seen, 2> ends{seen(mesh_.origin(exit)), seen(mesh_.target(exit))};  // of `exit`
-  const auto& [right, left] = ends;
-  if (!(Diameter::may_cross(right, apex, errors_) | Diameter::may_cross(apex, left, errors_))) return mesh::kNoHalfEdge;
-  const Diameter diameter(right, left, errors_);
+  std::array<Diameter::Seen, 3> vertices{seen(mesh_.origin(exit)), seen(mesh_.target(exit)), seen(mesh_.apex(entry))};
+  Diameter::Seen* right = &vertices[0];  // the ends of `exit`
+  Diameter::Seen* left = &vertices[1];
+  Diameter::Seen* apex = &vertices[2];
+  if (!(Diameter::may_cross(*right, *apex) | Diameter::may_cross(*apex, *left))) return mesh::kNoHalfEdge;
+  const Diameter diameter(*right, *left, errors_);
   const auto may_meet = [&](const Diameter::Seen& p, const Diameter::Seen& q) {
-    return Diameter::may_cross(p, q, errors_) & diameter.may_end_beyond(p, q);
+    return Diameter::may_cross(p, q) & diameter.may_end_beyond(p, q);
   };
-  for (Diameter::Seen& end : ends) diameter.place(end);
+  diameter.place(*right);
+  diameter.place(*left);
   for (;;) {
-    diameter.place(apex);
-    Sign side = diameter.sure_side_of(apex);
+    diameter.place(*apex);
+    Sign side = diameter.sure_side_of(*apex);
     if (side == Sign::zero) {
-      if (may_meet(right, apex) | may_meet(apex, left)) side = side_of_diameter(corner, entry);
+      if (may_meet(*right, *apex) | may_meet(*apex, *left)) side = side_of_diameter(corner, entry);
       if (side == Sign::zero) return mesh::kNoHalfEdge;
     }
     const bool is_left = side == Sign::positive;
     exit = is_left ? mesh::next(entry) : mesh::previous(entry);
-    ends[is_left ? 1 : 0] = apex;
-    if (!may_meet(right, left)) return mesh::kNoHalfEdge;
+    std::swap(apex, is_left ? left : right);
+    if (!may_meet(*right, *left)) return mesh::kNoHalfEdge;
     if (mesh_.is_fixed(exit)) return exit;
     entry = mesh_.twin(exit);
-    apex = seen(mesh_.apex(entry));
+    *apex = seen(mesh_.apex(entry));
   }
 }
 

@@ -122,7 +122,9 @@ class BridgeFinder {
     /// Returns false only if the segment from an end to `v` contains no position strictly inside the exact disc. Each
     /// coordinate of `v` may be wrong by `rounding`.
     [[nodiscard]] bool may_enter_from(mesh::Vertex end, const Point& v, double rounding) const {
-      return end == from ? disc.may_enter(v, rounding) : !Disc::is_surely_not_acute(v, gap.a, gap.from, rounding);
+      if (to == mesh::kNoVertex) return disc.may_enter(v, rounding);
+      const bool is_from = end == from;
+      return !Disc::is_surely_not_acute(v, is_from ? gap.from : gap.a, is_from ? gap.a : gap.from, rounding);
     }
   };
 
@@ -166,9 +168,13 @@ class BridgeFinder {
     const double at_p = p.offset.x * along.x + p.offset.y * along.y;
     const double at_q = q.offset.x * along.x + q.offset.y * along.y;
     const double limit = candidate.limit + 0x1p-60 * (p.square + q.square);
-    if (!((at_p < 0.0) & (at_q > 0.0))) return !(std::min(p.square, q.square) > limit);
     const double cross = p.offset.x * along.y - p.offset.y * along.x;
-    return !(cross * cross > limit * (along.x * along.x + along.y * along.y));
+    // The processor cannot predict these tests, so the code combines them without branches.
+    const bool is_between = (at_p < 0.0) & (at_q > 0.0);
+    const bool is_line_far = cross * cross > limit * (along.x * along.x + along.y * along.y);
+    const bool are_ends_far = std::min(p.square, q.square) > limit;
+    const bool is_far = (is_between & is_line_far) | (!is_between & are_ends_far);
+    return !is_far;
   }
   [[nodiscard]] bool may_enter(const Candidate& candidate, const Around& p, const Around& q) const;
   [[nodiscard]] bool is_clear_beyond(const Candidate& candidate, mesh::HalfEdge entry);

@@ -18,6 +18,10 @@ namespace {
 /// most faces of the mesh.
 constexpr std::size_t kFewFaces = 1000;
 
+/// Marks a face that does not lie in the domain, among the faces with noted angles. At least two angles of a triangle
+/// are acute.
+constexpr std::uint8_t kNotInDomain = 0;
+
 }  // namespace
 
 /// The destructor rolls the bridges back, unless done() was called.
@@ -125,10 +129,11 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
   const auto is_in_domain = [&](Face f) { return triangulation.triangulation().is_in_domain(f); };
   for (const Face f : region_.faces()) {
     clear_face(f);
+    acute_[number(f)] = kNotInDomain;
     if (is_in_domain(f)) note_angles(finder, f);
   }
   for (const Face f : region_.faces()) {
-    if (!is_in_domain(f)) continue;
+    if (acute_[number(f)] == kNotInDomain) continue;
     find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};

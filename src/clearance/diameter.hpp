@@ -22,7 +22,9 @@ class Diameter {
     Point offset;
     double square;  ///< of the length
     double extent;  ///< bounds the magnitudes of the coordinates, and their errors: see Errors
+    double error;   ///< two such errors bound the error of may_cross()
     double s = 0.0;
+    double s_error = 0.0;
   };
   /// How exact the vectors are. Each coordinate may be wrong by 2 `rounding`, and by half an ulp. A product consists of
   /// at most four coordinates, and the functions below add or subtract at most four products. So if `rounding` is 0, a
@@ -36,7 +38,8 @@ class Diameter {
   };
 
   [[nodiscard]] static Seen seen(const Point& offset, const Errors& errors) {
-    return {offset, dot(offset, offset), std::abs(offset.x) + std::abs(offset.y) + errors.least_extent};
+    const double extent = std::abs(offset.x) + std::abs(offset.y) + errors.least_extent;
+    return {offset, dot(offset, offset), extent, errors.relative * extent * extent};
   }
 
   /// If x or y is so near to w that the rounding may be large compared with it, the error has no bound.
@@ -47,26 +50,29 @@ class Diameter {
     normal_error_ = is_bounded ? area_error_ * (x.extent + y.extent) : HUGE_VAL;
   }
 
-  /// Sets s(v).
-  void place(Seen& v) const { v.s = dot(normal_, v.offset); }
+  /// Sets s(v) and its error.
+  void place(Seen& v) const {
+    v.s = dot(normal_, v.offset);
+    v.s_error = normal_error_ * v.extent;
+  }
   /// Says on which side of the ray from w through D a vertex lies: positive if it surely lies left of it, negative if
   /// it surely lies right of it, zero if the doubles do not decide. Requires: place() was called for the vertex, as for
   /// the next function.
   [[nodiscard]] exact::Sign sure_side_of(const Seen& v) const {
-    if (!(std::abs(v.s) > normal_error_ * v.extent)) return exact::Sign::zero;
+    if (!(std::abs(v.s) > v.s_error)) return exact::Sign::zero;
     return v.s > 0.0 ? exact::Sign::positive : exact::Sign::negative;
   }
   /// Returns false only if D does not lie strictly beyond the line through two vertices, as seen from w. If D lies
   /// beyond this line, then right x left < D x (left - right).
   [[nodiscard]] bool may_end_beyond(const Seen& right, const Seen& left) const {
     const double difference = area_ * cross(right.offset, left.offset) - (left.s - right.s);
-    return !(difference >= normal_error_ * (right.extent + left.extent) + area_error_ * right.extent * left.extent);
+    return !(difference >= right.s_error + left.s_error + area_error_ * right.extent * left.extent);
   }
   /// Returns false only if the angle between w and `q` at `p`, or the angle between w and `p` at `q`, is at least 90
   /// degrees. If w is at 0, then -p . (q - p) = p^2 - p . q.
-  [[nodiscard]] static bool may_cross(const Seen& p, const Seen& q, const Errors& errors) {
+  [[nodiscard]] static bool may_cross(const Seen& p, const Seen& q) {
     const double difference = dot(p.offset, q.offset) - std::min(p.square, q.square);
-    return !(difference >= errors.relative * (p.extent * p.extent + q.extent * q.extent));
+    return !(difference >= p.error + q.error);
   }
 
  private:

@@ -53,7 +53,7 @@ void check(const Case& at, Decided& decided) {
     ++decided.sides;
   }
   const bool crosses = is_acute(w, p, q) && is_acute(w, q, p);
-  if (!Diameter::may_cross(right, left, errors)) {
+  if (!Diameter::may_cross(right, left)) {
     EXPECT_FALSE(crosses);
     ++decided.crossings;
   }
