@@ -1,7 +1,9 @@
 #include "clearance/bridge_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/compiler.hpp"
 
@@ -11,25 +13,6 @@ using exact::Gap;
 using exact::Sign;
 using mesh::HalfEdge;
 using mesh::Vertex;
-using Seen = BridgeScratch::Seen;
-using VisibleEdge = BridgeScratch::VisibleEdge;
-using Around = BridgeScratch::Around;
-using Beyond = BridgeScratch::Beyond;
-
-namespace {
-
-/// Returns false only if the angle between two successive edges of a face is at least 90 degrees. `before` and `after`
-/// are the vectors of the two edges, around the face: their dot product is negative if the angle is acute. Each
-/// coordinate of a vertex may be wrong by `rounding`.
-bool may_be_acute(const Point& before, const Point& after, double rounding) {
-  const double x = before.x * after.x;
-  const double y = before.y * after.y;
-  if (x + y < 0.0) return true;
-  const double extent = std::abs(before.x) + std::abs(before.y) + std::abs(after.x) + std::abs(after.y);
-  return x + y < 0x1p-48 * (std::abs(x) + std::abs(y)) + 4.0 * rounding * (extent + 4.0 * rounding);
-}
-
-}  // namespace
 
 Gap BridgeFinder::gap_to_wall(HalfEdge corner, HalfEdge wall) const {
   const constraint::Side& side = triangulation_.any_side(wall);
@@ -59,55 +42,74 @@ bool BridgeFinder::may_disc_meet(HalfEdge h, HalfEdge border) const {
   return may_touch(disc_of(h), border);
 }
 
-/// Notes the face beyond an edge. Returns false if the edge is a wall that touches the closed disc.
-WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::enter(const Candidate& candidate, HalfEdge h, const Around& origin,
-                                                 const Around& target) {
-  if (mesh_.is_fixed(h)) return !is_blocked_by(candidate.gap, h);
-  scratch_.to_clear.push_back({mesh_.twin(h), target, origin});
-  return true;
+/// Returns false only if the edge from `p` to `q` contains no position of the closed disc, except an end of the
+/// candidate. An edge at an end of the candidate contains a position strictly inside the disc, or no position of the
+/// disc except the end.
+WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate, const Around& p,
+                                                     const Around& q) const {
+  if (p.is_end) return candidate.may_enter_from(p.vertex, position_of(q.vertex), rounding_);
+  if (q.is_end) return candidate.may_enter_from(q.vertex, position_of(p.vertex), rounding_);
+  return may_touch(candidate, p, q);
 }
 
-/// Looks at an edge, whose ends are `origin` and `target`, relative to the centre. Returns false if it is a wall that
-/// touches the closed disc. An edge at an end of the candidate contains a position strictly inside the disc, or no
-/// position of the disc except the end.
-WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::is_clear_at(const Candidate& candidate, HalfEdge h, const Around& origin,
-                                                       const Around& target) {
-  const Vertex p = mesh_.origin(h);
-  const Vertex q = mesh_.target(h);
-  bool may_meet = false;
-  if (p == candidate.from || p == candidate.to) {
-    may_meet = candidate.may_enter_from(p, position_of(q), rounding_);
-  } else if (q == candidate.from || q == candidate.to) {
-    may_meet = candidate.may_enter_from(q, position_of(p), rounding_);
-  } else {
-    may_meet = may_touch(candidate, origin, target);
+/// Returns whether no wall in the face of `entry`, and in those to which the search continues, touches the closed disc.
+/// The disc touches the edge of `entry`.
+bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
+  if (mesh_.is_fixed(entry)) return !is_blocked_by(candidate.gap, entry);
+  auto& to_clear = scratch_.to_clear;
+  to_clear.clear();
+  Around origin = around(candidate, mesh_.origin(entry));
+  Around target = around(candidate, mesh_.target(entry));
+  for (;;) {
+    bool goes_left = false;
+    bool goes_right = false;
+    const HalfEdge left = mesh::previous(entry);
+    const HalfEdge right = mesh::next(entry);
+    const Around apex = around(candidate, mesh_.origin(left));
+    if (scratch_.visit(mesh::face(entry))) {
+      if (!(apex.square > candidate.limit) && is_blocked_by(candidate, apex.vertex)) return false;
+      goes_left = may_enter(candidate, apex, origin);
+      goes_right = may_enter(candidate, target, apex);
+    }
+    if (goes_left && mesh_.is_fixed(left)) {
+      if (is_blocked_by(candidate.gap, left)) return false;
+      goes_left = false;
+    }
+    if (goes_right && mesh_.is_fixed(right)) {
+      if (is_blocked_by(candidate.gap, right)) return false;
+      goes_right = false;
+    }
+    if (goes_right) {
+      if (goes_left) to_clear.push_back(mesh_.twin(left));
+      entry = mesh_.twin(right);
+      origin = apex;
+    } else if (goes_left) {
+      entry = mesh_.twin(left);
+      target = apex;
+    } else {
+      if (to_clear.empty()) return true;
+      entry = to_clear.back();
+      to_clear.pop_back();
+      origin = around(candidate, mesh_.origin(entry));
+      target = around(candidate, mesh_.target(entry));
+    }
   }
-  return !may_meet || enter(candidate, h, origin, target);
 }
 
-/// Looks at a face that the disc may meet. Returns false if its apex lies in the closed disc, or if one of the two
-/// edges of the apex is a wall that touches the disc.
-bool BridgeFinder::is_clear_in(const Candidate& candidate, const Beyond& beyond) {
-  const HalfEdge h = beyond.entry;
-  if (!scratch_.visit(mesh::face(h))) return true;
-  const Vertex v = mesh_.apex(h);
-  const Around apex = around(candidate, v);
-  if (!(apex.square > candidate.limit) && is_blocked_by(candidate, v)) return false;
-  return is_clear_at(candidate, mesh::next(h), beyond.target, apex) &&
-         is_clear_at(candidate, mesh::previous(h), apex, beyond.origin);
-}
-
-void BridgeFinder::note_angles(mesh::Face f) {
+// The angle between two successive sides is acute if their dot product is negative.
+unsigned BridgeFinder::acute_angles(mesh::Face f) const {
   const HalfEdge h = mesh::first(f);
   const Point& a = position_of(mesh_.origin(h));
   const Point& b = position_of(mesh_.target(h));
   const Point& c = position_of(mesh_.apex(h));
-  const Point ab = b - a;
-  const Point bc = c - b;
-  const Point ca = a - c;
-  const unsigned acute = (may_be_acute(ca, ab, rounding_) ? 1U : 0U) | (may_be_acute(ab, bc, rounding_) ? 2U : 0U) |
-                         (may_be_acute(bc, ca, rounding_) ? 4U : 0U);
-  scratch_.acute[number(f)] = static_cast<std::uint8_t>(acute);
+  const auto may_be_acute = [&](const Point& before, const Point& after) {
+    const double x = before.x * after.x;
+    const double y = before.y * after.y;
+    const double extent = std::abs(before.x) + std::abs(before.y) + std::abs(after.x) + std::abs(after.y);
+    const double error = 0x1p-48 * (std::abs(x) + std::abs(y)) + 4.0 * rounding_ * (extent + 4.0 * rounding_);
+    return static_cast<unsigned>(x + y < error);
+  };
+  return may_be_acute(a - c, b - a) | may_be_acute(b - a, c - b) << 1 | may_be_acute(c - b, a - c) << 2;
 }
 
 // If the apex of a face lies in the closed disc, the end of a wall lies in it, because every vertex is the end of a
@@ -119,110 +121,87 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
   const HalfEdge twin = mesh_.twin(h);
   for (const Vertex apex : {mesh_.apex(h), mesh_.apex(twin)}) {
     const Point& p = position_of(apex);
-    const bool is_acute = is_explicit(apex) ? exact::dot(p, position_of(u), p, position_of(v)) == Sign::positive
+    const bool may_be_acute = is_explicit(apex) ? exact::dot(p, position_of(u), p, position_of(v)) == Sign::positive
                                             : !is_not_acute(u, apex, v);
-    if (!is_acute) return false;
+    if (!may_be_acute) return false;
   }
   const Candidate candidate = candidate_of(gap_along(h), u, v);
-  const Around at_u = around(candidate, u);
-  const Around at_v = around(candidate, v);
-  scratch_.to_clear.clear();
   scratch_.begin();
-  return is_clear_in(candidate, {h, at_u, at_v}) && is_clear_in(candidate, {twin, at_v, at_u}) && is_clear(candidate);
+  return is_clear_beyond(candidate, h) && is_clear_beyond(candidate, twin);
 }
 
-// Let w be the origin of `corner`, and f the foot of a bridge from w. The disc of the bridge contains a vertex v
-// exactly if the angle at v between w and f is at least 90 degrees. Each vertex is the end of a wall, so the disc
-// contains no vertex except w, and this angle is acute for every other vertex v: the line through v that is
-// perpendicular to the segment from w to v does not separate f from w.
-//
-// Let the bridge cross an edge from p to q, or end on it. Seen from w, f lies between p and q, and it lies on the edge
-// or beyond the edge. If the angle at p between w and q is not acute, then the line through p separates f from w. So
-// the angles at p and q are acute. The search crosses only such edges. They are visible from w, and the first one is
-// the edge from x to y that is opposite to the corner. The search also leaves out an edge if both ends lie beyond the
-// line through x, or both beyond the line through y. The two lines meet on the circle through w, x and y, at the
-// position opposite to w. So the search does not leave this circle.
 HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
-  const Vertex w = mesh_.origin(corner);
-  if (!is_explicit(w)) return mesh::kNoHalfEdge;
+  if (!is_explicit(mesh_.origin(corner))) return mesh::kNoHalfEdge;
   const HalfEdge opposite = mesh::next(corner);
-  if (mesh_.is_fixed(opposite)) return is_bridge_to(corner, opposite) ? opposite : mesh::kNoHalfEdge;
-  const Vertex x = mesh_.origin(opposite);
-  const Vertex y = mesh_.target(opposite);
-  const HalfEdge entry = mesh_.twin(opposite);
+  const HalfEdge wall = mesh_.is_fixed(opposite) ? opposite : follow_diameter(corner);
+  return wall != mesh::kNoHalfEdge && is_bridge_to(corner, wall) ? wall : mesh::kNoHalfEdge;
+}
+
+/// Returns the only wall on which a foot bridge from the corner may end, or kNoHalfEdge if there is none.
+///
+/// Let w be the origin of `corner`, x and y the other vertices of its face, C the circle through the three, and D the
+/// position of C opposite to w. All vectors start at w. Let f be the foot of a bridge from w. The disc of the bridge
+/// contains a vertex v exactly if the angle at v between w and f is at least 90 degrees. Each vertex is the end of a
+/// wall, so the disc contains no vertex except w, and this angle is acute for every other vertex v: f . v < v^2. Then:
+///
+/// 1. f is a x + b y with a, b > 0. Because D . x = x^2 and D . y = y^2, f^2 = a f . x + b f . y is less than D . f.
+///    So D lies strictly beyond the line of the wall, and the segment from w to D meets this line at a position g
+///    before D.
+/// 2. The lines f . x = x^2 and f . y = y^2 meet at D, so f lies strictly inside C, as g does. So the triangle w f g,
+///    except for w, lies strictly inside C. It contains no other vertex: if the ray from w turns from f to g, the first
+///    vertex that it meets is visible from the face, but no visible vertex lies strictly inside the circle of a face.
+/// 3. So g lies on the wall, too, and the segment from w to g crosses the same edges as the bridge. The function
+///    follows the segment from w to D to the first wall.
+///
+/// The function also stops at an edge that no bridge meets. Seen from w, f lies on each edge that the bridge meets, or
+/// beyond it. So D lies beyond the line through the edge. And the angles at its ends between the edge and w are acute:
+/// otherwise f would not satisfy the inequality for this end.
+HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
+  const Point from = position_of(mesh_.origin(corner));
+  const auto seen = [&](Vertex v) { return Diameter::seen(position_of(v) - from, errors_); };
+  HalfEdge exit = mesh::next(corner);
+  HalfEdge entry = mesh_.twin(exit);
+  std::array<Diameter::Seen, 3> vertices{seen(mesh_.origin(exit)), seen(mesh_.target(exit)), seen(mesh_.apex(entry))};
+  Diameter::Seen* right = &vertices[0];  // the ends of `exit`
+  Diameter::Seen* left = &vertices[1];
+  Diameter::Seen* apex = &vertices[2];
+  if (!(Diameter::may_cross(*right, *apex) | Diameter::may_cross(*apex, *left))) return mesh::kNoHalfEdge;
+  const Diameter diameter(*right, *left, errors_);
+  const auto may_meet = [&](const Diameter::Seen& p, const Diameter::Seen& q) {
+    return Diameter::may_cross(p, q) & diameter.may_end_beyond(p, q);
+  };
+  diameter.place(*right);
+  diameter.place(*left);
+  for (;;) {
+    diameter.place(*apex);
+    Sign side = diameter.sure_side_of(*apex);
+    if (side == Sign::zero) {
+      if (may_meet(*right, *apex) | may_meet(*apex, *left)) side = side_of_diameter(corner, entry);
+      if (side == Sign::zero) return mesh::kNoHalfEdge;
+    }
+    const bool is_left = side == Sign::positive;
+    exit = is_left ? mesh::next(entry) : mesh::previous(entry);
+    std::swap(apex, is_left ? left : right);
+    if (!may_meet(*right, *left)) return mesh::kNoHalfEdge;
+    if (mesh_.is_fixed(exit)) return exit;
+    entry = mesh_.twin(exit);
+    *apex = seen(mesh_.apex(entry));
+  }
+}
+
+/// Says on which side of the diameter at the corner the apex of `entry` lies. In a rectangle, the apex often lies at
+/// the end of the diameter.
+Sign BridgeFinder::side_of_diameter(HalfEdge corner, HalfEdge entry) const {
+  const Vertex x = mesh_.target(corner);
+  const Vertex y = mesh_.apex(corner);
   const Vertex z = mesh_.apex(entry);
-  const bool crosses_right = !is_not_acute(w, x, z);
-  const bool crosses_left = !is_not_acute(w, y, z);
-  if (!(crosses_left | crosses_right)) return mesh::kNoHalfEdge;
-  const Point from = position_of(w);
-  auto& seen = scratch_.seen;
-  seen.clear();
-  seen.push_back(seen_from(from, x));
-  seen.push_back(seen_from(from, y));
-  Seen apex = seen_from(from, z);
-  apex.beyond = beyond_lines(apex);
-  const bool sees_left = is_left_of(w, seen[1], apex);
-  const bool sees_right = is_left_of(w, apex, seen[0]);
-  const Choice first{crosses_left && sees_left, crosses_right && sees_right, sees_left, sees_right};
-  scratch_.to_cross.clear();
-  VisibleEdge visible{entry, 1, 0, 1, 0};
-  for (HalfEdge wall = go_on(corner, apex, first, visible);; wall = cross(corner, from, visible)) {
-    if (wall != mesh::kNoHalfEdge) return wall;
-    if (visible.entry != mesh::kNoHalfEdge) continue;
-    if (scratch_.to_cross.empty()) return mesh::kNoHalfEdge;
-    visible = scratch_.to_cross.back();
-    scratch_.to_cross.pop_back();
-  }
-}
-
-/// Looks at the apex of the face beyond a visible edge. Returns the first of the two edges of the apex that is the
-/// wall, or kNoHalfEdge. Replaces `visible` by one of these two edges, if a bridge may cross it. Otherwise sets its
-/// `entry` to kNoHalfEdge.
-WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::cross(HalfEdge corner, const Point& from, VisibleEdge& visible) {
-  const auto& seen = scratch_.seen;
-  Seen apex = seen_from(from, mesh_.apex(visible.entry));
-  bool crosses_left = may_cross(apex, seen[visible.entry_left]);
-  bool crosses_right = may_cross(apex, seen[visible.entry_right]);
-  if (!(crosses_left | crosses_right)) {  // one branch that is easier to predict than two
-    visible.entry = mesh::kNoHalfEdge;
-    return mesh::kNoHalfEdge;
-  }
-  apex.beyond = beyond_lines(apex);
-  const Vertex w = mesh_.origin(corner);
-  const bool sees_left = is_left_of(w, seen[visible.left], apex);
-  const bool sees_right = is_left_of(w, apex, seen[visible.right]);
-  crosses_left = crosses_left && sees_left && (apex.beyond & seen[visible.entry_left].beyond) == 0;
-  crosses_right = crosses_right && sees_right && (apex.beyond & seen[visible.entry_right].beyond) == 0;
-  return go_on(corner, apex, {crosses_left, crosses_right, sees_left, sees_right}, visible);
-}
-
-/// Continues through the edges of the apex that `choice` names, as cross() describes. If there are two, stores the
-/// second one in `to_cross`. find_wall() calls this function for the first face.
-WAYWRIGHT_ALWAYS_INLINE HalfEdge BridgeFinder::go_on(HalfEdge corner, const Seen& apex, Choice choice,
-                                                     VisibleEdge& visible) {
-  const HalfEdge left = mesh::previous(visible.entry);
-  const HalfEdge right = mesh::next(visible.entry);
-  visible.entry = mesh::kNoHalfEdge;
-  if (choice.crosses_left && mesh_.is_fixed(left)) {
-    if (is_bridge_to(corner, left)) return left;
-    choice.crosses_left = false;
-  }
-  if (choice.crosses_right && mesh_.is_fixed(right)) {
-    if (is_bridge_to(corner, right)) return right;
-    choice.crosses_right = false;
-  }
-  if (!choice.crosses_left && !choice.crosses_right) return mesh::kNoHalfEdge;
-  const auto at = static_cast<std::uint32_t>(scratch_.seen.size());
-  scratch_.seen.push_back(apex);
-  const VisibleEdge beyond_right{mesh_.twin(right), choice.sees_left ? at : visible.left, visible.right, at,
-                                 visible.entry_right};
-  if (!choice.crosses_left) {
-    visible = beyond_right;
-    return mesh::kNoHalfEdge;
-  }
-  if (choice.crosses_right) scratch_.to_cross.push_back(beyond_right);
-  visible = {mesh_.twin(left), visible.left, choice.sees_right ? at : visible.right, visible.entry_left, at};
-  return mesh::kNoHalfEdge;
+  const Point& w = position_of(mesh_.origin(corner));
+  const auto is_right_angle = [&](Vertex v) {
+    return exact::dot(position_of(v), w, position_of(v), position_of(z)) == Sign::zero;
+  };
+  if (is_explicit(x) && is_explicit(y) && is_explicit(z) && is_right_angle(x) && is_right_angle(y)) return Sign::zero;
+  const auto exact = [&](Vertex v) { return geometry_.exact(number(v)); };
+  return exact::side_of_diameter(w, exact(x), exact(y), exact(z));
 }
 
 bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
@@ -233,14 +212,13 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
   const Vertex y = mesh_.apex(corner);
   const Candidate candidate = candidate_of(gap, w, mesh::kNoVertex);
   if (is_blocked_by(candidate, x) || is_blocked_by(candidate, y)) return false;
-  const Around at_w = around(candidate, w);
-  const Around at_x = around(candidate, x);
-  const Around at_y = around(candidate, y);
-  scratch_.to_clear.clear();
   scratch_.begin();
   (void)scratch_.visit(mesh::face(corner));
-  return is_clear_at(candidate, corner, at_w, at_x) && enter(candidate, mesh::next(corner), at_x, at_y) &&
-         is_clear_at(candidate, mesh::previous(corner), at_y, at_w) && is_clear(candidate);
+  const Around at_w = around(candidate, w);
+  if (may_enter(candidate, at_w, around(candidate, x)) && !is_clear_beyond(candidate, mesh_.twin(corner))) return false;
+  const HalfEdge other = mesh::previous(corner);
+  if (may_enter(candidate, around(candidate, y), at_w) && !is_clear_beyond(candidate, mesh_.twin(other))) return false;
+  return is_clear_beyond(candidate, mesh_.twin(mesh::next(corner)));
 }
 
 // A constructed vertex lies strictly inside both of its sides. If one of these sides ends at the start of the gap, the
@@ -270,18 +248,6 @@ bool BridgeFinder::has_foot_on(const Gap& gap, HalfEdge corner, HalfEdge wall) c
 bool BridgeFinder::is_blocked_by(const Gap& gap, HalfEdge wall) const {
   const constraint::Side& side = triangulation_.any_side(wall);
   return exact::touches(gap, position_of(side.from), position_of(side.to));
-}
-
-/// Returns whether no wall in the faces of `to_clear`, and in those to which the search continues, touches the closed
-/// disc.
-bool BridgeFinder::is_clear(const Candidate& candidate) {
-  auto& to_clear = scratch_.to_clear;
-  while (!to_clear.empty()) {
-    const Beyond beyond = to_clear.back();
-    to_clear.pop_back();
-    if (!is_clear_in(candidate, beyond)) return false;
-  }
-  return true;
 }
 
 }  // namespace waywright::clearance

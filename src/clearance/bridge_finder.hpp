@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clearance/changed_walls.hpp"
+#include "clearance/diameter.hpp"
 #include "clearance/disc.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/rounding.hpp"
@@ -18,39 +19,8 @@ namespace waywright::clearance {
 
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
-  /// A vertex, relative to a corner of a face from which a search starts.
-  struct Seen {
-    Point offset;   ///< from the corner
-    double square;  ///< of the distance from the corner
-    double error;   ///< see BridgeFinder::seen_from()
-    mesh::Vertex vertex;
-    std::uint32_t beyond;  ///< bits for the two lines that BridgeFinder::find_wall() describes: 1 for x, 2 for y
-  };
-  /// An edge that a corner sees, at least in part. The numbers are indices in `seen`.
-  struct VisibleEdge {
-    mesh::HalfEdge entry;
-    std::uint32_t left;  ///< the vertices that bound the part of the edge that the corner sees
-    std::uint32_t right;
-    std::uint32_t entry_left;  ///< the ends of the edge
-    std::uint32_t entry_right;
-  };
-  /// A vertex near the disc of a candidate.
-  struct Around {
-    Point offset;   ///< from the centre of the disc
-    double square;  ///< of the distance from the centre
-  };
-  /// A face that the disc of a candidate may meet, beyond the edge of `entry`, a half-edge of this face.
-  struct Beyond {
-    mesh::HalfEdge entry;
-    Around origin;  ///< the ends of the edge
-    Around target;
-  };
-
-  std::vector<mesh::HalfEdge> to_enter;  ///< half-edges through which a search enters faces
-  std::vector<Seen> seen;  ///< by a search from one corner; the first two are x and y of BridgeFinder::find_wall()
-  std::vector<VisibleEdge> to_cross;
-  std::vector<Beyond> to_clear;
-  memory::ZeroedArray<std::uint8_t> acute;     ///< by face: see BridgeFinder::note_angles()
+  std::vector<mesh::HalfEdge> to_enter;        ///< half-edges through which a search enters faces
+  std::vector<mesh::HalfEdge> to_clear;        ///< half-edges through which the search for a clear disc enters faces
   memory::ZeroedArray<std::uint32_t> visited;  ///< by face: the number of the last search that visited it
   memory::Stamp stamp;
 
@@ -86,27 +56,16 @@ class BridgeFinder {
         mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
         rounding_(constraint::largest_rounding(triangulation)),
-        relative_error_(rounding_ > 0.0 ? 0x1p-20 : 0x1p-48),
-        absolute_error_(0x1p25 * rounding_ * rounding_) {
-    scratch.acute.grow_to(mesh_.face_slots());
+        errors_(rounding_) {
     scratch.visited.grow_to(mesh_.face_slots());
   }
 
-  /// Notes for each angle of a face whether it is acute: bit i of the entry of `acute` is 0 only if the angle at the
-  /// origin of half-edge i of the face is at least 90 degrees.
-  void note_angles(mesh::Face f);
-  /// The entry of `acute`. Requires: note_angles() was called for this face.
-  [[nodiscard]] unsigned acute_angles(mesh::Face f) const { return scratch_.acute[number(f)]; }
+  /// Says for each angle of a face whether it is acute: bit i is 0 only if the angle at the origin of half-edge i of
+  /// the face is at least 90 degrees.
+  [[nodiscard]] unsigned acute_angles(mesh::Face f) const;
   /// Returns false only if no foot bridge starts at corner `i` of a face, 0, 1 or 2, and runs into the face. `acute` is
   /// acute_angles() of the face.
   [[nodiscard]] static bool may_have_foot(unsigned acute, unsigned i) { return (acute | 1U << i) == 7U; }
-  /// Returns false only if the edge is no bridge. Requires: note_angles() was called for both faces.
-  [[nodiscard]] bool may_be_bridge(mesh::HalfEdge h) const {
-    const auto may_be_acute = [&](mesh::HalfEdge at) {
-      return (acute_angles(mesh::face(at)) >> (number(at) % 3) & 1U) != 0;
-    };
-    return may_be_acute(mesh::previous(h)) && may_be_acute(mesh::previous(mesh_.twin(h)));
-  }
 
   /// Returns whether the free edge of `h` is a bridge. Requires: `h` and its twin belong to faces of the domain.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h);
@@ -163,8 +122,18 @@ class BridgeFinder {
     /// Returns false only if the segment from an end to `v` contains no position strictly inside the exact disc. Each
     /// coordinate of `v` may be wrong by `rounding`.
     [[nodiscard]] bool may_enter_from(mesh::Vertex end, const Point& v, double rounding) const {
-      return end == from ? disc.may_enter(v, rounding) : !Disc::is_surely_not_acute(v, gap.a, gap.from, rounding);
+      if (to == mesh::kNoVertex) return disc.may_enter(v, rounding);
+      const bool is_from = end == from;
+      return !Disc::is_surely_not_acute(v, is_from ? gap.from : gap.a, is_from ? gap.a : gap.from, rounding);
     }
+  };
+
+  /// A vertex near the disc of a candidate.
+  struct Around {
+    Point offset;   ///< from the centre of the disc
+    double square;  ///< of the distance from the centre
+    mesh::Vertex vertex;
+    bool is_end;  ///< of the candidate
   };
 
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
@@ -178,92 +147,51 @@ class BridgeFinder {
   [[nodiscard]] bool is_blocked_by(const Candidate& candidate, mesh::Vertex v) const {
     return v != candidate.from && v != candidate.to && is_explicit(v) && candidate.disc.surely_contains(position_of(v));
   }
+  /// The radius is at most |c| + t - 8 rounding_, if c is the centre. The limit of the candidate is larger than
+  /// (|c| + t)^2 (1 + 2^-20)^2, because 2 |c| t is at most 2^-20 c^2 + 2^20 t^2.
   [[nodiscard]] Candidate candidate_of(const exact::Gap& gap, mesh::Vertex from, mesh::Vertex to) const {
     const Disc disc = Disc::of_gap(gap.from, gap.a, gap.b);
-    const double radius = (disc.radius + 8.0 * rounding_) * (1.0 + 0x1p-20);
-    return {gap, from, to, disc, radius * radius};
+    const double square = disc.centre.x * disc.centre.x + disc.centre.y * disc.centre.y;
+    const double t = 4.0 * disc.error + 8.0 * rounding_;
+    return {gap, from, to, disc, square * (1.0 + 0x1p-18) + 0x1p21 * t * t};
   }
-  [[nodiscard]] BridgeScratch::Around around(const Candidate& candidate, mesh::Vertex v) const {
+  [[nodiscard]] Around around(const Candidate& candidate, mesh::Vertex v) const {
     const Point offset = position_of(v) - candidate.disc.origin - candidate.disc.centre;
-    return {offset, offset.x * offset.x + offset.y * offset.y};
+    return {offset, offset.x * offset.x + offset.y * offset.y, v, v == candidate.from || v == candidate.to};
   }
   /// Returns false only if no point of the segment from `p` to `q` lies in the closed exact disc. The distance of the
   /// segment is wrong by at most 2^-48 of the distances of `p` and `q` and of the radius, plus 4 * rounding_. (r +
   /// 2^-48 d)^2 is less than (1 + 2^-21) r^2 + 2^-74 d^2, so the limit of the candidate and the term below cover this
   /// error.
-  [[nodiscard]] static bool may_touch(const Candidate& candidate, const BridgeScratch::Around& p,
-                                      const BridgeScratch::Around& q) {
+  [[nodiscard]] static bool may_touch(const Candidate& candidate, const Around& p, const Around& q) {
     const Point along = q.offset - p.offset;
     const double at_p = p.offset.x * along.x + p.offset.y * along.y;
     const double at_q = q.offset.x * along.x + q.offset.y * along.y;
     const double limit = candidate.limit + 0x1p-60 * (p.square + q.square);
-    if (!((at_p < 0.0) & (at_q > 0.0))) return !(std::min(p.square, q.square) > limit);
     const double cross = p.offset.x * along.y - p.offset.y * along.x;
-    return !(cross * cross > limit * (along.x * along.x + along.y * along.y));
+    // The processor cannot predict these tests, so the code combines them without branches.
+    const bool is_between = (at_p < 0.0) & (at_q > 0.0);
+    const bool is_line_far = cross * cross > limit * (along.x * along.x + along.y * along.y);
+    const bool are_ends_far = std::min(p.square, q.square) > limit;
+    const bool is_far = (is_between & is_line_far) | (!is_between & are_ends_far);
+    return !is_far;
   }
-  [[nodiscard]] bool is_clear(const Candidate& candidate);
-  [[nodiscard]] bool is_clear_in(const Candidate& candidate, const BridgeScratch::Beyond& beyond);
-  [[nodiscard]] bool is_clear_at(const Candidate& candidate, mesh::HalfEdge h, const BridgeScratch::Around& origin,
-                                 const BridgeScratch::Around& target);
-  [[nodiscard]] bool enter(const Candidate& candidate, mesh::HalfEdge h, const BridgeScratch::Around& origin,
-                           const BridgeScratch::Around& target);
+  [[nodiscard]] bool may_enter(const Candidate& candidate, const Around& p, const Around& q) const;
+  [[nodiscard]] bool is_clear_beyond(const Candidate& candidate, mesh::HalfEdge entry);
   /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
     return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
   }
-  /// What the search of find_wall() decides at the apex of the face beyond a visible edge: which of the two edges of
-  /// the apex a bridge may cross, and whether the apex lies right of the left bound of the visible part, and left of
-  /// its right bound.
-  struct Choice {
-    bool crosses_left;
-    bool crosses_right;
-    bool sees_left;
-    bool sees_right;
-  };
-  [[nodiscard]] mesh::HalfEdge cross(mesh::HalfEdge corner, const Point& from, BridgeScratch::VisibleEdge& visible);
-  [[nodiscard]] mesh::HalfEdge go_on(mesh::HalfEdge corner, const BridgeScratch::Seen& apex, Choice choice,
-                                     BridgeScratch::VisibleEdge& visible);
+  [[nodiscard]] mesh::HalfEdge follow_diameter(mesh::HalfEdge corner) const;
+  [[nodiscard]] exact::Sign side_of_diameter(mesh::HalfEdge corner, mesh::HalfEdge entry) const;
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
-  /// The errors of two vertices together bound the error of their cross product, and of the difference between their
-  /// dot product and a square. Each coordinate of an offset may be wrong by r = 2 * rounding_, and by half an ulp. So a
-  /// product of two vertices is wrong by at most r (|p| + |q|) + 2 r^2, where |p| is the sum of two magnitudes, and by
-  /// 2^-49 (p^2 + q^2). Because 2 r |p| is at most 2^-22 |p|^2 + 2^22 r^2, and |p|^2 at most 2 p^2, all errors together
-  /// are at most 2^-20 (p^2 + q^2) + 2^24 r^2.
-  [[nodiscard]] BridgeScratch::Seen seen_from(const Point& corner, mesh::Vertex v) const {
-    const Point offset = position_of(v) - corner;
-    const double square = offset.x * offset.x + offset.y * offset.y;
-    return {offset, square, relative_error_ * square + absolute_error_, v, 0};
-  }
-  /// Returns whether the angle at `v` between the corner and `p` is surely at least 90 degrees. If c is the corner,
-  /// then (c - v) . (p - v) = (v - c)^2 - (v - c) . (p - c).
-  [[nodiscard]] static bool is_not_acute(const BridgeScratch::Seen& v, const BridgeScratch::Seen& p) {
-    return v.offset.x * p.offset.x + v.offset.y * p.offset.y - v.square >= v.error + p.error;
-  }
-  /// The bits of `v` for the two lines that find_wall() describes: whether it surely lies beyond the line or on it.
-  [[nodiscard]] std::uint32_t beyond_lines(const BridgeScratch::Seen& v) const {
-    return std::uint32_t{is_not_acute(scratch_.seen[0], v)} | std::uint32_t{is_not_acute(scratch_.seen[1], v)} << 1;
-  }
-  /// Returns false only if the angle between the corner and `q` at `p`, or the angle between the corner and `p` at `q`,
-  /// is at least 90 degrees.
-  [[nodiscard]] static bool may_cross(const BridgeScratch::Seen& p, const BridgeScratch::Seen& q) {
-    const double dot = p.offset.x * q.offset.x + p.offset.y * q.offset.y;
-    return !(dot - std::min(p.square, q.square) >= p.error + q.error);
-  }
-  /// Returns whether, as seen from the corner at `w`, `p` lies strictly left of `q`.
-  [[nodiscard]] bool is_left_of(mesh::Vertex w, const BridgeScratch::Seen& p, const BridgeScratch::Seen& q) const {
-    const double cross = q.offset.x * p.offset.y - q.offset.y * p.offset.x;
-    if (std::abs(cross) > p.error + q.error) return cross > 0.0;
-    const auto view = [&](mesh::Vertex v) { return geometry_.view(number(v)); };
-    return geometry_.orientation(view(w), view(q.vertex), view(p.vertex)) == exact::Sign::positive;
-  }
 
   BridgeScratch& scratch_;
   const Triangulation& triangulation_;
   const mesh::TriangleMesh& mesh_;
   const exact::Geometry& geometry_;
   double rounding_;
-  double relative_error_;  ///< see seen_from()
-  double absolute_error_;
+  Diameter::Errors errors_;
 };
 
 }  // namespace waywright::clearance

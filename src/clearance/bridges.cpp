@@ -18,6 +18,10 @@ namespace {
 /// most faces of the mesh.
 constexpr std::size_t kFewFaces = 1000;
 
+/// Marks a face that does not lie in the domain, among the faces with noted angles. At least two angles of a triangle
+/// are acute.
+constexpr std::uint8_t kNotInDomain = 0;
+
 }  // namespace
 
 /// The destructor rolls the bridges back, unless done() was called.
@@ -47,12 +51,12 @@ Bridges::Bridges(const Triangulation& triangulation) {
       if (triangulation.triangulation().is_in_domain(Face{i})) visit(Face{i});
     }
   };
-  for_each_face([&](Face f) { finder.note_angles(f); });
+  for_each_face([&](Face f) { note_angles(finder, f); });
   for_each_face([&](Face f) {
     find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
-      if (!mesh.is_fixed(h) && h < mesh.twin(h) && finder.may_be_bridge(h)) find_at_edge(triangulation, finder, h);
+      if (!mesh.is_fixed(h) && h < mesh.twin(h) && may_be_bridge(mesh, h)) find_at_edge(triangulation, finder, h);
     }
     begin();  // empties the logs: no earlier state exists
   });
@@ -61,6 +65,7 @@ Bridges::Bridges(const Triangulation& triangulation) {
 }
 
 void Bridges::grow_to_mesh(const mesh::TriangleMesh& mesh) {
+  acute_.grow_to(mesh.face_slots());
   corners_.grow_to(std::size_t{3} * mesh.face_slots(), 0);
   walls_.grow_to(std::size_t{3} * mesh.face_slots(), 0);
 }
@@ -124,18 +129,22 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
   const auto is_in_domain = [&](Face f) { return triangulation.triangulation().is_in_domain(f); };
   for (const Face f : region_.faces()) {
     clear_face(f);
-    if (is_in_domain(f)) finder.note_angles(f);
+    acute_[number(f)] = kNotInDomain;
+    if (is_in_domain(f)) note_angles(finder, f);
   }
   for (const Face f : region_.faces()) {
-    if (!is_in_domain(f)) continue;
+    if (acute_[number(f)] == kNotInDomain) continue;
     find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       if (mesh.is_fixed(h)) continue;
       const HalfEdge twin = mesh.twin(h);
       if (region_.contains(mesh::face(twin))) {
-        if (h < twin && finder.may_be_bridge(h)) find_at_edge(triangulation, finder, h);
-      } else if (finder.may_touch(finder.disc_of(h), changed)) {
+        if (h < twin && may_be_bridge(mesh, h)) find_at_edge(triangulation, finder, h);
+        continue;
+      }
+      region_.add_border(h);
+      if (finder.may_touch(finder.disc_of(h), changed)) {
         find_at_edge(triangulation, finder, h);
       } else {
         set_bridge(h, is_bridge(twin));
@@ -144,23 +153,34 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
   }
 }
 
-/// Finds the foot bridges that start at the corners of a face. Requires: BridgeFinder::note_angles() was called for the
-/// face.
+void Bridges::note_angles(const BridgeFinder& finder, Face f) {
+  acute_[number(f)] = static_cast<std::uint8_t>(finder.acute_angles(f));
+}
+
+/// Finds the foot bridges that start at the corners of a face. Requires: note_angles() was called for the face.
 void Bridges::find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, Face f) {
-  const unsigned acute = finder.acute_angles(f);
+  const unsigned acute = acute_[number(f)];
   for (unsigned i = 0; i < 3; ++i) {
     if (BridgeFinder::may_have_foot(acute, i)) find_at_corner(triangulation, finder, mesh::half_edge(f, i));
   }
 }
 
+bool Bridges::may_be_bridge(const mesh::TriangleMesh& mesh, HalfEdge h) const {
+  const auto is_apex_acute = [&](HalfEdge of) {
+    return (acute_[number(mesh::face(of))] >> (number(mesh::previous(of)) % 3) & 1U) != 0;
+  };
+  return is_apex_acute(h) && is_apex_acute(mesh.twin(h));
+}
+
 void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
-  region_.collect_beyond(triangulation, changed, finder, scratch_);
+  region_.collect_beyond(changed, finder, scratch_);
   for (const HalfEdge corner : region_.corners()) find_at_corner(triangulation, finder, corner);
   for (const HalfEdge h : region_.edges()) find_at_edge(triangulation, finder, h);
 }
 
 void Bridges::clear_face(Face f) {
   for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
+    if ((corners_[i] | walls_[i]) == 0) continue;
     const HalfEdge h{i};
     if (const std::uint32_t foot = foot_at(h); foot != kNone) remove_foot(foot);
     while (first_foot_on(h) != kNone) {
@@ -279,8 +299,8 @@ void Bridges::count_memory(MemoryUse& use) const {
   walls_.count_memory(use, &MemoryUse::bridges);
   feet_.count_memory(use, &MemoryUse::bridges);
   region_.count_memory(use);
-  memory::count_spare(use, scratch_.to_enter, scratch_.seen, scratch_.to_cross, scratch_.to_clear);
-  use.spare += scratch_.acute.size() + scratch_.visited.size() * sizeof(std::uint32_t);
+  memory::count_spare(use, scratch_.to_enter, scratch_.to_clear);
+  use.spare += acute_.size() + scratch_.visited.size() * sizeof(std::uint32_t);
 }
 
 void Bridges::shrink_to_fit() {
@@ -289,6 +309,7 @@ void Bridges::shrink_to_fit() {
   walls_.shrink_to_fit();
   feet_.shrink_to_fit();
   region_.release();
+  acute_ = {};
   scratch_ = {};
 }
 

@@ -15,6 +15,7 @@
 #include "constraint/exact_triangulation.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
+#include "memory/zeroed_array.hpp"
 
 namespace waywright::clearance {
 
@@ -96,9 +97,12 @@ class Bridges {
   void clear_face(mesh::Face f);
   void find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
+  void note_angles(const BridgeFinder& finder, mesh::Face f);
   void find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, mesh::Face f);
   void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
   void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);
+  /// Returns false only if the edge is no bridge. Requires: `acute_` has the angles of both faces.
+  [[nodiscard]] bool may_be_bridge(const mesh::TriangleMesh& mesh, mesh::HalfEdge h) const;
   void set_bridge(mesh::HalfEdge h, bool is_bridge);
 
   [[nodiscard]] std::uint32_t add_foot(const Foot& foot);
@@ -117,6 +121,7 @@ class Bridges {
 
   // Scratch.
   ChangedRegion region_;
+  memory::ZeroedArray<std::uint8_t> acute_;  ///< by face: BridgeFinder::acute_angles()
   BridgeScratch scratch_;
 };
 

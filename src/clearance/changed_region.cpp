@@ -63,16 +63,9 @@ void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   });
 }
 
-void ChangedRegion::collect_beyond(const Triangulation& triangulation, const ChangedWalls& changed,
-                                   BridgeFinder& finder, BridgeScratch& scratch) {
+void ChangedRegion::collect_beyond(const ChangedWalls& changed, BridgeFinder& finder, BridgeScratch& scratch) {
   const Search search{changed, finder, scratch};
-  for (const Face f : faces_) {
-    if (!triangulation.triangulation().is_in_domain(f)) continue;
-    for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
-      const HalfEdge h{i};
-      if (!mesh_->is_fixed(h) && !is_border(h)) search_beyond(search, h);
-    }
-  }
+  for (const HalfEdge h : border_) search_beyond(search, h);
 }
 
 void ChangedRegion::search_beyond(const Search& search, HalfEdge border) {
@@ -141,15 +134,16 @@ void ChangedRegion::clear() {
   for (const HalfEdge corner : corners_) is_corner_[number(corner)] = false;
   for (const HalfEdge h : edges_) is_edge_[number(h)] = false;
   faces_.clear();
+  border_.clear();
   corners_.clear();
   edges_.clear();
 }
 
 void ChangedRegion::count_memory(MemoryUse& use) const {
   use.bridges += (is_touched_.capacity() + is_corner_.capacity() + is_edge_.capacity()) / 8;
-  memory::count_spare(use, faces_, corners_, edges_);
+  memory::count_spare(use, faces_, border_, corners_, edges_);
 }
 
-void ChangedRegion::release() { memory::release(faces_, corners_, edges_, is_touched_, is_corner_, is_edge_); }
+void ChangedRegion::release() { memory::release(faces_, border_, corners_, edges_, is_touched_, is_corner_, is_edge_); }
 
 }  // namespace waywright::clearance

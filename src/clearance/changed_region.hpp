@@ -22,12 +22,15 @@ class ChangedRegion {
   /// Collects the touched faces. Leaves out faces of which only labels have changed: their walls are the same.
   /// Requires: the operation of the triangulation is still open, and the object is empty.
   void collect_faces(const Triangulation& triangulation);
+  /// Adds a free edge between a touched face of the domain and a face that is not touched: the half-edge of the touched
+  /// face. Requires: collect_faces() was called.
+  void add_border(mesh::HalfEdge h) { border_.push_back(h); }
   /// Adds a corner of a face that is not touched. Requires: collect_faces() was called.
   void add_corner(mesh::HalfEdge corner);
   /// Collects the corners and edges of other faces whose bridges may have appeared or vanished because of the changed
-  /// walls. Cost: a search beyond each edge on the border of R. Requires: collect_faces() was called.
-  void collect_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder,
-                      BridgeScratch& scratch);
+  /// walls. Cost: a search beyond each edge on the border of R. Requires: add_border() was called for each of these
+  /// edges.
+  void collect_beyond(const ChangedWalls& changed, BridgeFinder& finder, BridgeScratch& scratch);
   /// Makes the object empty. Cost: proportional to what it contains.
   void clear();
 
@@ -66,6 +69,7 @@ class ChangedRegion {
 
   const mesh::TriangleMesh* mesh_ = nullptr;  ///< of the operation
   std::vector<mesh::Face> faces_;
+  std::vector<mesh::HalfEdge> border_;  ///< see add_border()
   std::vector<mesh::HalfEdge> corners_;
   std::vector<mesh::HalfEdge> edges_;
   std::vector<bool> is_touched_;  ///< by face

@@ -263,6 +263,27 @@ Sign detail::finer_dot(const Point& p, const Crossing& q, const Point& a, const 
   return sign_of(dot_product(formula::vector<Integer>(x - from.x * w, y - from.y * w), site(b) - site(a)));
 }
 
+// All vectors start at w. If D is the other end of the diameter, then D . x = x^2 and D . y = y^2. With n = x^2 y - y^2
+// x, n . D = 0, and D = (n.y, -n.x) / (x x y). So n points to the left of D, and the sign is that of n . z.
+Sign side_of_diameter(const Point& w, const ExactPoint& x, const ExactPoint& y, const ExactPoint& z) {
+  LatticeExponent lattice;
+  lattice.include(w);
+  for (const ExactPoint* const point : {&x, &y, &z}) lattice.include(*point);
+  const int exponent = lattice.value();
+  const Integer w_x = to_integer(w.x, exponent);
+  const Integer w_y = to_integer(w.y, exponent);
+  const auto from_w = [&](const ExactPoint& point) {
+    const Homogeneous p = to_homogeneous(point, exponent);
+    return Homogeneous{p.x - w_x * p.w, p.y - w_y * p.w, p.w};
+  };
+  const auto product = [](const Homogeneous& p, const Homogeneous& q) { return Integer{p.x * q.x + p.y * q.y}; };
+  const Homogeneous to_x = from_w(x);
+  const Homogeneous to_y = from_w(y);
+  const Homogeneous to_z = from_w(z);
+  return sign_of(product(to_x, to_x) * product(to_y, to_z) * to_y.w -
+                 product(to_y, to_y) * product(to_x, to_z) * to_x.w);
+}
+
 std::strong_ordering compare_to_diameter(const Gap& gap, double radius) {
   return order_of(formula::run_compare_to_diameter<formula::Decide>(gap, radius));
 }

@@ -54,6 +54,12 @@ template <class Coordinate>
   return detail::finer_dot(p, q.crossing(), a, b);
 }
 
+/// Consider the line through `w` and the centre of the circle through `w`, `x` and `y`, in the direction from `w` to
+/// the centre. Returns on which side of this line `z` lies: positive if it lies left of it, negative if it lies right
+/// of it, zero if it lies on it. Requires: `w`, `x` and `y` are counter-clockwise. Computes with integers of any size
+/// only.
+[[nodiscard]] Sign side_of_diameter(const Point& w, const ExactPoint& x, const ExactPoint& y, const ExactPoint& z);
+
 /// Whether the closed disc whose diameter is the gap contains a position of the segment from `c` to `d` other than the
 /// two ends of the gap. `c` and `d` may be equal.
 [[nodiscard]] bool touches(const Gap& gap, const Point& c, const Point& d);

@@ -46,6 +46,15 @@ inline exact::Sign rational_in_circle(const RationalPoint& a, const RationalPoin
   return sign_of_rational(determinant);
 }
 
+/// The centre of the circle through three points that lie on no line: Cramer's rule on 2 (b - a) . centre = b^2 - a^2
+/// and 2 (c - a) . centre = c^2 - a^2.
+inline RationalPoint centre_of_circle(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  const auto square = [](const RationalPoint& p) -> Rational { return p.x * p.x + p.y * p.y; };
+  const Rational bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const Rational k1 = square(b) - square(a), k2 = square(c) - square(a), determinant = 2 * (bx * cy - by * cx);
+  return {(k1 * cy - k2 * by) / determinant, (bx * k2 - cx * k1) / determinant};
+}
+
 inline exact::Sign rational_order(const RationalPoint& p, const RationalPoint& q) {
   return p.x != q.x ? sign_of_rational(p.x - q.x) : sign_of_rational(p.y - q.y);
 }
