@@ -121,9 +121,9 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
   const HalfEdge twin = mesh_.twin(h);
   for (const Vertex apex : {mesh_.apex(h), mesh_.apex(twin)}) {
     const Point& p = position_of(apex);
-    const bool may_be_acute = is_explicit(apex) ? exact::dot(p, position_of(u), p, position_of(v)) == Sign::positive
+    const bool is_acute = is_explicit(apex) ? exact::dot(p, position_of(u), p, position_of(v)) == Sign::positive
                                             : !is_not_acute(u, apex, v);
-    if (!may_be_acute) return false;
+    if (!is_acute) return false;
   }
   const Candidate candidate = candidate_of(gap_along(h), u, v);
   scratch_.begin();

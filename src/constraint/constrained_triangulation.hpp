@@ -54,6 +54,10 @@ class ConstrainedTriangulation {
   [[nodiscard]] bool may_have_divided() const { return new_walls_.may_divide(); }
   /// The items with a corner at `v`, by slot. The list contains an item once for each corner that it has there.
   [[nodiscard]] Uses corner_uses(mesh::Vertex v) const { return corner_uses_[number(v)]; }
+  /// Prefetches the memory that says which items have a corner at `v`.
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_corner_uses(mesh::Vertex v) const {
+    base::prefetch_to_write(&corner_uses_[number(v)]);
+  }
 
   /// One operation, all or nothing. If the object is destroyed before commit(), for example because memory ran out, the
   /// destructor undoes all changes since the object was made. Requires: no other operation is under way.
@@ -160,10 +164,6 @@ class ConstrainedTriangulation {
   void set_corner_uses(mesh::Vertex v, Uses uses);
   /// Whether many items have a corner at `v`.
   [[nodiscard]] bool is_hub(mesh::Vertex v) const { return uses_.has_many(corner_uses_[number(v)]); }
-  /// Prefetches the memory that says which items have a corner at `v`.
-  WAYWRIGHT_ALWAYS_INLINE void prefetch_corner_uses(mesh::Vertex v) const {
-    base::prefetch_to_write(&corner_uses_[number(v)]);
-  }
   void grow_corner_uses();
 
   /// Makes the record of the domain. Its corners are the vertices of these ranks.

@@ -109,6 +109,15 @@ class ItemTable {
   }
   /// Prefetches the bucket at which the search for an id will start. The id will soon be added.
   void prefetch(ItemId id) const;
+  /// Prefetches what contains(id) reads first. The next function prefetches the sides of an item, or some of them.
+  /// Requires: the item is not a point.
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_record(ItemId id) const {
+    if (id.value < items_.size()) base::prefetch_to_write(&items_[static_cast<std::size_t>(id.value)]);
+    prefetch(id);
+  }
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_sides(std::uint32_t item) const {
+    base::prefetch_to_write(&sides_[items_[item]]);
+  }
   /// Adds an item and returns its slot. Requires: no item has this id.
   std::uint32_t add_item(ItemId id, ItemKind kind, FillRule fill);
   /// Sets the corners and sides of an item. Call it once for each item.

@@ -140,6 +140,14 @@ class Triangulation {
     sectors_.prefetch(geometry_.rounded(number(v)));
   }
 
+  /// Prefetches the memory that says where a walk to a point starts. The next function returns the vertex at which the
+  /// walk probably starts, or kNoVertex.
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_start(const Point& point) const { sectors_.prefetch(point); }
+  [[nodiscard]] mesh::Vertex probable_start(const Point& point) const {
+    const mesh::Vertex v = sectors_.near(sectors_.at(point));
+    return v != mesh::kNoVertex && number(v) < mesh_.vertex_slots() ? v : mesh::kNoVertex;
+  }
+
   /// Makes u - w an edge with `label`: see CavityFiller::force_edge().
   mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
                             mesh::Label label);

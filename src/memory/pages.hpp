@@ -47,6 +47,11 @@ class Pages {
     return page < pages_.size() && pages_[page] != nullptr ? &(*pages_[page])[index % kPageSize] : nullptr;
   }
 
+  /// Prefetches the value, if there is room for it.
+  WAYWRIGHT_ALWAYS_INLINE void prefetch(std::size_t index) const {
+    if (const Value* const value = find(index)) base::prefetch_to_write(value);
+  }
+
   // Requires: has_room(index).
   [[nodiscard]] const Value& operator[](std::size_t index) const {
     return (*pages_[index / kPageSize])[index % kPageSize];

@@ -69,6 +69,8 @@ class TriangleMesh {
   void prefetch(Vertex v) const { base::prefetch(&outgoing_[number(v)]); }
   /// Prefetches the memory of the face of `h`.
   void prefetch(HalfEdge h) const { base::prefetch(&half_edges_[number(h)]); }
+  /// Prefetches the label that the edge of `h` has, or may get.
+  void prefetch_label(HalfEdge h) const { labels_.prefetch(number(h)); }
   /// The next half-edge that starts at the same vertex, counter-clockwise.
   [[nodiscard]] HalfEdge next_around(HalfEdge h) const { return twin(previous(h)); }
   /// The next half-edge that starts at the same vertex, clockwise.

@@ -10,6 +10,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "memory/count.hpp"
 #include "memory/journaled_array.hpp"
@@ -36,6 +37,8 @@ class TwoCore {
   /// longest dead end.
   explicit TwoCore(const constraint::ExactTriangulation& triangulation);
 
+  /// Prefetches the memory with the state of a face.
+  WAYWRIGHT_ALWAYS_INLINE void prefetch(mesh::Face f) const { base::prefetch_to_write(&states_[number(f)]); }
   /// Returns whether the face is in the core: it lies on a cycle of the graph, or on a connection between two cycles.
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Returns whether `h` is a passage from one face of the core to another.

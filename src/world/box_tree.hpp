@@ -13,40 +13,6 @@
 
 namespace waywright {
 
-/// The boxes of a node of BoxTree, and their values.
-template <class Value>
-class BoxBucket {
- public:
-  using Handle = std::uint32_t;
-
-  [[nodiscard]] std::size_t size() const { return entries_.size(); }
-  /// The handle of the entry `i`.
-  [[nodiscard]] Handle handle(std::size_t i) const { return entries_[i].handle; }
-  /// Adds a box as the last entry. If memory runs out, nothing changes.
-  void add(const Box& box, const Value& value, Handle handle) { entries_.push_back({box, value, handle}); }
-  /// Removes the entry `i`. The last entry takes its place.
-  void remove(std::size_t i) {
-    entries_[i] = entries_.back();
-    entries_.pop_back();
-  }
-  /// Calls visit(value, box) for each entry whose box overlaps `box`.
-  template <class Visit>
-  void for_each_overlapping(const Box& box, const Visit& visit) const {
-    for (const Entry& entry : entries_) {
-      if (entry.box.overlaps(box)) visit(entry.value, entry.box);
-    }
-  }
-
- private:
-  struct Entry {
-    Box box;
-    Value value;
-    Handle handle;
-  };
-
-  std::vector<Entry> entries_;
-};
-
 /// A set of boxes, each with a value. The set finds its boxes that overlap a given box.
 ///
 /// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
@@ -57,10 +23,12 @@ class BoxBucket {
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
 ///
-/// `Bucket` stores the boxes and values of a node: see BoxBucket.
-template <class Value, class Bucket = BoxBucket<Value>>
+/// `Bucket` stores the boxes and values of a node: see PieceBucket and EllipseBucket. It decides what it passes to
+/// `visit` for a given box, and may leave out values that the box does not meet.
+template <class Bucket>
 class BoxTree {
  public:
+  using Value = typename Bucket::Value;
   using Handle = std::uint32_t;
 
   explicit BoxTree(const Box& domain) : domain_(domain) {}
@@ -71,8 +39,8 @@ class BoxTree {
   /// Removes a box. Allocates nothing. Cost: the depth of the tree.
   void remove(Handle handle);
 
-  /// Calls visit(value, box of the value) for each box that overlaps `box`. Boxes overlap if they have a point in
-  /// common. Allocates nothing. `visit` must not change the set. A `Bucket` may call `visit` with other arguments.
+  /// Calls Bucket::for_each_overlapping(box, visit) for each node that has a box that overlaps `box`. Boxes overlap if
+  /// they have a point in common. Allocates nothing. `visit` must not change the set.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     if (!nodes_.empty()) visit_below(0, box, visit);
@@ -83,6 +51,7 @@ class BoxTree {
   static constexpr std::size_t kDeepest = 12;
 
   struct Node {
+    explicit Node(const Box& domain) : entries(domain) {}
     std::array<std::uint32_t, 4> children{kNone, kNone, kNone, kNone};
     std::uint32_t parent = kNone;  ///< of a free node: the next free one
     std::size_t count = 0;         ///< the number of entries here and below
@@ -115,21 +84,21 @@ class BoxTree {
   memory::FreeList free_handles_;  ///< linked by Place::index
 };
 
-template <class Value, class Bucket>
-std::uint32_t BoxTree<Value, Bucket>::make_node(std::uint32_t parent) {
+template <class Bucket>
+std::uint32_t BoxTree<Bucket>::make_node(std::uint32_t parent) {
   if (free_nodes_.is_empty()) {
-    nodes_.emplace_back();
+    nodes_.emplace_back(domain_);
     nodes_.back().parent = free_nodes_.push(static_cast<std::uint32_t>(nodes_.size() - 1));
   }
   const std::uint32_t node = free_nodes_.pop(nodes_[free_nodes_.first()].parent);
-  nodes_[node] = {};
+  nodes_[node] = Node(domain_);
   nodes_[node].parent = parent;
   return node;
 }
 
 /// Returns the node for a box. Makes this node and its ancestors if they do not exist.
-template <class Value, class Bucket>
-std::uint32_t BoxTree<Value, Bucket>::node_for(const Box& box) {
+template <class Bucket>
+std::uint32_t BoxTree<Bucket>::node_for(const Box& box) {
   if (nodes_.empty()) static_cast<void>(make_node(kNone));
   std::uint32_t node = 0;
   Box cell = domain_;
@@ -152,8 +121,8 @@ std::uint32_t BoxTree<Value, Bucket>::node_for(const Box& box) {
   return node;
 }
 
-template <class Value, class Bucket>
-auto BoxTree<Value, Bucket>::insert(const Box& box, const Value& value) -> Handle {
+template <class Bucket>
+auto BoxTree<Bucket>::insert(const Box& box, const Value& value) -> Handle {
   if (free_handles_.is_empty()) {
     places_.push_back({});
     places_.back().index = free_handles_.push(static_cast<std::uint32_t>(places_.size() - 1));
@@ -173,8 +142,8 @@ auto BoxTree<Value, Bucket>::insert(const Box& box, const Value& value) -> Handl
   return handle;
 }
 
-template <class Value, class Bucket>
-void BoxTree<Value, Bucket>::remove(Handle handle) {
+template <class Bucket>
+void BoxTree<Bucket>::remove(Handle handle) {
   const auto [node, index] = places_[handle];
   Bucket& entries = nodes_[node].entries;
   entries.remove(index);
@@ -189,8 +158,8 @@ void BoxTree<Value, Bucket>::remove(Handle handle) {
 }
 
 /// Frees a node without boxes. The root stays.
-template <class Value, class Bucket>
-void BoxTree<Value, Bucket>::free_if_empty(std::uint32_t node) {
+template <class Bucket>
+void BoxTree<Bucket>::free_if_empty(std::uint32_t node) {
   const std::uint32_t parent = nodes_[node].parent;
   const auto is_node = [](std::uint32_t child) { return child != kNone; };
   if (nodes_[node].count != 0 || parent == kNone) return;

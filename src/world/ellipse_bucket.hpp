@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +10,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "world/float_table.hpp"
 
 namespace waywright {
 
@@ -30,133 +29,127 @@ struct EllipseOfPath {
   std::uint32_t slot;  ///< of the path
 };
 
-/// The entries of a node of BoxTree: ellipses of paths. for_each_overlapping() does not ask whether boxes overlap: it
-/// calls visit(slot) for each ellipse that a box may meet.
+/// The entries of a node of BoxTree: ellipses of paths. for_each_overlapping() calls visit(slot) for each ellipse that
+/// a box may meet.
 ///
-/// An update visits thousands of ellipses, and their data is rarely in the cache. So the class stores only what the
-/// test needs, in blocks of lanes: the compiler computes several lanes at once.
+/// An update tests thousands of ellipses, and their data is rarely in the cache. So the class first tests floats: they
+/// say for almost all ellipses that the centre of the box lies in the ellipse, or that the box is beyond the ellipse.
+/// Only the other ellipses need a test of doubles.
 class EllipseBucket {
  public:
+  using Value = EllipseOfPath;
   using Handle = std::uint32_t;
 
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] Handle handle(std::size_t i) const { return blocks_[i / kLanes].handle[i % kLanes]; }
+  explicit EllipseBucket(const Box& domain) : frame_(domain) {}
 
-  /// Adds an ellipse. If memory runs out, nothing changes.
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] Handle handle(std::size_t i) const { return entries_[i].handle; }
+
+  /// Adds an ellipse with its bounding box. If memory runs out, nothing changes.
   void add(const Box& bounds, const EllipseOfPath& path, Handle handle) {
-    if (size_ % kLanes == 0) blocks_.emplace_back();
-    Block& block = blocks_.back();
-    const std::size_t lane = size_++ % kLanes;
-    const Ellipse& ellipse = path.ellipse;
-    block.bounds.min_x[lane] = rounded_down(bounds.min.x);
-    block.bounds.min_y[lane] = rounded_down(bounds.min.y);
-    block.bounds.max_x[lane] = -rounded_down(-bounds.max.x);
-    block.bounds.max_y[lane] = -rounded_down(-bounds.max.y);
-    block.start_x[lane] = ellipse.start.x;
-    block.start_y[lane] = ellipse.start.y;
-    block.goal_x[lane] = ellipse.goal.x;
-    block.goal_y[lane] = ellipse.goal.y;
-    block.length[lane] = ellipse.length;
-    block.reach[lane] = ellipse.reach;
-    block.slot[lane] = path.slot;
-    block.handle[lane] = handle;
+    floats_.make_room();
+    if (slots_.size() == slots_.capacity()) slots_.reserve(2 * slots_.size() + 4);
+    entries_.push_back({bounds, path.ellipse, handle});
+    slots_.push_back(path.slot);
+    floats_.add(row_of(path.ellipse));
   }
   /// Removes the entry `i`. The last entry takes its place.
   void remove(std::size_t i) {
-    --size_;
-    copy(blocks_[i / kLanes], i % kLanes, blocks_[size_ / kLanes], size_ % kLanes);
-    if (size_ % kLanes == 0) blocks_.pop_back();
+    floats_.remove(i);
+    entries_[i] = entries_.back();
+    entries_.pop_back();
+    slots_[i] = slots_.back();
+    slots_.pop_back();
   }
 
   /// Calls visit(slot) for each ellipse that the box meets, and for a few that the box misses. Requires: whoever added
   /// an ellipse has made its length larger by a 2^40th part. This part covers the rounding errors of the test.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
-    const float min_x = rounded_down(box.min.x);
-    const float min_y = rounded_down(box.min.y);
-    const float max_x = -rounded_down(-box.max.x);
-    const float max_y = -rounded_down(-box.max.y);
-    for (std::size_t begin = 0; begin < size_; begin += kLanes) {
-      const Block& block = blocks_[begin / kLanes];
-      const Bounds& bounds = block.bounds;
-      unsigned overlapping = 0;
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const unsigned overlaps_x = unsigned{bounds.min_x[lane] <= max_x} & unsigned{bounds.max_x[lane] >= min_x};
-        const unsigned overlaps_y = unsigned{bounds.min_y[lane] <= max_y} & unsigned{bounds.max_y[lane] >= min_y};
-        overlapping |= (overlaps_x & overlaps_y) << lane;
+    const Box relative = frame_.relative(box);
+    const Point middle = 0.5 * (relative.min + relative.max);
+    const auto x = static_cast<float>(middle.x);
+    const auto y = static_cast<float>(middle.y);
+    // For a position of the box, the sum of the distances to two foci is at most this much less than for the centre.
+    const auto nearer = static_cast<float>(distance(relative.min, relative.max) + FloatFrame::kError);
+    for (std::size_t i = 0; i < floats_.block_count(); ++i) {
+      const Floats::Block& block = floats_.block(i);
+      Floats::LaneSet outside = 0;
+      Floats::LaneSet beyond = 0;
+      for (std::size_t lane = 0; lane < Floats::kLanes; ++lane) {
+        const float sum = distance(block[kStartX][lane] - x, block[kStartY][lane] - y) +
+                          distance(block[kGoalX][lane] - x, block[kGoalY][lane] - y);
+        outside |= Floats::lane_if_negative(lane, block[kInside][lane] - sum);
+        beyond |= Floats::lane_if_negative(lane, block[kBeyond][lane] + nearer - sum);
       }
-      for (; overlapping != 0; overlapping &= overlapping - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(overlapping));
-        if (begin + lane < size_ && margin_of(block, lane, box) >= 0.0) visit(block.slot[lane]);
-      }
+      const Floats::LaneSet near = floats_.used_lanes(i) & ~beyond;
+      const std::size_t first = i * Floats::kLanes;
+      Floats::for_each_lane(near & ~outside, [&](std::size_t lane) { visit(slots_[first + lane]); });
+      Floats::for_each_lane(near & outside, [&](std::size_t lane) {
+        if (may_meet(entries_[first + lane], box)) visit(slots_[first + lane]);
+      });
     }
   }
 
  private:
-  static constexpr std::size_t kLanes = 4;
+  /// The floats of an ellipse: its foci, and two bounds of the sum of the distances from a position to the foci. If the
+  /// sum is at most `kInside`, the position is in the ellipse. If the sum is larger than `kBeyond`, the position is not
+  /// in the ellipse.
+  enum Field : std::uint8_t { kStartX, kStartY, kGoalX, kGoalY, kInside, kBeyond, kFieldCount };
+  using Floats = FloatTable<kFieldCount>;
 
-  /// The bounding boxes of the ellipses, rounded outwards.
-  struct Bounds {
-    std::array<float, kLanes> min_x{};
-    std::array<float, kLanes> min_y{};
-    std::array<float, kLanes> max_x{};
-    std::array<float, kLanes> max_y{};
-  };
-  struct Block {
-    Bounds bounds;
-    std::array<double, kLanes> start_x{};
-    std::array<double, kLanes> start_y{};
-    std::array<double, kLanes> goal_x{};
-    std::array<double, kLanes> goal_y{};
-    std::array<double, kLanes> length{};
-    std::array<double, kLanes> reach{};
-    std::array<std::uint32_t, kLanes> slot{};
-    std::array<Handle, kLanes> handle{};
+  struct Entry {
+    Box bounds;
+    Ellipse ellipse;
+    Handle handle;
   };
 
-  /// The largest float that is at most `x`.
-  static float rounded_down(double x) {
-    const auto nearest = static_cast<float>(x);
-    return nearest > x ? std::nextafter(nearest, -std::numeric_limits<float>::infinity()) : nearest;
+  static float distance(float dx, float dy) { return std::sqrt(dx * dx + dy * dy); }
+  static double distance(const Point& a, const Point& b) { return waywright::distance(a, b); }
+
+  /// The errors of the coordinates make the sum wrong by at most FloatFrame::kError, because a box lies in the domain.
+  [[nodiscard]] Floats::Row row_of(const Ellipse& ellipse) const {
+    const Point start = frame_.relative(ellipse.start);
+    const Point goal = frame_.relative(ellipse.goal);
+    const double length = frame_.relative(ellipse.length);
+    const double reach = frame_.relative(ellipse.reach);
+    double inside = length * (1.0 - FloatFrame::kError) - FloatFrame::kError;
+    double beyond = length * (1.0 + FloatFrame::kError) + 3.0 * reach + FloatFrame::kError;
+    if (FloatFrame::is_far(start) || FloatFrame::is_far(goal)) {
+      inside = -kLarge;
+      beyond = kLarge;
+    }
+    const auto to_float = [](double v) { return static_cast<float>(std::clamp(v, -kLarge, kLarge)); };
+    return {to_float(start.x), to_float(start.y), to_float(goal.x),
+            to_float(goal.y),  to_float(inside),  to_float(beyond)};
   }
-  static double squared_distance(const Box& box, double reach, double x, double y) {
+
+  static double squared_distance(const Box& box, double reach, const Point& p) {
     const auto beyond = [&](double least, double most, double at) {
-      const double below = least - at;
-      const double above = at - most;
-      const double larger = (below > above ? below : above) - reach;
-      return larger > 0.0 ? larger : 0.0;
+      return std::max(std::max(least - at, at - most) - reach, 0.0);
     };
-    const double dx = beyond(box.min.x, box.max.x, x);
-    const double dy = beyond(box.min.y, box.max.y, y);
+    const double dx = beyond(box.min.x, box.max.x, p.x);
+    const double dy = beyond(box.min.y, box.max.y, p.y);
     return dx * dx + dy * dy;
   }
-  /// Not negative if the box may meet the ellipse: if the box, larger by the reach in each of the four directions,
-  /// contains a position of the ellipse. Let a and b be the distances of the larger box from the foci. Then a + b <=
-  /// length if and only if the square of 2 a b is at most the square of the rest, and the rest is not negative: the
-  /// rest is length^2 - a^2 - b^2. The products of four coordinates neither overflow nor underflow.
-  static double margin_of(const Block& block, std::size_t lane, const Box& box) {
-    const double a2 = squared_distance(box, block.reach[lane], block.start_x[lane], block.start_y[lane]);
-    const double b2 = squared_distance(box, block.reach[lane], block.goal_x[lane], block.goal_y[lane]);
-    const double rest = block.length[lane] * block.length[lane] - a2 - b2;
-    return rest * std::abs(rest) - 4.0 * a2 * b2;
-  }
-  static void copy(Block& to, std::size_t to_lane, const Block& from, std::size_t from_lane) {
-    to.bounds.min_x[to_lane] = from.bounds.min_x[from_lane];
-    to.bounds.min_y[to_lane] = from.bounds.min_y[from_lane];
-    to.bounds.max_x[to_lane] = from.bounds.max_x[from_lane];
-    to.bounds.max_y[to_lane] = from.bounds.max_y[from_lane];
-    to.start_x[to_lane] = from.start_x[from_lane];
-    to.start_y[to_lane] = from.start_y[from_lane];
-    to.goal_x[to_lane] = from.goal_x[from_lane];
-    to.goal_y[to_lane] = from.goal_y[from_lane];
-    to.length[to_lane] = from.length[from_lane];
-    to.reach[to_lane] = from.reach[from_lane];
-    to.slot[to_lane] = from.slot[from_lane];
-    to.handle[to_lane] = from.handle[from_lane];
+  /// Returns whether the box, larger by the reach in each of the four directions, may contain a position of the
+  /// ellipse. Let a and b be the distances of the larger box from the foci. Then a + b <= length if and only if the
+  /// square of 2 a b is at most the square of the rest, and the rest is not negative: the rest is length^2 - a^2 - b^2.
+  /// The products of four coordinates neither overflow nor underflow.
+  static bool may_meet(const Entry& entry, const Box& box) {
+    const Ellipse& ellipse = entry.ellipse;
+    const double a2 = squared_distance(box, ellipse.reach, ellipse.start);
+    const double b2 = squared_distance(box, ellipse.reach, ellipse.goal);
+    const double rest = ellipse.length * ellipse.length - a2 - b2;
+    return rest * std::abs(rest) >= 4.0 * a2 * b2 && entry.bounds.overlaps(box);
   }
 
-  std::vector<Block> blocks_;
-  std::size_t size_ = 0;
+  static constexpr double kLarge = 0x1p100;
+
+  FloatFrame frame_;
+  Floats floats_;
+  std::vector<std::uint32_t> slots_;  ///< of the paths
+  std::vector<Entry> entries_;
 };
 
 }  // namespace waywright

@@ -12,14 +12,14 @@
 
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
-#include "constraint/box_flood.hpp"
 #include "constraint/slot_sets.hpp"
 #include "nav/kept_cover.hpp"
 #include "path/pieces.hpp"
 #include "path/polyline_walk.hpp"
 #include "world/box_tree.hpp"
 #include "world/ellipse_bucket.hpp"
-#include "world/key_sort.hpp"
+#include "world/key_order.hpp"
+#include "world/piece_bucket.hpp"
 #include "world/point_error.hpp"
 #include "world/world_impl.hpp"
 
@@ -56,10 +56,9 @@ void for_each_box_of_line(const Point& a, const Point& b, double reach, const Bo
   }
 }
 
-/// Returns true only if the two segments surely cross, also if each coordinate of their ends is wrong by a rounding
-/// error: the ends of each one lie on different sides of the line of the other.
-bool surely_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double slack = slack_of(a, b) + slack_of(c, d);
+/// Returns true only if the two segments surely cross, also if each coordinate of their ends is wrong by `slack`: the
+/// ends of each one lie on different sides of the line of the other.
+bool surely_cross(const Point& a, const Point& b, const Point& c, const Point& d, double slack) {
   const auto extent = [](const Point& p) { return std::abs(p.x) + std::abs(p.y); };
   const auto are_apart = [&](const Point& from, const Point& along, const Point& p, const Point& q) {
     const Point to_p = p - from;
@@ -72,16 +71,28 @@ bool surely_cross(const Point& a, const Point& b, const Point& c, const Point& d
   return are_apart(a, b - a, c, d) && are_apart(c, d - c, a, b);
 }
 
-enum class Diagonal : std::uint8_t { none, rising, falling };
+/// Returns whether a segment meets a box. Rounding errors may make the answer wrong.
+bool probably_meets(const Point& a, const Point& b, const Box& box) {
+  if (std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x) return false;
+  if (std::max(a.y, b.y) < box.min.y || std::min(a.y, b.y) > box.max.y) return false;
+  const Point along = b - a;
+  const Point centre = 0.5 * (box.min + box.max);
+  return 2.0 * std::abs(cross(along, centre - a)) <= std::abs(along.x) * box.height() + std::abs(along.y) * box.width();
+}
+
+/// The ends of a diagonal of a box, from left to right.
+std::array<Point, 2> ends_of(const Box& box, Diagonal diagonal) {
+  const bool rises = diagonal == Diagonal::rising;
+  return {Point{box.min.x, rises ? box.min.y : box.max.y}, Point{box.max.x, rises ? box.max.y : box.min.y}};
+}
 
 /// Returns false only if the box misses the diagonal of `around`, and all positions whose coordinates differ from it by
 /// at most 2 `slack`. Requires: the boxes overlap. A watch calls it for hundreds of boxes of an update, because it
 /// reads no path: the paths are rarely in the cache.
 bool may_touch_diagonal(const Box& around, Diagonal diagonal, const Box& box, double slack) {
   if (diagonal == Diagonal::none) return true;
-  const bool rises = diagonal == Diagonal::rising;
-  const Point from{around.min.x, rises ? around.min.y : around.max.y};
-  const Point along = Point{around.max.x, rises ? around.max.y : around.min.y} - from;
+  const auto [from, to] = ends_of(around, diagonal);
+  const Point along = to - from;
   const double extent = std::abs(along.x) + std::abs(along.y);
   const double error = extent * (8.0 * slack + 0x1p-48 * (extent + box.width() + box.height()));
   const auto [least, most] =
@@ -135,40 +146,32 @@ Ellipse ellipse_of(const Path& path) {
 }  // namespace
 
 struct WAYWRIGHT_INTERNAL PathWatch::Impl {
-  /// A segment of a path of a point agent, or a piece of a path of a disc.
-  struct Part {
-    std::uint32_t slot;
-    std::uint32_t index;
-    Diagonal diagonal;  ///< the part of the segment in a box of the tree is this diagonal of the box
-  };
-  using Parts = BoxTree<Part>;
-  using Reaches = BoxTree<EllipseOfPath, EllipseBucket>;
+  using Pieces = BoxTree<PieceBucket>;
+  using Reaches = BoxTree<EllipseBucket>;
   using Boxes = std::span<const ChangedBox>;
   using ExactTriangulation = constraint::ExactTriangulation;
 
-  /// What an update needs to name a path that may be too long. Thousands of these fit into the cache.
-  struct Named {
-    std::uint64_t key = 0;
-    std::uint64_t too_long_by = 0;  ///< the last update that has found that the path may be too long
+  /// What an update reads of each path near a change. Thousands of these fit into the cache.
+  struct State {
+    std::uint64_t seen_by = 0;  ///< the last update that has found a change on the path
+    bool is_for_disc = false;
+    bool is_blocked = false;  ///< whether the last check found it blocked; only for a point agent
   };
   struct Watched {
-    std::uint64_t key = 0;
     std::vector<Point> points;
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
-    std::vector<Parts::Handle> boxes;  ///< handles in `parts`
-    Reaches::Handle reach = 0;         ///< a handle in `reaches`
+    std::vector<Pieces::Handle> boxes;  ///< handles in `pieces`
+    Reaches::Handle reach = 0;          ///< a handle in `reaches`
     bool has_reach = false;
     bool is_in_domain = false;  ///< whether all points are points of the domain
-    bool is_blocked = false;    ///< whether the last check found it blocked; only for a point agent
-    std::uint64_t seen_by = 0;  ///< the last update that has found a change on the path
   };
 
   explicit Impl(const World& world)
       : domain(world.domain()),
         version(world.version()),
         had_crossings(has_crossings(world)),
-        parts(domain),
+        pieces(domain),
         reaches(domain) {}
 
   static bool has_crossings(const World& world) {
@@ -184,10 +187,11 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
         // Room for all slots, so that drop() allocates nothing.
         const std::size_t needed = impl_.watched.size() + 1;
         if (impl_.free_slots.capacity() < needed) impl_.free_slots.reserve(2 * needed);
-        if (impl_.named.size() < needed) impl_.named.resize(needed);
+        if (impl_.states.size() < needed) impl_.states.resize(needed);
         impl_.watched.emplace_back();
         impl_.free_slots.push_back(static_cast<std::uint32_t>(impl_.watched.size() - 1));
       }
+      impl_.keys.make_room(impl_.free_slots.back());
       slot_ = impl_.free_slots.back();
       impl_.free_slots.pop_back();
     }
@@ -207,15 +211,20 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   };
 
   void add_boxes(std::uint32_t slot);
-  void add_box(const Part& part, const Box& box);
+  void add_box(const Piece& piece, const Box& box);
   void drop(std::uint32_t slot) noexcept;
-  void check(const Part& part, const World& world, Boxes boxes, PathChanges& changes);
+  void set_blocked(std::uint32_t slot, bool is_blocked) noexcept {
+    if (std::exchange(states[slot].is_blocked, is_blocked)) --blocked_count;
+    if (is_blocked) ++blocked_count;
+  }
+  void check(const Piece& piece, const Box& around, const World& world, Boxes boxes, PathChanges& changes);
   void collect_walls(const ExactTriangulation& triangulation, const Box& box);
-  [[nodiscard]] bool crosses_wall(std::span<const Point> points) const;
-  [[nodiscard]] bool may_lose_crossing(const Watched& path, const ChangedBox& changed, Boxes boxes) const;
+  [[nodiscard]] bool crosses_wall(const Box& around, Diagonal diagonal) const;
+  [[nodiscard]] bool may_lose_crossing(const ChangedBox& changed, Boxes boxes) const;
   [[nodiscard]] static bool turns_in(const Watched& path, const Box& box);
-  [[nodiscard]] bool has_easy_pieces(const Watched& path, Boxes boxes) const;
-  [[nodiscard]] bool is_clear(const Watched& path, const World& world, Boxes boxes);
+  [[nodiscard]] static bool touches(const Watched& path, std::uint32_t segment, const Box& box);
+  [[nodiscard]] bool has_easy_pieces(std::uint32_t slot, Boxes boxes) const;
+  [[nodiscard]] bool is_clear(std::uint32_t slot, const World& world, Boxes boxes);
   void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
 
@@ -223,39 +232,40 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   std::uint64_t version;  ///< of the world at the last update
   bool had_crossings;     ///< whether the world had crossings at the last update, or before it
   std::uint64_t updates = 0;
-  Parts parts;
+  Pieces pieces;
   Reaches reaches;  ///< by the bounding boxes of the ellipses
   std::vector<Watched> watched;
-  std::vector<Named> named;  ///< by slot
+  std::vector<State> states;      ///< by slot
+  std::size_t blocked_count = 0;  ///< the number of paths with State::is_blocked
   std::vector<std::uint32_t> free_slots;
   std::unordered_map<std::uint64_t, std::uint32_t> slots;  ///< by key
+  KeyOrder keys;                                           ///< the keys of `slots`
   std::vector<std::array<Point, 2>> walls;  ///< some walls that meet the box that check_box() is looking at
   bool has_walls = false;                   ///< whether `walls` is up to date
   constraint::SlotSet reached;
   std::vector<mesh::HalfEdge> faces;
   nav::KeptCover cover;
   path::PolylineWalk walk;
-  std::vector<std::uint64_t> sort_scratch;
 };
 
-void PathWatch::Impl::add_box(const Part& part, const Box& box) {
-  std::vector<Parts::Handle>& boxes = watched[part.slot].boxes;
+void PathWatch::Impl::add_box(const Piece& piece, const Box& box) {
+  std::vector<Pieces::Handle>& boxes = watched[piece.slot].boxes;
   if (boxes.size() == boxes.capacity()) boxes.reserve(2 * boxes.size() + 4);
-  boxes.push_back(parts.insert(box, part));
+  boxes.push_back(pieces.insert(box, piece));
 }
 
-/// Adds the boxes of all parts of a path.
+/// Adds the boxes of all pieces of a path.
 void PathWatch::Impl::add_boxes(std::uint32_t slot) {
   const Watched& path = watched[slot];
-  Part part{slot, 0, Diagonal::none};
-  const auto add = [&](const Box& box) { add_box(part, box); };
+  Piece added{slot, 0, Diagonal::none};
+  const auto add = [&](const Box& box) { add_box(added, box); };
   if (path.pieces.empty()) {
     if (path.points.size() == 1) for_each_box_of_line(path.points[0], path.points[0], 0.0, domain, add);
-    for (; part.index + 1 < path.points.size(); ++part.index) {
-      const Point& from = path.points[part.index];
-      const Point& to = path.points[part.index + 1];
+    for (; added.index + 1 < path.points.size(); ++added.index) {
+      const Point& from = path.points[added.index];
+      const Point& to = path.points[added.index + 1];
       const bool rises = (from.x <= to.x) == (from.y <= to.y);
-      if (path.is_in_domain) part.diagonal = rises ? Diagonal::rising : Diagonal::falling;
+      if (path.is_in_domain) added.diagonal = rises ? Diagonal::rising : Diagonal::falling;
       for_each_box_of_line(from, to, 0.0, domain, add);
     }
     return;
@@ -267,15 +277,16 @@ void PathWatch::Impl::add_boxes(std::uint32_t slot) {
     } else {
       for_each_box_of_line(piece.centre, piece.centre, reach + piece.radius * (1.0 + 0x1p-40), domain, add);
     }
-    ++part.index;
+    ++added.index;
   }
 }
 
 /// Frees a slot and removes its boxes. Keeps the memory of its lists.
 void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   Watched& path = watched[slot];
-  for (const Parts::Handle box : path.boxes) parts.remove(box);
+  for (const Pieces::Handle box : path.boxes) pieces.remove(box);
   if (path.has_reach) reaches.remove(path.reach);
+  set_blocked(slot, false);
   path.has_reach = false;
   path.boxes.clear();
   path.points.clear();
@@ -283,63 +294,74 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   free_slots.push_back(slot);
 }
 
-/// Checks a path of a point agent, if a changed box may lie near this part of the path. Adds the path to `changes` if
-/// it is blocked. `boxes` are all boxes that have changed, or empty if they are not known. A path that surely crosses a
-/// wall is blocked. This is true of most blocked paths, and costs less than a walk along the path.
-void PathWatch::Impl::check(const Part& part, const World& world, Boxes boxes, PathChanges& changes) {
-  Watched& path = watched[part.slot];
-  if (std::exchange(path.seen_by, updates) == updates) return;
-  const std::span<const Point> points = path.points;
-  const bool is_across = part.index + 1 < points.size() && crosses_wall(points.subspan(part.index, 2));
-  path.is_blocked = !path.is_in_domain || is_across || !is_clear(path, world, boxes);
-  if (path.is_blocked) changes.blocked.push_back(path.key);
+/// Checks a path of a point agent, if a changed box may lie near this piece of the path, in the box `around`. Adds the
+/// slot of the path to `changes` if the path is blocked. `boxes` are all boxes that have changed, or empty if they are
+/// not known. A path that surely crosses a wall is blocked. This is true of most blocked paths, and costs less than a
+/// walk along the path.
+void PathWatch::Impl::check(const Piece& piece, const Box& around, const World& world, Boxes boxes,
+                            PathChanges& changes) {
+  State& state = states[piece.slot];
+  if (std::exchange(state.seen_by, updates) == updates) return;
+  const bool is_blocked =
+      crosses_wall(around, piece.diagonal) || !watched[piece.slot].is_in_domain || !is_clear(piece.slot, world, boxes);
+  set_blocked(piece.slot, is_blocked);
+  if (is_blocked) changes.blocked.push_back(piece.slot);
 }
 
-/// Sets `walls` to walls that meet the box: to all of them, if the box meets few faces.
+/// Sets `walls` to walls that meet the box, apart from rounding errors: to all of them, if the box meets few faces.
 void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, const Box& box) {
   constexpr std::size_t kMostFaces = 64;
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const mesh::TriangleMesh& mesh = triangulation.topology();
   walls.clear();
   reached.clear();
+  faces.clear();
   has_walls = true;
-  std::size_t count = 0;
-  const auto reach = [&](mesh::Face f) {
-    if (count == kMostFaces || !reached.insert(number(f))) return false;
-    ++count;
-    return true;
+  const auto reach = [&](mesh::HalfEdge h) {
+    if (faces.size() == kMostFaces || triangulation.triangulation().is_ghost_face(h)) return;
+    if (reached.insert(number(mesh::face(h)))) faces.push_back(h);
   };
-  constraint::faces_at(triangulation, triangulation.triangulation().locate(box.min), faces);
-  const mesh::HalfEdge start = faces.front();
-  constraint::flood_box(
-      triangulation, constraint::BoxTest(box), start, faces, reach, [&](mesh::HalfEdge h, bool meets) {
-        if (!meets || !mesh.is_fixed(h) || mesh.twin(h) < h) return;
-        walls.push_back({geometry.rounded(number(mesh.origin(h))), geometry.rounded(number(mesh.target(h)))});
-      });
+  reach(triangulation.triangulation().locate(box.min).h);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const mesh::HalfEdge face = faces[i];
+    for (const mesh::HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
+      const Point& from = geometry.rounded(number(mesh.origin(h)));
+      const Point& to = geometry.rounded(number(mesh.target(h)));
+      if (!probably_meets(from, to, box)) continue;
+      if (mesh.is_fixed(h) && h < mesh.twin(h)) walls.push_back({from, to});
+      reach(mesh.twin(h));
+    }
+  }
 }
 
-bool PathWatch::Impl::crosses_wall(std::span<const Point> points) const {
-  const auto is_crossed = [&](const auto& wall) { return surely_cross(points[0], points[1], wall[0], wall[1]); };
-  return has_walls && std::any_of(walls.begin(), walls.end(), is_crossed);
+/// Returns true only if the piece on a diagonal of the box surely crosses one of `walls`. Its ends differ from the ends
+/// of the diagonal by at most two rounding errors.
+bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
+  if (!has_walls || diagonal == Diagonal::none) return false;
+  const auto [from, to] = ends_of(around, diagonal);
+  const double slack = 4.0 * slack_of(domain.min, domain.max);
+  return std::any_of(walls.begin(), walls.end(),
+                     [&](const auto& wall) { return surely_cross(from, to, wall[0], wall[1], slack); });
 }
 
 /// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. It
 /// cannot decide if an operation has removed an item where the path turns, because the turn may have been at a crossing
 /// that no longer exists.
-bool PathWatch::Impl::has_easy_pieces(const Watched& path, Boxes boxes) const {
+bool PathWatch::Impl::has_easy_pieces(std::uint32_t slot, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
-  if (path.is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
-  return std::none_of(boxes.begin(), boxes.end(),
-                      [&](const ChangedBox& changed) { return may_lose_crossing(path, changed, boxes); });
+  const Watched& path = watched[slot];
+  if (states[slot].is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
+  return std::none_of(boxes.begin(), boxes.end(), [&](const ChangedBox& changed) {
+    return may_lose_crossing(changed, boxes) && turns_in(path, changed.box);
+  });
 }
 
-/// Returns whether a removed item may have been a side of a crossing for which a point of the path stands. The world
+/// Returns whether a removed item may have been a side of a crossing for which a point of a path stands. The world
 /// had no such crossing if it had none at the last update, and no item inserted since then meets the box of the removed
 /// item.
-bool PathWatch::Impl::may_lose_crossing(const Watched& path, const ChangedBox& changed, Boxes boxes) const {
-  if (!changed.is_removal || !turns_in(path, changed.box)) return false;
+bool PathWatch::Impl::may_lose_crossing(const ChangedBox& changed, Boxes boxes) const {
   const auto may_cross = [&](const ChangedBox& other) { return other.is_insertion && other.box.overlaps(changed.box); };
-  return had_crossings || std::any_of(boxes.begin(), boxes.end(), may_cross);
+  return changed.is_removal && (had_crossings || std::any_of(boxes.begin(), boxes.end(), may_cross));
 }
 
 /// Returns whether the path turns in the box, or less than rounding errors away from it.
@@ -349,17 +371,23 @@ bool PathWatch::Impl::turns_in(const Watched& path, const Box& box) {
                      [&](const Point& p) { return box.expanded(slack_of(p, p)).contains(p); });
 }
 
+/// Returns whether a segment of the path may touch the box.
+bool PathWatch::Impl::touches(const Watched& path, std::uint32_t segment, const Box& box) {
+  const std::span<const Point> points = path.points;
+  return path::may_touch(points.subspan(segment, std::min<std::size_t>(points.size(), 2)), box);
+}
+
 /// Returns whether the path is clear. If it was clear before, it is enough to look at the pieces that a box touches.
-bool PathWatch::Impl::is_clear(const Watched& path, const World& world, Boxes boxes) {
+bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes boxes) {
   using PieceState = path::PolylineWalk::PieceState;
   const constraint::ExactTriangulation& triangulation = world.impl_->triangulation;
-  const std::span<const Point> points = path.points;
+  const std::span<const Point> points = watched[slot].points;
   cover.use(world.impl_->kept_abstraction());
   const auto is_touched = [&](std::size_t i) {
     const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
     return std::any_of(boxes.begin(), boxes.end(), touches);
   };
-  bool is_sure = has_easy_pieces(path, boxes);
+  bool is_sure = has_easy_pieces(slot, boxes);
   for (std::size_t first = 0; is_sure && first + 1 < points.size(); ++first) {
     if (!is_touched(first)) continue;
     std::size_t last = first + 1;
@@ -373,41 +401,40 @@ bool PathWatch::Impl::is_clear(const Watched& path, const World& world, Boxes bo
 }
 
 // A removal blocks the path of a point agent only if the path turns at the rounded coordinates of a crossing that no
-// longer exists. The removal of an item never blocks a disc.
+// longer exists. The removal of an item never blocks a disc. Most paths near a change need no look at their points.
 void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes) {
   has_walls = false;
   const double slack = slack_of(domain.min, domain.max);
-  parts.for_each_overlapping(changed.box, [&](const Part& part, const Box& around) {
-    if (!may_touch_diagonal(around, part.diagonal, changed.box, slack)) return;
-    Watched& path = watched[part.slot];
-    if (path.seen_by == updates) return;
-    if (path.pieces.empty()) {
-      const std::span<const Point> points = path.points;
-      if (!path::may_touch(points.subspan(part.index, std::min<std::size_t>(points.size(), 2)), changed.box)) return;
-      if (!changed.is_insertion && !path.is_blocked && !may_lose_crossing(path, changed, boxes)) return;
-      if (changed.is_insertion && !has_walls) collect_walls(world.impl_->triangulation, changed.box);
-      return check(part, world, boxes, changes);
+  const bool may_lose = may_lose_crossing(changed, boxes);
+  const bool may_change = changed.is_insertion || may_lose || blocked_count != 0;
+  const auto look_at = [&](const Piece& piece, const Box& around) {
+    State& state = states[piece.slot];
+    if (state.seen_by == updates || !may_touch_diagonal(around, piece.diagonal, changed.box, slack)) return;
+    const Watched& path = watched[piece.slot];
+    if (state.is_for_disc) {
+      const std::span<const PathPiece> all = path.pieces;
+      if (!changed.is_insertion || !path::may_touch(all.subspan(piece.index, 1), path.radius, changed.box)) return;
+      state.seen_by = updates;
+      return changes.may_be_blocked.push_back(piece.slot);
     }
-    const std::span<const PathPiece> pieces = path.pieces;
-    if (!changed.is_insertion || !path::may_touch(pieces.subspan(part.index, 1), path.radius, changed.box)) return;
-    path.seen_by = updates;
-    changes.may_be_blocked.push_back(path.key);
-  });
-  if (!changed.is_removal) return;
-  reaches.for_each_overlapping(changed.box, [&](std::uint32_t slot) {
-    if (std::exchange(named[slot].too_long_by, updates) == updates) return;
-    changes.may_be_too_long.push_back(named[slot].key);
-  });
+    const bool is_checked = changed.is_insertion || state.is_blocked;
+    if (!is_checked && !(may_lose && turns_in(path, changed.box))) return;
+    if (piece.diagonal == Diagonal::none && !touches(path, piece.index, changed.box)) return;
+    if (changed.is_insertion && !has_walls) collect_walls(world.impl_->triangulation, changed.box);
+    check(piece, around, world, boxes, changes);
+  };
+  if (may_change) pieces.for_each_overlapping(changed.box, look_at);
+  if (changed.is_removal) reaches.for_each_overlapping(changed.box, [&](std::uint32_t slot) { keys.mark(slot); });
 }
 
 void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
   has_walls = false;
   for (const auto& [key, slot] : slots) {
-    changes.may_be_too_long.push_back(key);
-    if (!watched[slot].pieces.empty()) {
-      changes.may_be_blocked.push_back(key);
+    keys.mark(slot);
+    if (states[slot].is_for_disc) {
+      changes.may_be_blocked.push_back(slot);
     } else if (!watched[slot].points.empty()) {
-      check({slot, 0, Diagonal::none}, world, {}, changes);
+      check({slot, 0, Diagonal::none}, {}, world, {}, changes);
     }
   }
 }
@@ -421,28 +448,31 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   const base::FloatEnvironment environment;
   Impl::Addition addition(*impl_);
   Impl::Watched& added = impl_->watched[addition.slot()];
-  added.key = key;
   added.points = path.points;
   added.pieces = path.pieces;
   added.radius = path.radius;
-  added.seen_by = 0;
   added.is_in_domain = std::all_of(path.points.begin(), path.points.end(),
                                    [&](const Point& p) { return is_point_of(impl_->domain, p); });
-  added.is_blocked = false;
-  impl_->named[addition.slot()] = {key, 0};
+  impl_->states[addition.slot()] = {0, !path.pieces.empty(), false};
   impl_->add_boxes(addition.slot());
   const Ellipse ellipse = ellipse_of(path);
   added.reach = impl_->reaches.insert(bounds_of(ellipse), {ellipse, addition.slot()});
   added.has_reach = true;
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.
-  if (!is_new) impl_->drop(std::exchange(found->second, addition.slot()));
+  if (is_new) {
+    impl_->keys.add(addition.slot(), key);
+  } else {
+    impl_->keys.move(found->second, addition.slot());
+    impl_->drop(std::exchange(found->second, addition.slot()));
+  }
   addition.done();
 }
 
 bool PathWatch::remove(std::uint64_t key) {
   const auto found = impl_->slots.find(key);
   if (found == impl_->slots.end()) return false;
+  impl_->keys.remove(found->second);
   impl_->drop(found->second);
   impl_->slots.erase(found);
   return true;
@@ -458,14 +488,15 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   changes.may_be_blocked.clear();
   changes.may_be_too_long.clear();
   ++impl_->updates;
+  impl_->keys.clear_marks();
   if (const auto boxes = world.changes_since(impl_->version)) {
     for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, *boxes, changes);
   } else {
     impl_->check_all(world, changes);
   }
-  sort_keys(changes.blocked, impl_->sort_scratch);
-  sort_keys(changes.may_be_blocked, impl_->sort_scratch);
-  sort_keys(changes.may_be_too_long, impl_->sort_scratch);
+  impl_->keys.take_marked(changes.may_be_too_long);
+  impl_->keys.replace_by_keys(changes.blocked);
+  impl_->keys.replace_by_keys(changes.may_be_blocked);
   impl_->version = world.version();
   impl_->had_crossings = Impl::has_crossings(world);
 }

@@ -12,6 +12,7 @@
 #include "waywright/world.hpp"
 
 #include "world/changed_items.hpp"
+#include "world/replica_prefetch.hpp"
 
 namespace waywright {
 
@@ -57,10 +58,11 @@ class Replica {
 
 }  // namespace detail
 
-/// The shapes of one item. The object keeps its memory from one use to the next.
+/// The shapes of one item, and what the replica prefetches. The object keeps its memory from one use to the next.
 struct ReplicaScratch {
   Shape in_world;
   Shape in_replica;
+  ReplicaPrefetch prefetch;
 };
 
 /// The replicas of a world, and the changes that they have not repeated yet.

@@ -1,5 +1,7 @@
 #include "waywright/world_snapshot.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -53,8 +55,12 @@ bool World::Impl::follow(const Impl& other, std::span<const ItemId> changed, Rep
     touch_log->note_world_gone();
     touch_log = std::move(fresh);
   }
-  for (const ItemId id : changed) {
-    if (!follow_item(other, id, scratch)) return false;
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    if (i % ReplicaPrefetch::kItems == 0) {
+      const std::size_t count = std::min(changed.size() - i, ReplicaPrefetch::kItems);
+      scratch.prefetch.run(triangulation, other.triangulation, kept_abstraction(), changed.subspan(i, count));
+    }
+    if (!follow_item(other, changed[i], scratch)) return false;
   }
   // Nothing can fail from here on.
   change_log.follow(other.change_log, version());

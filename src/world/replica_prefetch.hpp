@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "waywright/id.hpp"
+
+#include "base/compiler.hpp"
+#include "constraint/exact_triangulation.hpp"
+#include "mesh/index.hpp"
+#include "nav/abstraction.hpp"
+
+namespace waywright {
+
+/// Prefetches the memory that a replica needs when it repeats changes of its world. In a large world, a change at a
+/// random place spends most of its time waiting for memory, one address after the other. This class knows all items
+/// before the first change. So it looks at all of them in turn, one step each, and the processor fetches the memory for
+/// the next steps at the same time. It changes nothing, and answers do not depend on it.
+class ReplicaPrefetch {
+ public:
+  using Triangulation = constraint::ExactTriangulation;
+
+  /// So many items at once: the cache has room for their surroundings.
+  static constexpr std::size_t kItems = 16;
+
+  /// Prefetches what the replica needs to remove its items with these ids, and to insert the items with these ids of
+  /// the world. `abstraction` is the abstraction of the replica, or null.
+  void run(const Triangulation& replica, const Triangulation& world, const nav::Abstraction* abstraction,
+           std::span<const ItemId> ids);
+
+ private:
+  void find_corners(const Triangulation& replica, const Triangulation& world, std::span<const ItemId> ids);
+  void turn(const Triangulation& replica, const nav::Abstraction* abstraction);
+
+  /// A half-edge that starts at a corner.
+  struct Spoke {
+    mesh::HalfEdge h;
+    mesh::HalfEdge first;
+    mesh::Face before;  ///< the face before the face of `h`
+  };
+
+  std::vector<mesh::Vertex> corners_;      ///< in the replica
+  std::vector<mesh::Vertex> new_corners_;  ///< in the world
+  std::vector<mesh::Vertex> starts_;       ///< where the walks to the new corners start, in the replica
+  std::vector<Spoke> spokes_;              ///< of the vertices in `corners_`
+};
+
+}  // namespace waywright
