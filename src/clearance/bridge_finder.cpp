@@ -165,10 +165,14 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   Diameter::Seen* right = &vertices[0];  // the ends of `exit`
   Diameter::Seen* left = &vertices[1];
   Diameter::Seen* apex = &vertices[2];
-  if (!(Diameter::may_cross(*right, *apex) | Diameter::may_cross(*apex, *left))) return mesh::kNoHalfEdge;
+  const bool may_cross_right = Diameter::may_cross(*right, *apex);
+  const bool may_cross_left = Diameter::may_cross(*apex, *left);
+  if (!(may_cross_right | may_cross_left)) return mesh::kNoHalfEdge;
   const Diameter diameter(*right, *left, errors_);
   const auto may_meet = [&](const Diameter::Seen& p, const Diameter::Seen& q) {
-    return Diameter::may_cross(p, q) & diameter.may_end_beyond(p, q);
+    const bool may_cross = Diameter::may_cross(p, q);
+    const bool may_end_beyond = diameter.may_end_beyond(p, q);
+    return may_cross & may_end_beyond;
   };
   diameter.place(*right);
   diameter.place(*left);

@@ -338,10 +338,10 @@ void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, con
 /// of the diagonal by at most two rounding errors.
 bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
   if (!has_walls || diagonal == Diagonal::none) return false;
-  const auto [from, to] = ends_of(around, diagonal);
+  const std::array<Point, 2> ends = ends_of(around, diagonal);
   const double slack = 4.0 * slack_of(domain.min, domain.max);
   return std::any_of(walls.begin(), walls.end(),
-                     [&](const auto& wall) { return surely_cross(from, to, wall[0], wall[1], slack); });
+                     [&](const auto& wall) { return surely_cross(ends[0], ends[1], wall[0], wall[1], slack); });
 }
 
 /// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. It
