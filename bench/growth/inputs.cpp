@@ -351,6 +351,25 @@ void ten_moves_at_once(std::size_t n, Meter& meter) {
   meter.stop();
 }
 
+/// Walls divide a corridor with points into n + 1 rooms.
+void rooms_at_once(std::size_t n, Meter& meter) {
+  const double length = 3.0 * static_cast<double>(n + 1);
+  World world = World::create({{0, 0}, {length, 3}}).value();
+  std::vector<Point> points;
+  for (double x = 1; x < length; ++x) {
+    for (double y = 0; y <= 3; ++y) points.push_back({x, y});
+  }
+  static_cast<void>(world.insert_points(points).value());
+  std::vector<Change> changes;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = i == 0 ? 1.5 : 3.0 * static_cast<double>(i) + 0.5;
+    changes.push_back(Change::insert(Shape::segment({x, 0}, {x, 3})));
+  }
+  meter.start();
+  static_cast<void>(world.apply(changes).value());
+  meter.stop();
+}
+
 constexpr Input kInputs[] = {
     {"contours_outermost_first", 200, false, "n nested contours of 100 corners, removed outermost first",
      contours_outermost_first},
@@ -380,6 +399,7 @@ constexpr Input kInputs[] = {
     {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", one_crossing_removed},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a wall across n edges between two curves, inserted", wall_between_curves},
+    {"rooms_at_once", 2000, false, "n walls across a corridor, inserted by one operation", rooms_at_once},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",
      path_round_a_polygon},
     {"small_in_large_domain", 20000, false, "n points of a square 1,000 wide in a domain of ±1e15, each with a query",

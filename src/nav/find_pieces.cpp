@@ -136,9 +136,13 @@ void Components::search_beside(const mesh::TriangleMesh& mesh, std::uint32_t reg
   add_to_compared(groups_[region].first_search);
   for (;;) {
     list_unfinished(region);
-    if (compared_.size() <= 1) return;
+    if (compared_.size() <= 1) break;
     for (const std::uint32_t search : compared_) step(mesh, root_of(search_sets_, search));
   }
+  // Later regions that join this one need only the unfinished set.
+  std::uint32_t& first = groups_[root_of(regions_, region)].first_search;
+  if (!compared_.empty()) first = compared_.front();
+  searches_[first].next_of_region = first;
 }
 
 /// Adds all searches beside the region of a search to `compared_`.
@@ -149,7 +153,7 @@ void Components::add_to_compared(std::uint32_t search) {
   }
 }
 
-/// Keeps in `compared_` the root of each unfinished set, once. If a set is finished, joins the regions beside its piece
+/// Keeps in `compared_` one search of each unfinished set. If a set is finished, joins the regions beside its piece
 /// to `region`, and adds the searches beside these regions.
 void Components::list_unfinished(std::uint32_t region) {
   ++round_;
@@ -161,7 +165,7 @@ void Components::list_unfinished(std::uint32_t region) {
     if (is_finished(set)) {
       join_regions_of(set, region);
     } else {
-      compared_[kept++] = set;
+      compared_[kept++] = compared_[i];
     }
   }
   compared_.resize(kept);
