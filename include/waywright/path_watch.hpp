@@ -50,9 +50,11 @@ struct PathChanges {
 /// Only the removal of an item can make a shorter path possible, and only if the shorter path meets the area where the
 /// item was. Each position on a shorter path lies in the ellipse whose foci are the start and the goal of the old path,
 /// and whose major axis is as long as the old path. So the watch compares the bounding boxes of removed items with this
-/// ellipse. A replacement counts as a removal and an insertion. A path that was not found counts as infinitely long:
-/// the watch reports it after each removal of a wall. If the search moved an end of the path, the ellipse is larger,
-/// and also contains the point at which the query wanted this end.
+/// ellipse. There is one exception, which the watch does not report: an insertion that blocks an end of a path that was
+/// not found can make a path possible, because the next query moves this end to a free position
+/// (PathQuery::end_tolerance). A replacement counts as a removal and an insertion. A path that was not found counts as
+/// infinitely long: the watch reports it after each removal of a wall. If the search moved an end of the path, the
+/// ellipse is larger, and also contains the point at which the query wanted this end.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it.
