@@ -51,7 +51,7 @@ class FloatFrame {
   double slack_;
 };
 
-/// Rows of `kFields` floats, and a slot for each row, in blocks of lanes. A test of all rows computes several lanes at
+/// Rows of `kFields` floats, in blocks of lanes. A test of all rows computes several lanes at
 /// once, and reads little memory.
 template <std::size_t kFields>
 class FloatTable {
