@@ -13,6 +13,7 @@
 
 #include "random.hpp"
 #include "registers.hpp"
+#include "timing.hpp"
 #include "town.hpp"
 
 // Going back, trying out, saving and loading: the times of World::mark(), World::rewind() and World::attempt() beside
@@ -23,12 +24,6 @@ namespace {
 
 constexpr std::size_t kTicks = 8;
 constexpr std::size_t kChangesOfTick = 10;
-
-double median(std::vector<double>& times) {
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
-}
 
 /// Runs the function and returns its time in microseconds.
 template <class Run>
@@ -120,22 +115,17 @@ void time_save(benchmark::State& state, std::size_t points) {
   state.counters["ratio"] = median(loading) / median(inserting);
 }
 
-template <class Run>
-void add(const std::string& name, Run run) {
-  benchmark::RegisterBenchmark(name.c_str(), run)->Iterations(1)->Unit(benchmark::kMillisecond);
-}
-
 }  // namespace
 
 void register_history() {
   const auto add_all = [](const std::string& prefix, std::size_t vertices) {
     const std::string size = '/' + std::to_string(vertices);
-    add(prefix + "rewind" + size, [=](benchmark::State& state) { time_rewind(state, vertices); });
+    register_single_run(prefix + "rewind" + size, [=](benchmark::State& state) { time_rewind(state, vertices); });
     for (const std::size_t changes : {std::size_t{1}, std::size_t{10}}) {
-      add(prefix + "attempt" + size + '/' + std::to_string(changes),
-          [=](benchmark::State& state) { time_attempt(state, vertices, changes); });
+      register_single_run(prefix + "attempt" + size + '/' + std::to_string(changes),
+                          [=](benchmark::State& state) { time_attempt(state, vertices, changes); });
     }
-    add(prefix + "save" + size, [=](benchmark::State& state) { time_save(state, vertices); });
+    register_single_run(prefix + "save" + size, [=](benchmark::State& state) { time_save(state, vertices); });
   };
   add_all("", 100'000);
   add_all("large/", 1'000'000);

@@ -13,6 +13,7 @@
 #include "random.hpp"
 #include "real_scenes.hpp"
 #include "registers.hpp"
+#include "timing.hpp"
 #include "world_of.hpp"
 
 // What PathWatch::update() adds to an operation, while it watches many paths on a real map.
@@ -20,14 +21,8 @@
 namespace waywright::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr const char* kMap = "grid/sc1/Aurora.map";
 constexpr const char* kQueries = "grid/anyangle/Aurora.anyangle.scen";
-
-double microseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 /// The paths of units. The key of a path is its index.
 class Units {

@@ -15,6 +15,7 @@
 
 #include "random.hpp"
 #include "registers.hpp"
+#include "timing.hpp"
 #include "town.hpp"
 
 // Snapshots for readers, among a million vertices: the time of World::publish(), what snapshots cost the updates of the
@@ -98,10 +99,6 @@ void time_updates_beside(benchmark::State& state, std::size_t vertices) {
       latest = published.world().publish();
     }
   }
-  const auto median = [](std::vector<double>& times) {
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-    return times[times.size() / 2];
-  };
   state.counters["alone_us"] = median(times_alone);
   state.counters["held_us"] = median(times_held);
   state.counters["published_us"] = median(times_published);
@@ -174,28 +171,23 @@ void time_readers(benchmark::State& state, std::size_t vertices, std::chrono::mi
   state.counters["snapshots"] = static_cast<double>(published);
 }
 
-template <class Run>
-void add(const std::string& name, Run run) {
-  benchmark::RegisterBenchmark(name.c_str(), run)->Iterations(1)->Unit(benchmark::kMillisecond);
-}
-
 }  // namespace
 
 void register_snapshots() {
   const auto add_all = [](const std::string& prefix, std::size_t vertices) {
     const std::string size = '/' + std::to_string(vertices);
-    add(prefix + "publish" + size + "/released",
-        [=](benchmark::State& state) { time_publish(state, vertices, Holding::none, false); });
-    add(prefix + "publish" + size + "/held_until_next",
-        [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, false); });
-    add(prefix + "publish" + size + "/same_polygons",
-        [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, true); });
-    add(prefix + "updates_beside_snapshots" + size,
-        [=](benchmark::State& state) { time_updates_beside(state, vertices); });
-    add(prefix + "readers_beside_writer" + size + "/without_pause",
-        [=](benchmark::State& state) { time_readers(state, vertices, std::chrono::milliseconds(0)); });
-    add(prefix + "readers_beside_writer" + size + "/16_ms_ticks",
-        [=](benchmark::State& state) { time_readers(state, vertices, std::chrono::milliseconds(16)); });
+    register_single_run(prefix + "publish" + size + "/released",
+                        [=](benchmark::State& state) { time_publish(state, vertices, Holding::none, false); });
+    register_single_run(prefix + "publish" + size + "/held_until_next",
+                        [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, false); });
+    register_single_run(prefix + "publish" + size + "/same_polygons",
+                        [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, true); });
+    register_single_run(prefix + "updates_beside_snapshots" + size,
+                        [=](benchmark::State& state) { time_updates_beside(state, vertices); });
+    register_single_run(prefix + "readers_beside_writer" + size + "/without_pause",
+                        [=](benchmark::State& state) { time_readers(state, vertices, std::chrono::milliseconds(0)); });
+    register_single_run(prefix + "readers_beside_writer" + size + "/16_ms_ticks",
+                        [=](benchmark::State& state) { time_readers(state, vertices, std::chrono::milliseconds(16)); });
   };
   add_all("", 100'000);
   add_all("large/", 1'000'000);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -9,15 +8,10 @@
 #include "waywright/path.hpp"
 #include "waywright/world.hpp"
 
+#include "building.hpp"
 #include "random.hpp"
 
 namespace waywright::bench {
-
-using Clock = std::chrono::steady_clock;
-
-inline double microseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 /// A town: a square of cells. Every second cell contains a regular polygon of 4 to 8 corners at a random position and
 /// angle. The id of a polygon is the number of its cell, plus 1.
@@ -64,19 +58,9 @@ class Town {
     return {kCell * (static_cast<double>(x + (x + y + 1) % 2) + 0.5), kCell * (static_cast<double>(y) + 0.5)};
   }
   [[nodiscard]] Shape building(std::size_t cell) {
-    constexpr double kTurn = 6.283185307179586;
     const std::size_t corners = 4 + random_.below(5);
-    const double radius = 8 + 16 * random_.unit();
-    const double play = kCell - 2 * radius;
     const Point corner{kCell * static_cast<double>(cell % side_), kCell * static_cast<double>(cell / side_)};
-    const Point centre = corner + Point{radius + play * random_.unit(), radius + play * random_.unit()};
-    const double first = random_.unit();
-    std::vector<Point> ring;
-    for (std::size_t i = 0; i < corners; ++i) {
-      const double angle = kTurn * (first + static_cast<double>(i) / static_cast<double>(corners));
-      ring.push_back(centre + Point{radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return Shape::polygon(ring);
+    return random_building(random_, corner, kCell, corners);
   }
 
   Random random_{1};

@@ -11,6 +11,7 @@
 #include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
+#include "building.hpp"
 #include "random.hpp"
 
 namespace waywright::bench {
@@ -120,17 +121,7 @@ class Town {
   }
   /// Returns a regular polygon at a random position and angle in the cell.
   [[nodiscard]] Shape building(std::size_t cell, std::size_t corners) {
-    constexpr double kTurn = 6.283185307179586;
-    const double radius = 8 + 16 * random_.unit();
-    const double play = kCell - 2 * radius;
-    const Point centre = corner_of(cell) + Point{radius + play * random_.unit(), radius + play * random_.unit()};
-    const double first = random_.unit();
-    std::vector<Point> ring;
-    for (std::size_t i = 0; i < corners; ++i) {
-      const double angle = kTurn * (first + static_cast<double>(i) / static_cast<double>(corners));
-      ring.push_back(centre + Point{radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return Shape::polygon(ring);
+    return random_building(random_, corner_of(cell), kCell, corners);
   }
 
   /// Returns a position in a free cell at most kReach cells from the start, along each axis.
