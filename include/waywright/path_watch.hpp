@@ -94,7 +94,7 @@ class WAYWRIGHT_API PathWatch {
   /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for the pieces of paths
   /// that come near to a box, and for a whole path if such a piece runs along a wall or if there are more than 8 boxes;
   /// the answer; and one step for each 64 paths of the watch. Allocates nothing if earlier updates had answers of this
-  /// size.
+  /// size. If memory runs out, `changes` is empty, and you can call update() again.
   void update(const World& world, PathChanges& changes);
 
  private:

@@ -130,6 +130,8 @@ class Rings {
   }
   /// Reserves memory for `points` points, counted over all rings.
   void reserve(std::size_t points) { points_.reserve(points); }
+  /// Returns the number of points for which there is memory, counted over all rings.
+  [[nodiscard]] std::size_t capacity() const { return points_.capacity(); }
   /// Removes all rings, and keeps the memory.
   void clear() {
     ring_count_ = 0;

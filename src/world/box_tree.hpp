@@ -73,7 +73,31 @@ class BoxTree {
       }
     }
   }
-  [[nodiscard]] std::uint32_t node_for(const Box& box);
+  /// The way from the root down to the node of a new box. If memory runs out, the destructor frees the new nodes.
+  class Descent {
+   public:
+    explicit Descent(BoxTree& tree) : tree_(tree) {}
+    ~Descent() {
+      for (std::uint32_t at = is_done_ ? kNone : node_; at != kNone;) {
+        const std::uint32_t parent = tree_.nodes_[at].parent;
+        tree_.free_if_empty(at);
+        at = parent;
+      }
+    }
+    Descent(const Descent&) = delete;
+    Descent& operator=(const Descent&) = delete;
+
+    [[nodiscard]] std::uint32_t node() const { return node_; }
+    void go_to(std::uint32_t node) { node_ = node; }
+    void done() { is_done_ = true; }
+
+   private:
+    BoxTree& tree_;
+    std::uint32_t node_ = kNone;
+    bool is_done_ = false;
+  };
+
+  void descend(const Box& box, Descent& descent);
   [[nodiscard]] std::uint32_t make_node(std::uint32_t parent);
   void free_if_empty(std::uint32_t node);
 
@@ -96,11 +120,12 @@ std::uint32_t BoxTree<Bucket>::make_node(std::uint32_t parent) {
   return node;
 }
 
-/// Returns the node for a box. Makes this node and its ancestors if they do not exist.
+/// Goes to the node for a box. Makes this node and its ancestors if they do not exist.
 template <class Bucket>
-std::uint32_t BoxTree<Bucket>::node_for(const Box& box) {
+void BoxTree<Bucket>::descend(const Box& box, Descent& descent) {
   if (nodes_.empty()) static_cast<void>(make_node(kNone));
   std::uint32_t node = 0;
+  descent.go_to(node);
   Box cell = domain_;
   const Point centre = 0.5 * (box.min + box.max);
   for (std::size_t depth = 0; depth < kDeepest; ++depth) {
@@ -117,8 +142,8 @@ std::uint32_t BoxTree<Bucket>::node_for(const Box& box) {
       nodes_[node].children[quadrant] = child;
     }
     node = nodes_[node].children[quadrant];
+    descent.go_to(node);
   }
-  return node;
 }
 
 template <class Bucket>
@@ -127,10 +152,13 @@ auto BoxTree<Bucket>::insert(const Box& box, const Value& value) -> Handle {
     places_.push_back({});
     places_.back().index = free_handles_.push(static_cast<std::uint32_t>(places_.size() - 1));
   }
-  const std::uint32_t node = node_for(box);
+  Descent descent(*this);
+  descend(box, descent);
+  const std::uint32_t node = descent.node();
   Bucket& entries = nodes_[node].entries;
   entries.add(box, value, free_handles_.first());
   // Nothing can fail from here on.
+  descent.done();
   const Handle handle = free_handles_.pop(places_[free_handles_.first()].index);
   places_[handle] = {node, static_cast<std::uint32_t>(entries.size() - 1)};
   for (std::uint32_t at = node; at != kNone; at = nodes_[at].parent) {

@@ -143,6 +143,30 @@ Ellipse ellipse_of(const Path& path) {
   return ellipse;
 }
 
+/// The lists of an answer, empty at first. While an update fills them, they contain slots instead of keys. If memory
+/// runs out, the destructor empties them again.
+class Answer {
+ public:
+  explicit Answer(PathChanges& changes) : changes_(changes) { clear(); }
+  ~Answer() {
+    if (!is_done_) clear();
+  }
+  Answer(const Answer&) = delete;
+  Answer& operator=(const Answer&) = delete;
+
+  void done() { is_done_ = true; }
+
+ private:
+  void clear() {
+    changes_.blocked.clear();
+    changes_.may_be_blocked.clear();
+    changes_.may_be_too_long.clear();
+  }
+
+  PathChanges& changes_;
+  bool is_done_ = false;
+};
+
 }  // namespace
 
 struct WAYWRIGHT_INTERNAL PathWatch::Impl {
@@ -484,9 +508,7 @@ std::size_t PathWatch::size() const { return impl_->slots.size(); }
 
 void PathWatch::update(const World& world, PathChanges& changes) {
   const base::FloatEnvironment environment;
-  changes.blocked.clear();
-  changes.may_be_blocked.clear();
-  changes.may_be_too_long.clear();
+  Answer answer(changes);
   ++impl_->updates;
   impl_->keys.clear_marks();
   if (const auto boxes = world.changes_since(impl_->version)) {
@@ -497,6 +519,7 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   impl_->keys.take_marked(changes.may_be_too_long);
   impl_->keys.replace_by_keys(changes.blocked);
   impl_->keys.replace_by_keys(changes.may_be_blocked);
+  answer.done();
   impl_->version = world.version();
   impl_->had_crossings = Impl::has_crossings(world);
 }

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "waywright/id.hpp"
+#include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "memory/count.hpp"
 #include "mesh/index.hpp"
 #include "nav/abstraction.hpp"
 
@@ -28,6 +30,8 @@ class ReplicaPrefetch {
   /// the world. `abstraction` is the abstraction of the replica, or null.
   void run(const Triangulation& replica, const Triangulation& world, const nav::Abstraction* abstraction,
            std::span<const ItemId> ids);
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, corners_, new_corners_, starts_, spokes_); }
 
  private:
   void find_corners(const Triangulation& replica, const Triangulation& world, std::span<const ItemId> ids);

@@ -32,6 +32,13 @@ void Replica::disown() noexcept {
 
 using detail::Replica;
 
+void ReplicaScratch::count_memory(MemoryUse& use) const {
+  for (const Shape* const shape : {&in_world, &in_replica}) {
+    use.spare += shape->rings.capacity() * sizeof(Point);
+  }
+  prefetch.count_memory(use);
+}
+
 SnapshotPool::~SnapshotPool() {
   for (Replica* const replica : replicas_) replica->disown();
 }
@@ -90,6 +97,7 @@ Replica* SnapshotPool::take_superfluous() {
 void SnapshotPool::count_memory(MemoryUse& use) const {
   use.spare += sizeof(SnapshotPool);
   changed_.count_memory(use);
+  scratch_.count_memory(use);
   memory::count_spare(use, replicas_, ids_);
   for (const Replica* const replica : replicas_) {
     if (replica->is_free()) use.spare += sizeof(Replica) + replica->world.memory().total();

@@ -60,6 +60,8 @@ class Replica {
 
 /// The shapes of one item, and what the replica prefetches. The object keeps its memory from one use to the next.
 struct ReplicaScratch {
+  void count_memory(MemoryUse& use) const;
+
   Shape in_world;
   Shape in_replica;
   ReplicaPrefetch prefetch;

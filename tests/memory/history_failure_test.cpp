@@ -12,8 +12,10 @@
 #include "memory/allocations.hpp"
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
+#include "world/box_tree.hpp"
+#include "world/piece_bucket.hpp"
 
-// Memory runs out in a rewind, an attempt, a mark, or an update of watched paths.
+// Memory runs out in a rewind, an attempt, a mark, an update of watched paths, or in the tree of their boxes.
 
 namespace waywright::test {
 namespace {
@@ -156,7 +158,10 @@ TEST(HistoryFailureOf, AnUpdateOfWatchedPathsCanBeRepeated) {
     expected.may_be_too_long = {8, 9, 10, 11};
     PathChanges changes;
     const bool is_through = gets_through(n, [&] { watch.update(world, changes); });
-    if (!is_through) watch.update(world, changes);
+    if (!is_through) {
+      ASSERT_EQ(changes, PathChanges{}) << "after allocation " << n << " failed";
+      watch.update(world, changes);
+    }
     ASSERT_EQ(changes, expected) << "allocation " << n;
     const std::size_t before = allocation_count();
     world.insert_segment({31, 0}, {31, 90}).value();
@@ -166,6 +171,24 @@ TEST(HistoryFailureOf, AnUpdateOfWatchedPathsCanBeRepeated) {
     if (is_through) break;
   }
   EXPECT_GT(failures, 2U);
+}
+
+// If a failed insertion left its new nodes in the tree, the last insertion would have to allocate more of them.
+TEST(BoxTreeFailure, AnInsertionThatFailsLeavesNoNodes) {
+  const auto box_at = [](double x) { return Box{{x, x}, {x + 0.5, x + 0.5}}; };
+  const Piece piece{0, 0, Diagonal::none};
+  const auto allocations_of_last = [&](std::size_t failing) {
+    BoxTree<PieceBucket> tree({{0, 0}, {4096, 4096}});
+    tree.remove(tree.insert(box_at(1), piece));
+    if (failing != 0) {
+      EXPECT_FALSE(gets_through(failing, [&] { static_cast<void>(tree.insert(box_at(4000), piece)); }));
+    }
+    const std::size_t before = allocation_count();
+    static_cast<void>(tree.insert(box_at(1), piece));
+    return allocation_count() - before;
+  };
+  EXPECT_EQ(allocations_of_last(1), allocations_of_last(0));
+  EXPECT_EQ(allocations_of_last(2), allocations_of_last(0));
 }
 
 }  // namespace

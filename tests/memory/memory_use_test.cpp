@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "waywright/world.hpp"
+#include "waywright/world_snapshot.hpp"
 
 #include "memory/allocations.hpp"
 #include "support/random.hpp"
@@ -43,6 +47,28 @@ void expect_all_counted(const World& world, std::ptrdiff_t bytes_before) {
   const auto counted = static_cast<double>(world.memory().total());
   EXPECT_LE(counted, given);
   EXPECT_GE(counted, 0.97 * given);
+}
+
+// After a replica has repeated changes, the pool of replicas keeps the shapes that the replica has compared.
+TEST(MemoryUse, CountsWhatThePoolOfSnapshotsKeeps) {
+  const auto star_at = [](double x) {
+    std::vector<Point> ring;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const double angle = static_cast<double>(i) * 6.283185307 / static_cast<double>(kCount);
+      const double radius = i % 2 == 0 ? 0.25 : 0.125;
+      ring.push_back({x + radius * std::cos(angle), 0.5 + radius * std::sin(angle)});
+    }
+    return Shape::polygon(std::move(ring));
+  };
+  const Shape left = star_at(0.375);
+  const Shape right = star_at(0.625);
+  const std::ptrdiff_t before = live_bytes();
+  World world = World::create(kBox).value();
+  world.insert(left, 1).value();
+  world.publish().release();
+  world.replace(1, right).value();
+  world.publish().release();
+  expect_all_counted(world, before);
 }
 
 TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {

@@ -128,6 +128,24 @@ TEST(PieceBucket, MissesNoDiagonalThatMeetsABox) {
   EXPECT_LT(visited, overlapping * 9 / 10) << "the bucket leaves out diagonals that miss the box";
 }
 
+// The domain is small and far from (0, 0). Coordinates there have an error of up to 2^-45 times their magnitude, here
+// 2^-5. The box is nearer than this error to the diagonal.
+TEST(PieceBucket, MissesNoDiagonalThatIsARoundingErrorAway) {
+  const Box domain{{0x1p40, 0x1p40}, {0x1p40 + 256, 0x1p40 + 256}};
+  const Point middle = 0.5 * (domain.min + domain.max);
+  for (const Diagonal diagonal : {Diagonal::rising, Diagonal::falling}) {
+    PieceBucket bucket(domain);
+    bucket.add(domain, {3, 0, diagonal}, 0);
+    const Point near = middle + Point{0x1p-6, diagonal == Diagonal::rising ? -0x1p-6 : 0x1p-6};
+    std::size_t visited = 0;
+    bucket.for_each_overlapping({near, near}, [&](const Piece&, const Box&) { ++visited; });
+    EXPECT_EQ(visited, 1U);
+    const Point far = middle + Point{16, diagonal == Diagonal::rising ? -16.0 : 16.0};
+    bucket.for_each_overlapping({far, far}, [&](const Piece&, const Box&) { ++visited; });
+    EXPECT_EQ(visited, 1U) << "the bucket leaves out a diagonal that is clearly elsewhere";
+  }
+}
+
 // Samples positions of the box. If one of them, or of the box widened by the reach, lies in an ellipse, the bucket must
 // visit the ellipse. It must leave out ellipses that lie clearly beyond the box.
 TEST(EllipseBucket, MissesNoEllipseThatMeetsABox) {
