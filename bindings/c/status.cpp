@@ -29,7 +29,7 @@ static_assert(equal(WW_BAD_RADIUS, ErrorCode::bad_radius));
 static_assert(equal(WW_BAD_DISTANCE, ErrorCode::bad_distance));
 static_assert(equal(WW_BAD_ID, ErrorCode::bad_id));
 static_assert(equal(WW_BAD_DOMAIN, ErrorCode::bad_domain));
-static_assert(equal(WW_EMPTY_SHAPE, ErrorCode::empty_shape));
+static_assert(equal(WW_BAD_SHAPE, ErrorCode::bad_shape));
 static_assert(equal(WW_TOO_LARGE, ErrorCode::too_large));
 static_assert(equal(WW_TOO_MANY_VERTICES, ErrorCode::too_many_vertices));
 static_assert(equal(WW_WORLD_GONE, ErrorCode::world_gone));

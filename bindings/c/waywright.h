@@ -102,7 +102,7 @@ enum {
   WW_BAD_DISTANCE = 6,       /* a distance that is negative, not a number, or too small */
   WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where the function needs an id */
   WW_BAD_DOMAIN = 8,         /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
-  WW_EMPTY_SHAPE = 9,        /* a ring without points, or a number of rings or points that the kind does not allow */
+  WW_BAD_SHAPE = 9,          /* a number of rings or points that the kind of the item does not allow, for example 0 */
   WW_TOO_LARGE = 10,         /* more than 2^27 vertices, not counting new crossings, or more than 350 million in all */
   WW_TOO_MANY_VERTICES = 11, /* an operation that would make more vertices than the new_vertex_limit of the world */
   WW_WORLD_GONE = 12,        /* the world of a search no longer exists */
@@ -325,7 +325,7 @@ WW_API ww_status ww_world_get_options(const ww_world* world, ww_world_options* o
    Changing items. Each call is one operation: the world carries it out completely or changes nothing.
    If `id` is 0, the world chooses the id: the largest id that it has seen, plus 1. `inserted` receives the id, and may
    be null. Geometry is never an error: items may cross, overlap, repeat each other or have length 0. Errors of
-   insertions: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_ID_IN_USE, WW_BAD_ID, WW_EMPTY_SHAPE, WW_TOO_LARGE,
+   insertions: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_ID_IN_USE, WW_BAD_ID, WW_BAD_SHAPE, WW_TOO_LARGE,
    WW_TOO_MANY_VERTICES. ww_error.index is the index of the refused point in the shape. */
 
 /* Inserts a shape of any kind. */

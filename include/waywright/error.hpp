@@ -31,8 +31,8 @@ enum class ErrorCode : std::uint8_t {
   /// An id above 2^63 - 1, for example an id made from a negative number. World::reserve_ids and ReplayWriter::record
   /// also refuse the null id with this code.
   bad_id,
-  bad_domain,   ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
-  empty_shape,  ///< a ring without points, or a number of rings or points that the kind does not allow
+  bad_domain,  ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
+  bad_shape,   ///< a number of rings or points that the kind of the item does not allow, for example 0
   /// A change that makes the mesh too large. There are two limits: 2^27 vertices without the crossings that the change
   /// makes, and 350 million vertices including these crossings.
   too_large,

@@ -99,7 +99,7 @@ class WAYWRIGHT_API World {
   /// Inserts a shape under `id`. If `id` is null, the world chooses the id: the largest id that it has seen, plus 1.
   /// Returns the id. If the function refuses a point, Error::index is the index of this point in the shape, counted
   /// from 0 over all rings.
-  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, empty_shape, too_large, too_many_vertices.
+  /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, bad_shape, too_large, too_many_vertices.
   /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
   /// O(log k) for each vertex and each edge that it shares with k other items. With the abstraction, also: the
   /// triangles inside a polygon, except those inside smaller polygons in it; if walls divide an area, the triangles of

@@ -15,8 +15,8 @@ namespace io {
 
 namespace {
 
-constexpr double kNarrowest = 240.0;
-constexpr double kWidest = 100000.0;
+constexpr double kNarrowest = 240.0;  // least width of a picture, in pixels
+constexpr double kWidest = 100000.0;  // largest width of a picture, in pixels
 constexpr double kDefaultWidth = 1200.0;
 constexpr double kTitleHeight = 58.0;
 constexpr double kTallest = 1.5;      // largest height of a map, as a multiple of its width
@@ -62,8 +62,8 @@ double usable_width(double width) {
   return std::isfinite(width) ? std::clamp(width, kNarrowest, kWidest) : kDefaultWidth;
 }
 
-/// Returns the pixels per unit for a map of at most `map_width`. Boxes of proportions up to 2^200 : 1 are legal: the
-/// shorter side then shrinks to a line.
+/// Returns how many pixels show one unit of the world, so that the map is not wider than `map_width`. A box may be
+/// 2^200 times as long as it is wide. Then its shorter side has almost no pixels, and the map looks like a line.
 double scale_for(const Box& shown, double map_width) {
   return std::min(map_width / (shown.max.x - shown.min.x), map_width * kTallest / (shown.max.y - shown.min.y));
 }
@@ -72,7 +72,7 @@ std::vector<Tick> ticks_of_y(const Box& shown, double scale) {
   return ticks_between(shown.min.y, shown.max.y, {scale, kLeastSpacingY, 0.0});
 }
 
-/// Returns the room to the left of the map: enough for the labels that y would have on the widest possible map.
+/// Returns the width of the space on the left of the map. The y labels of the widest possible map fit into it.
 double left_margin(const Box& shown, const SvgOptions& options, double width) {
   if (!options.axes) return kPageMargin;
   const double widest = width - 2.0 * kPageMargin;

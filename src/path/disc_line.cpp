@@ -80,7 +80,7 @@ void DiscLine::walk(HalfEdge face) {
   Offset right = ends[first];
   Offset left = ends[(first + 1) % 3];
   for (;;) {
-    if (map_->is_closed(exit, squared_length(left.position - right.position))) return look_at_closed(exit);
+    if (map_->is_closed(exit, squared_length(left.position - right.position))) return note_ends_as_obstacles(exit);
     const HalfEdge entry = mesh.twin(exit);
     visited_[number(mesh::face(entry))] = stamp_.value();
     const Offset apex = offset(mesh.apex(entry));
@@ -101,7 +101,7 @@ void DiscLine::walk(HalfEdge face) {
 
 /// The line crosses a wall or a gap that is too narrow. Looks at the two ends of this wall or gap. If an end is nearer
 /// to the line than the radius, the path has to turn around this end.
-void DiscLine::look_at_closed(HalfEdge exit) {
+void DiscLine::note_ends_as_obstacles(HalfEdge exit) {
   is_blocked_ = true;
   for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {
     const Vertex v = map_->mesh().origin(corner);

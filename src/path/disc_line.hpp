@@ -69,7 +69,8 @@ class DiscLine {
   void look_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target) {
     if (!is_aside(origin, target)) visit_beside(h, origin, target);
   }
-  /// Returns whether the edge lies on one side of the line, farther than the radius from it.
+  /// Returns whether the whole edge lies left of the line, or the whole edge lies right of it, and the edge is farther
+  /// than the radius from the straight line through the two ends of the line.
   [[nodiscard]] bool is_aside(const Offset& origin, const Offset& target) const {
     return std::min(origin.across, target.across) > map_->radius ||
            std::max(origin.across, target.across) < -map_->radius;
@@ -77,7 +78,7 @@ class DiscLine {
   void visit_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target);
   [[nodiscard]] bool enter_beside(mesh::HalfEdge at, const Offset& origin, const Offset& target);
   void look_at_wall(const Point& a, const Point& b);
-  void look_at_closed(mesh::HalfEdge exit);
+  void note_ends_as_obstacles(mesh::HalfEdge exit);
   /// Looks at the vertex at which `corner` starts.
   void look_at_vertex(mesh::HalfEdge corner, const Offset& at) {
     if (std::abs(at.across) <= reach_) look_at_near_vertex(corner, at);

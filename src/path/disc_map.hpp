@@ -44,8 +44,10 @@ class DiscMap {
   /// All positions of a search are relative to this point. It is (0, 0), so that positions of vertices are exact,
   /// except in domains far from (0, 0). There it is the start, so that positions near it are precise.
   Point origin;
-  double surely_short;  ///< if the squared length of an edge is smaller, the disc fits at no position on it
-  /// If the squared length of an edge is larger, a disc passes between its ends, and the exact decision is not needed.
+  /// If the squared length of an edge is smaller than this number, the disc fits at no position on the edge.
+  double surely_short;
+  /// If the squared length of an edge is larger than this number, the edge is not too short for the disc. Then the
+  /// search does not need the exact decision.
   double surely_long;
 
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
@@ -54,10 +56,10 @@ class DiscMap {
     return walls.triangulation().geometry().rounded(number(v)) - origin;
   }
 
-  /// A wall may be nearer to the path than the radius by this much, to allow for rounding: by a small share of the
-  /// radius, and by some units of the last digit of a coordinate.
+  /// The search accepts a path if no wall is nearer to it than the radius minus this number. The number allows for
+  /// rounding. It is the larger one of a small share of the radius and the rounding error of a coordinate.
   double slack;
-  double explicit_slack;  ///< the same for walls between explicit vertices
+  double explicit_slack;  ///< like `slack`, but only for walls between explicit vertices
   [[nodiscard]] double least_distance() const { return radius - slack; }
 
   /// Returns whether no disc passes between the two ends of the edge: the edge is a wall, or a bridge that is shorter
@@ -71,7 +73,8 @@ class DiscMap {
     return exact::compare_to_diameter({from, to, to}, exact_radius) < 0;
   }
 
-  /// Does the same for an edge of a given squared length. Saves most of the exact decisions.
+  /// Returns is_closed(h). `squared` is the squared length of the edge. With this length, the function avoids most of
+  /// the exact decisions.
   [[nodiscard]] bool is_closed(mesh::HalfEdge h, double squared) const {
     return mesh().is_fixed(h) || (squared <= surely_long && is_closed(h));
   }

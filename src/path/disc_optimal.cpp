@@ -50,8 +50,9 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) 
   leave_start(ends.at_start());
 }
 
-/// Returns whether no disc has its centre on the edge `exit`, which is not surely long. If the edge is shorter than the
-/// disc is wide, the disc fits at no position on it; but a line may begin beyond the edge.
+/// Returns whether the edge `exit` is too short for a line from a contact. Requires: the edge is not surely long. If
+/// the edge is shorter than the disc is wide, the disc fits at no position on it. But if the edge is near the vertex of
+/// a contact, a line may begin beyond the edge.
 bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
@@ -134,8 +135,8 @@ void DiscOptimal::leave_start(const locate::Located& location) {
   }
 }
 
-//        apex            The window has entered the face across `entry`, from below: its left end is the edge's
-//       /    \           origin.
+//        apex            The window enters the face across the half-edge `entry`, from below. The origin of `entry` is
+//       /    \           the left end of the edge, and its target is the right end.
 //   origin - target
 void DiscOptimal::follow(Window window) {
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -313,9 +314,9 @@ void DiscOptimal::expand(std::uint32_t index) {
   const HalfEdge corner = corner_towards(*map_, node.corner, touching - end.contact.centre, node.turn);
   if (corner == mesh::kNoHalfEdge) return;
   if (const std::uint32_t better = dominating_root(node, corner, reached.root); better != kNone) {
-    return go_on(better, node.then);
+    return push_next_line(better, node.then);
   }
-  if (is_reached_sooner(node, corner)) return;
+  if (is_shorter_with_other_turn(node, corner)) return;
   const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
   if (face.is_behind_wall) return;
   if (!line_.is_clear(*map_, from.end, end, node.line, face.h)) {
@@ -325,7 +326,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   }
   reached.root = add_root({end, corner, node.line.direction, node.length, node.root, {}, reached.root});
   leave_root(reached.root, corner);
-  go_on(static_cast<std::uint32_t>(roots_.size() - 1), node.then);
+  push_next_line(static_cast<std::uint32_t>(roots_.size() - 1), node.then);
 }
 
 void DiscOptimal::try_goal(std::uint32_t index) {
@@ -370,7 +371,7 @@ void DiscOptimal::push_limit(std::uint32_t index) {
 }
 
 /// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
-void DiscOptimal::go_on(std::uint32_t root, std::uint32_t then) {
+void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t then) {
   if (then == kNone) return;
   const TurnNode next = turn_nodes_[then];
   if (next.vertex == mesh::kNoVertex) {
@@ -401,7 +402,7 @@ std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner
 /// Returns whether a path that turns around the same vertex in the other direction reaches the end of the line and is
 /// not longer there, if it continues along the circle. Then no shortest path contains this line: the other path and the
 /// rest of this path form an angle at the point where they meet, so a shorter path exists.
-bool DiscOptimal::is_reached_sooner(const TurnNode& node, HalfEdge corner) {
+bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corner) {
   // At a start that touches the vertex, both turns have the length 0, and neither path has a direction of arrival.
   if (node.length == 0.0) return false;
   for (std::uint32_t i = reached_at(node.vertex, -node.turn).root; i != kNone; i = roots_[i].next) {

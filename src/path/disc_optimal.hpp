@@ -150,9 +150,9 @@ class DiscOptimal {
   void try_goal(std::uint32_t index);
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
   void push_limit(std::uint32_t index);
-  void go_on(std::uint32_t root, std::uint32_t then);
+  void push_next_line(std::uint32_t root, std::uint32_t then);
   [[nodiscard]] std::uint32_t dominating_root(const TurnNode& node, mesh::HalfEdge corner, std::uint32_t first) const;
-  [[nodiscard]] bool is_reached_sooner(const TurnNode& node, mesh::HalfEdge corner);
+  [[nodiscard]] bool is_shorter_with_other_turn(const TurnNode& node, mesh::HalfEdge corner);
   [[nodiscard]] std::uint32_t failed_line(const TurnNode& node, std::uint32_t first) const;
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
   void leave_root(std::uint32_t root, mesh::HalfEdge corner);

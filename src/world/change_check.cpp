@@ -15,9 +15,7 @@ namespace {
 constexpr std::size_t kLargestVertexCount = std::size_t{1} << 27;
 
 std::optional<Error> find_arity_error(const Shape& shape) {
-  const auto refuse = [](detail::ErrorWords message) {
-    return Error{ErrorCode::empty_shape, std::move(message), {}, 0};
-  };
+  const auto refuse = [](detail::ErrorWords message) { return Error{ErrorCode::bad_shape, std::move(message), {}, 0}; };
   if (shape.rings.empty()) return refuse("a shape needs a ring of points");
   for (const PointSpan& ring : shape.rings) {
     if (ring.empty()) return refuse("a ring needs at least one point");

@@ -28,8 +28,8 @@ std::string_view to_string(ErrorCode code) {
       return "bad-id";
     case ErrorCode::bad_domain:
       return "bad-domain";
-    case ErrorCode::empty_shape:
-      return "empty-shape";
+    case ErrorCode::bad_shape:
+      return "bad-shape";
     case ErrorCode::too_large:
       return "too-large";
     case ErrorCode::too_many_vertices:
@@ -106,8 +106,8 @@ void append_id_error(std::string& text, const Error& error) {
       text += text::with_number("no item has id ", error.item.value, "");
       break;
     case ErrorCode::bad_id:
-      text +=
-          "ids go from 1 to 2^63 - 1, and " + std::to_string(static_cast<std::int64_t>(error.item.value)) + " is none";
+      text += "ids go from 1 to 2^63 - 1, and " + std::to_string(static_cast<std::int64_t>(error.item.value)) +
+              " is not an id";
       break;
     default:
       text += to_string(error.code);

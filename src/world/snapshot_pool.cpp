@@ -20,11 +20,11 @@ bool Replica::add_reader_to_others() {
 // happen before the changes for the next snapshot.
 void Replica::remove_reader() noexcept {
   if (readers_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
-  if (Replica* const other = std::exchange(disowned_later_, nullptr)) other->disown();
-  disown();
+  if (Replica* const other = std::exchange(released_later_, nullptr)) other->release();
+  release();
 }
 
-void Replica::disown() noexcept {
+void Replica::release() noexcept {
   if (owners_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
@@ -40,7 +40,7 @@ void ReplicaScratch::count_memory(MemoryUse& use) const {
 }
 
 SnapshotPool::~SnapshotPool() {
-  for (Replica* const replica : replicas_) replica->disown();
+  for (Replica* const replica : replicas_) replica->release();
 }
 
 Replica* SnapshotPool::find_free() {
@@ -53,7 +53,7 @@ Replica* SnapshotPool::find_free() {
 
 void SnapshotPool::drop(Replica* replica) {
   replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
-  replica->disown();
+  replica->release();
 }
 
 Replica* SnapshotPool::add(World&& copy) {
@@ -64,34 +64,34 @@ Replica* SnapshotPool::add(World&& copy) {
 
 void SnapshotPool::hand_out(Replica* replica) {
   replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
-  disown_held();
-  replica->disown_later(take_superfluous());
+  release_held();
+  replica->release_later(take_unneeded());
   replicas_.push_back(replica);
   limit_ = kFewChanges + replica->world.item_count() / kItemsForEachChange;
   changed_.set_limit(limit_);
   changed_.forget_until(replicas_.front()->world.version());
 }
 
-void SnapshotPool::disown_held() {
+void SnapshotPool::release_held() {
   std::erase_if(replicas_, [&](Replica* replica) {
     const bool is_kept = replica->is_free() || can_follow(*replica);
-    if (!is_kept) replica->disown();
+    if (!is_kept) replica->release();
     return !is_kept;
   });
   if (replicas_.size() < kMost) return;
-  replicas_.front()->disown();
+  replicas_.front()->release();
   replicas_.erase(replicas_.begin());
 }
 
-Replica* SnapshotPool::take_superfluous() {
+Replica* SnapshotPool::take_unneeded() {
   const auto is_free = [](const Replica* replica) { return replica->is_free(); };
   const auto oldest = std::find_if(replicas_.begin(), replicas_.end(), is_free);
   if (oldest == replicas_.end()) return nullptr;
   const auto free_count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_free));
   if (free_count <= kMostFree && can_follow(**oldest)) return nullptr;
-  Replica* const superfluous = *oldest;
+  Replica* const unneeded = *oldest;
   replicas_.erase(oldest);
-  return superfluous;
+  return unneeded;
 }
 
 void SnapshotPool::count_memory(MemoryUse& use) const {

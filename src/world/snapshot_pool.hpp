@@ -29,7 +29,7 @@ class Replica {
   /// Makes a replica that only the pool owns.
   explicit Replica(World&& copy) : world(std::move(copy)) {}
 
-  /// Returns whether no snapshot refers to this replica.
+  /// Returns whether this replica is free: no snapshot refers to it, and the pool owns it.
   [[nodiscard]] bool is_free() const { return owners_.load(std::memory_order_acquire) == 1; }
   /// Adds the first reader. Requires: is_free().
   void add_first_reader() {
@@ -42,9 +42,9 @@ class Replica {
   void add_reader() { readers_.fetch_add(1, std::memory_order_relaxed); }
   void remove_reader() noexcept;
   /// Gives up the ownership of the pool, or the ownership of the readers.
-  void disown() noexcept;
-  /// Makes the last reader of this replica disown `replica`, too. Requires: nobody reads this replica yet.
-  void disown_later(Replica* replica) { disowned_later_ = replica; }
+  void release() noexcept;
+  /// Makes the last reader of this replica call release() on `replica`, too. Requires: nobody reads this replica yet.
+  void release_later(Replica* replica) { released_later_ = replica; }
 
   World world;
 
@@ -53,7 +53,7 @@ class Replica {
 
   std::atomic<std::size_t> readers_ = 0;
   std::atomic<std::uint32_t> owners_ = 1;
-  Replica* disowned_later_ = nullptr;
+  Replica* released_later_ = nullptr;
 };
 
 }  // namespace detail
@@ -94,8 +94,8 @@ class SnapshotPool {
   void drop(detail::Replica* replica);
   /// Makes a replica of a copy of the world, and adds it to the pool. If memory runs out, changes nothing.
   [[nodiscard]] detail::Replica* add(World&& copy);
-  /// Prepares a replica for its first reader: it is now the newest. Makes the pool disown replicas that it no longer
-  /// needs. Allocates nothing. Requires: the replica is free and equal to the world.
+  /// Prepares a replica for its first reader: it is now the newest. Gives up the replicas that the pool no
+  /// longer needs. Allocates nothing. Requires: the replica is free and equal to the world.
   void hand_out(detail::Replica* replica);
 
   void count_memory(MemoryUse& use) const;
@@ -114,9 +114,9 @@ class SnapshotPool {
 
   /// Removes the replicas from the pool that readers hold and that cannot follow the world any more, and the oldest if
   /// there are more than kMost.
-  void disown_held();
-  /// Takes one superfluous free replica out of the pool and returns it, or returns null.
-  [[nodiscard]] detail::Replica* take_superfluous();
+  void release_held();
+  /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null.
+  [[nodiscard]] detail::Replica* take_unneeded();
   [[nodiscard]] bool can_follow(const detail::Replica& replica) const {
     return changed_.has_all_since(replica.world.version());
   }

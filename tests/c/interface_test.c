@@ -107,10 +107,10 @@ static void test_changes(void) {
   CHECK_STATUS(ww_world_insert_point(world, at(5, 5), 20, NULL), WW_ID_IN_USE);
   CHECK_STATUS(ww_world_remove(world, 99), WW_UNKNOWN_ID);
   CHECK_STATUS(ww_world_insert_point(world, at(NAN, 5), 0, NULL), WW_COORDINATE_RANGE);
-  CHECK_STATUS(ww_world_insert_polyline(world, NULL, 0, 0, NULL), WW_EMPTY_SHAPE);
+  CHECK_STATUS(ww_world_insert_polyline(world, NULL, 0, 0, NULL), WW_BAD_SHAPE);
   shape.kind = WW_ITEM_SEGMENT;
   shape.ring_sizes = NULL;
-  CHECK_STATUS(ww_world_insert(world, &shape, 0, NULL), WW_EMPTY_SHAPE);
+  CHECK_STATUS(ww_world_insert(world, &shape, 0, NULL), WW_BAD_SHAPE);
   CHECK_OK(ww_world_items_hash(world, &after));
   CHECK(memcmp(&before, &after, sizeof before) == 0);
 

@@ -222,7 +222,7 @@ TEST(AllocationFree, Refusals) {
     expect_refused(world.insert(inside, -7), ErrorCode::bad_id);
     expect_refused(world.insert(outside), ErrorCode::out_of_domain);
     expect_refused(world.insert(wrong), ErrorCode::coordinate_range);
-    expect_refused(world.insert(empty), ErrorCode::empty_shape);
+    expect_refused(world.insert(empty), ErrorCode::bad_shape);
     expect_refused(world.insert_points(points), ErrorCode::out_of_domain);
     expect_refused(world.remove(123456), ErrorCode::unknown_id);
     expect_refused(world.replace(123456, inside), ErrorCode::unknown_id);

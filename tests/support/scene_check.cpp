@@ -168,9 +168,9 @@ class WorldCheck {
         {{ItemKind::polyline, {{good, other, {good.x, 0x1.8p100}}}}, ErrorCode::coordinate_range},
         {{ItemKind::point, {{{0x1p-101, good.y}}}}, ErrorCode::coordinate_range},
         {{ItemKind::polygon, {{good, other, {good.x, other.y}}, {good, outside}}}, outside_code},
-        {{ItemKind::polyline, {{}}}, ErrorCode::empty_shape},
-        {{ItemKind::polygon, {}}, ErrorCode::empty_shape},
-        {{ItemKind::polygon, {{good, other}, {}}}, ErrorCode::empty_shape}};
+        {{ItemKind::polyline, {{}}}, ErrorCode::bad_shape},
+        {{ItemKind::polygon, {}}, ErrorCode::bad_shape},
+        {{ItemKind::polygon, {{good, other}, {}}}, ErrorCode::bad_shape}};
     ItemId unused{1};
     while (world.contains(unused)) ++unused.value;
     for (const auto& [shape, code] : refused) {

@@ -57,7 +57,7 @@ TEST(Bulk, RefusedBatchesChangeNothing) {
     const Item good = item(0, ItemKind::point, {{1, 1}});
     expect_refused({good, item(7, ItemKind::point, {{5, 1}})}, ErrorCode::out_of_domain, 1);
     expect_refused({item(7, ItemKind::segment, {{1, 1}, {1, kInfinity}}), good}, ErrorCode::coordinate_range, 0);
-    expect_refused({good, good, item(8, ItemKind::segment, {{1, 1}})}, ErrorCode::empty_shape, 2);
+    expect_refused({good, good, item(8, ItemKind::segment, {{1, 1}})}, ErrorCode::bad_shape, 2);
     expect_refused({item(7, ItemKind::point, {{1, 1}}), item(7, ItemKind::point, {{2, 2}})}, ErrorCode::id_in_use, 1);
     expect_refused(
         {item(9, ItemKind::point, {{1, 1}}), item(8, ItemKind::point, {{1, 1}}), item(8, ItemKind::point, {{1, 1}})},

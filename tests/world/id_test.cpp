@@ -48,7 +48,7 @@ TEST(ItemId, OfANegativeNumberIsRefused) {
   const auto expect_bad = [](const auto& result, const char* number) {
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().code, ErrorCode::bad_id);
-    EXPECT_EQ(result.error().message(), std::string("ids go from 1 to 2^63 - 1, and ") + number + " is none");
+    EXPECT_EQ(result.error().message(), std::string("ids go from 1 to 2^63 - 1, and ") + number + " is not an id");
   };
   expect_bad(world.insert_point({1, 2}, -1), "-1");
   expect_bad(world.remove(-1), "-1");

@@ -150,10 +150,10 @@ TEST(World, RefusedInsertionsChangeNothing) {
   expect_refused(world.insert_segment({1, 1}, {5, 1}), ErrorCode::out_of_domain, 1);
   expect_refused(world.insert_segment({kInfinity, 1}, {5, 1}), ErrorCode::coordinate_range, 0);
   expect_refused(world.insert_segment({1, 1}, {1, 0x1p-101}), ErrorCode::coordinate_range, 1);
-  expect_refused(world.insert_polyline({}), ErrorCode::empty_shape, 0);
-  expect_refused(world.insert_polygon(std::vector<std::vector<Point>>{{{1, 1}}, {}}), ErrorCode::empty_shape, 0);
-  expect_refused(world.insert({ItemKind::segment, {{{1, 1}}}}), ErrorCode::empty_shape, 0);
-  expect_refused(world.insert({ItemKind::point, {{{1, 1}}, {{2, 2}}}}), ErrorCode::empty_shape, 0);
+  expect_refused(world.insert_polyline({}), ErrorCode::bad_shape, 0);
+  expect_refused(world.insert_polygon(std::vector<std::vector<Point>>{{{1, 1}}, {}}), ErrorCode::bad_shape, 0);
+  expect_refused(world.insert({ItemKind::segment, {{{1, 1}}}}), ErrorCode::bad_shape, 0);
+  expect_refused(world.insert({ItemKind::point, {{{1, 1}}, {{2, 2}}}}), ErrorCode::bad_shape, 0);
   expect_refused(world.insert_polygon(std::vector<std::vector<Point>>{{{1, 1}, {2, 2}}, {{kNan, 1}}}),
                  ErrorCode::coordinate_range, 2);
   EXPECT_EQ(world.item_count(), 1U);

@@ -72,7 +72,7 @@ CLASSES = {
     "bad-distance": BadValueError,
     "bad-id": BadValueError,
     "bad-domain": BadValueError,
-    "empty-shape": BadValueError,
+    "bad-shape": BadValueError,
     "too-large": LimitError,
     "too-many-vertices": LimitError,
     "world-gone": WaywrightError,

@@ -8,7 +8,7 @@ export type ErrorCode =
   | 'bad-distance'
   | 'bad-id'
   | 'bad-domain'
-  | 'empty-shape'
+  | 'bad-shape'
   | 'too-large'
   | 'too-many-vertices'
   | 'world-gone'
