@@ -21,8 +21,11 @@ class DiscEnds {
   [[nodiscard]] const locate::Located& at_start() const { return at_start_; }
   /// A half-edge of a face that contains the goal. If the goal lies on an edge, the half-edge is this edge.
   [[nodiscard]] mesh::HalfEdge goal_face() const { return goal_face_; }
+  [[nodiscard]] bool is_goal_on_edge() const { return goal_faces_[0] != goal_faces_[1]; }
   /// Returns whether the face contains the goal, or has it on its border.
   [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
+  /// Returns whether a face at the start is a face at the goal.
+  [[nodiscard]] bool have_common_face() const { return have_common_face_; }
   [[nodiscard]] const DeadEnds& dead_ends() const { return dead_ends_; }
 
  private:
@@ -33,6 +36,7 @@ class DiscEnds {
   /// If the goal lies on an edge: the faces on the left and on the right of this edge. Otherwise: the face that
   /// contains the goal, twice.
   mesh::Face goal_faces_[2];
+  bool have_common_face_ = false;
   DeadEnds dead_ends_;
 };
 

@@ -32,7 +32,8 @@ Point unit(const Point& v) {
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit) {
+void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideLabels* labels) {
+  labels_ = labels;
   map_ = &map;
   ends_ = &ends;
   limit_ = limit * (1.0 + 0x1p-40);  // allows for rounding
@@ -217,10 +218,12 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
 }
 
 /// Adds a turn node, unless the path would have to turn back at the root to reach this contact: a path that turns back
-/// is not the shortest.
+/// is not the shortest. Also leaves out a contact that is not useful for the guide.
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
+  const Point centre = map_->position(v);
+  if (labels_ != nullptr && !labels_->is_useful(v, centre)) return;
   Reached& reached = reached_at(v, turn);
   for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].before) {
     if (noted_[i].root == root && is_same_chain(noted_[i].then, then)) return;
@@ -228,8 +231,10 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   noted_.push_back({root, then, reached.noted});
   reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
-  const Point touching = touching_point({map_->position(v), turn}, line.direction, map_->radius);
-  const double least = length + distance(touching, ends_->goal());
+  const Point touching = touching_point({centre, turn}, line.direction, map_->radius);
+  double rest = distance(touching, ends_->goal());
+  if (labels_ != nullptr) rest = std::max(rest, labels_->least_length(v, centre) - map_->radius);
+  const double least = length + rest;
   if (least > limit_) return;
   turn_nodes_.push_back({corner, root, v, turn, line, length, then});
   open_.push(least, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
@@ -291,8 +296,28 @@ double DiscOptimal::bound(const Window& window, const Edge& edge) const {
   const Root& root = roots_[window.root];
   const Point& from = root.position;
   if (cross(edge.right - edge.left, from - edge.left) > 0.0) return root.length + root.distance;
-  const double by_edge = distance_via_segment(from, edge.left, edge.right, ends_->goal()) - 2.0 * map_->radius;
-  return root.length + std::max(by_edge, root.distance);
+  double rest =
+      std::max(root.distance, distance_via_segment(from, edge.left, edge.right, ends_->goal()) - 2.0 * map_->radius);
+  if (labels_ != nullptr) rest = std::max(rest, bound_of_guide(window, edge));
+  return root.length + rest;
+}
+
+/// A lower bound of the rest of the paths through the window, from the root on.
+///
+/// For each position x of the edge, the guide's path from x to the goal is not shorter than the path from one end of
+/// the edge to the goal minus the distance from x to this end. The distance from the root to x is not shorter than the
+/// distance from the root to the other end minus the distance from there to x. The sum of the two distances along the
+/// edge is the length of the edge.
+double DiscOptimal::bound_of_guide(const Window& window, const Edge& edge) const {
+  const mesh::TriangleMesh& mesh = map_->mesh();
+  const Root& root = roots_[window.root];
+  const double left_rest = labels_->least_length(mesh.origin(window.entry), edge.left);
+  const double right_rest = labels_->least_length(mesh.target(window.entry), edge.right);
+  const double by_edge =
+      std::max(distance(root.position, edge.left) + right_rest, distance(root.position, edge.right) + left_rest) -
+      distance(edge.left, edge.right) - 2.0 * map_->radius;
+  if (root.end.vertex == mesh::kNoVertex) return by_edge;
+  return std::max(by_edge, labels_->least_length(root.end.vertex, root.end.contact.centre) - map_->radius);
 }
 
 // Copies the node: new nodes may move the memory of `turn_nodes_`.

@@ -11,6 +11,7 @@
 #include "path/disc_map.hpp"
 #include "path/disc_pieces.hpp"
 #include "path/disc_turn.hpp"
+#include "path/guide_labels.hpp"
 #include "path/open_list.hpp"
 #include "path/tangent.hpp"
 
@@ -34,9 +35,9 @@ namespace waywright::path {
 /// point on a convex mesh.
 class DiscOptimal {
  public:
-  /// Starts a search for a path that is not longer than `limit`. Requires: `ends` belongs to `map`. Neither changes
-  /// during the search.
-  void begin(const DiscMap& map, const DiscEnds& ends, double limit);
+  /// Starts a search for a path that is not longer than `limit`. `labels` are the labels of a guide for this map, these
+  /// ends and this limit, or null. Requires: `ends` belongs to `map`. None of them changes during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideLabels* labels);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   /// A lower bound of the length of each path that is not longer than the limit. Requires: step() has returned false.
@@ -125,9 +126,10 @@ class DiscOptimal {
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
   /// Returns whether the search does not follow lines from a contact across the edge `exit`, whose ends are `edge`: no
-  /// disc has its centre there, or a dead end lies beyond.
+  /// disc has its centre there, or a dead end lies beyond, or the guide has not crossed the edge.
   [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit, const Edge& edge) const {
-    if (ends_->dead_ends().is_no_exit(mesh::face(exit), exit)) return true;
+    if (labels_ != nullptr ? !labels_->is_crossed(exit) : ends_->dead_ends().is_no_exit(mesh::face(exit), exit))
+      return true;
     const double squared = squared_length(edge.left - edge.right);
     return squared <= map_->surely_long && is_too_short(from, exit, edge, squared);
   }
@@ -161,9 +163,11 @@ class DiscOptimal {
     return root.length + arc_length(root.end.contact, root.direction, direction, map_->radius);
   }
   [[nodiscard]] double bound(const Window& window, const Edge& edge) const;
+  [[nodiscard]] double bound_of_guide(const Window& window, const Edge& edge) const;
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;
+  const GuideLabels* labels_ = nullptr;  ///< of the guide, or null
   bool is_found_ = false;
   double length_ = 0.0;
   double limit_ = 0.0;  ///< the search leaves out each node whose bound is larger

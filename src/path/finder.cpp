@@ -85,7 +85,7 @@ void Finder::write_straight(bool wants_channel, Path& path) const {
 }
 
 void Finder::begin_optimal(double known_length) {
-  optimal_.begin(*triangulation_, abstraction_, ends_, query_.wants_channel, looked_at_);
+  optimal_.begin(*triangulation_, abstraction_, search_start(), query_.wants_channel, looked_at_);
   optimal_.add_goal(ends_.goal(), ends_.goal_faces());
   optimal_.start(known_length);
 }
@@ -158,7 +158,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
       if (!query.wants_points) paths[i].points.clear();
       continue;
     }
-    if (pending_goals_.empty()) optimal_.begin(triangulation, abstraction_, ends_, false);
+    if (pending_goals_.empty()) optimal_.begin(triangulation, abstraction_, search_start(), false);
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
     pending_goals_.push_back(i);
     if (paths.size() < kManyGoals) find_pending_paths(query.wants_points, expansions, paths);

@@ -55,6 +55,9 @@ class Finder {
   [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
   void find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths);
   void begin_optimal(double known_length);
+  [[nodiscard]] Optimal::Start search_start() const {
+    return {ends_.start(), ends_.start_location().kind, ends_.start_faces()};
+  }
   void look_at_ends();
   void write_straight(bool wants_channel, Path& path) const;
   [[nodiscard]] bool is_over_budget(const Path& path) const;

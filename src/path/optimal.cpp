@@ -19,9 +19,10 @@ constexpr int kFacesBetweenBounds = 8;
 
 }  // namespace
 
-void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
+void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
                     bool wants_channel, LookedAt* looked_at) {
-  ends_ = &ends;
+  start_ = start;
+  labels_ = nullptr;
   looked_at_ = looked_at;
   windows_ = nullptr;
   core_ = abstraction == nullptr ? nullptr : &abstraction->core();
@@ -44,7 +45,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
 
 /// Lists the components of the start's faces, in ascending order, each once.
 void Optimal::list_components() {
-  for (const mesh::HalfEdge h : ends_->start_faces()) {
+  for (const mesh::HalfEdge h : start_.faces) {
     goals_in_components_.push_back({components_->component_of(mesh::face(h)), 0});
   }
   std::sort(goals_in_components_.begin(), goals_in_components_.end(),
@@ -80,6 +81,7 @@ void Optimal::limit_lengths() {
     longest_ = std::max(longest_, length);
     if (length == longest_) ++longest_count_;
   }
+  end_ = longest_;
 }
 
 template <class Visit>
@@ -141,12 +143,13 @@ bool Optimal::leads_to_no_goal(mesh::HalfEdge exit) const {
 
 // All edges of the start's faces are visible from the start, except the edges on which it lies.
 void Optimal::leave_start() {
-  roots_.push_back({ends_->start(), mesh::kNoVertex, kNone, 0.0, 0, 0});
-  const locate::LocatedKind kind = ends_->start_location().kind;
+  roots_.push_back({start_.point, mesh::kNoVertex, kNone, 0.0, 0, 0});
+  const locate::LocatedKind kind = start_.kind;
   at_once_bound_ = -1.0;  // no bound is negative, so push() adds no window to `at_once_`
-  for (const mesh::HalfEdge h : ends_->start_faces()) {
+  for (const mesh::HalfEdge h : start_.faces) {
     if (core_ != nullptr && goals_in_component_of(mesh::face(h)) == 0) continue;
     if (kind == locate::LocatedKind::vertex) reached(mesh_->origin(h)).length = 0.0;
+    for (const mesh::HalfEdge corner : {h, mesh::next(h), mesh::previous(h)}) see(mesh_->origin(corner), 0);
     for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
       if (exit == h && kind != locate::LocatedKind::face) continue;
       if (exit == mesh::previous(h) && kind == locate::LocatedKind::vertex) continue;
@@ -159,7 +162,7 @@ void Optimal::leave_start() {
 
 bool Optimal::step(std::size_t limit, std::size_t& expansions) {
   expansions_ = expansions;
-  const auto is_done = [&] { return open_.empty() || open_.least_bound() >= longest_; };
+  const auto is_done = [&] { return open_.empty() || open_.least_bound() >= end_; };
   while (!is_done() && expansions_ < limit) {
     at_once_bound_ = open_.least_bound();
     follow(nodes_[open_.pop()]);
@@ -232,12 +235,14 @@ void Optimal::follow_window(Node window) {
 }
 
 void Optimal::narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
+  see(apex, root);
   window.left_root = root;
   window.left = apex;
   cone.set_left(Cone::bound(*this, root, apex));
 }
 
 void Optimal::narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
+  see(apex, root);
   window.right_root = root;
   window.right = apex;
   cone.set_right(Cone::bound(*this, root, apex));
@@ -245,6 +250,7 @@ void Optimal::narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uin
 
 void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
   const std::uint32_t root = root_that_sees(window, geometry_->view(number(apex)));
+  see(apex, root);
   const Point to_apex = position_of(apex) - roots_[root].point;
   Node right = window;
   right.entry = mesh_->twin(mesh::next(window.entry));
@@ -276,6 +282,10 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   at.length = length;
   at.root = root;
   at.trace = trace;
+  if (labels_ != nullptr) {
+    if (longest_ == kInfinity) end_ = length;
+    return;
+  }
   if (was_longest && --longest_count_ == 0) limit_lengths();
 }
 
@@ -389,7 +399,9 @@ void Optimal::make_turn(const Node& turn) {
   const auto from_continuation = [&](const Geometry::View& position) {
     return kIsLeft ? cone.from_right(position) : cone.from_left(position);
   };
-  const bool turn_sees_apex = from_continuation(geometry_->view(number(apex))) == kInwards;
+  const Sign side_of_apex = from_continuation(geometry_->view(number(apex)));
+  const bool turn_sees_apex = side_of_apex == kInwards;
+  if (side_of_apex != -kInwards) see(apex, root);
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
     const bool is_seen = from_continuation(Geometry::view(goals_[goal].point)) != -kInwards;
     if (is_seen) end_at(goal, root, turn.trace);
@@ -411,6 +423,8 @@ void Optimal::make_turn(const Node& turn) {
     const mesh::HalfEdge entry = mesh_->twin(exit);
     Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
     enter(mesh::face(h), beyond);
+    if (labels_ != nullptr) labels_->cross(h);
+    see(mesh_->apex(h), root);
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     if (is_excluded(exit)) continue;
     beyond.trace = traced(entry, trace);
@@ -461,10 +475,9 @@ void Optimal::write_path(std::size_t goal, bool wants_points, Path& path) const 
 
 void Optimal::write_channel(std::size_t goal, Path& path) const {
   path.channel.clear();
-  for (std::uint32_t trace = goals_[goal].trace; trace != kNone; trace = traces_[trace].before) {
-    const mesh::HalfEdge entry = traces_[trace].entry;
+  for_each_crossing(goal, [&](mesh::HalfEdge entry) {
     path.channel.push_back({position_of(mesh_->origin(entry)), position_of(mesh_->target(entry))});
-  }
+  });
   std::reverse(path.channel.begin(), path.channel.end());
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "waywright/path.hpp"
@@ -13,7 +14,9 @@
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
+#include "path/distance.hpp"
 #include "path/ends.hpp"
+#include "path/guide_labels.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
 
@@ -44,10 +47,25 @@ class Optimal {
   using Triangulation = constraint::ExactTriangulation;
   using Geometry = exact::Geometry;
 
+  /// Where a search starts: a point, where it lies on the mesh, and a half-edge of each open face around it. If the
+  /// point lies on an edge or at a vertex, each of these half-edges is this edge, or starts at this vertex.
+  struct Start {
+    Point point;
+    locate::LocatedKind kind;
+    std::span<const mesh::HalfEdge> faces;
+  };
+
   /// Starts a new search. If `looked_at` is not null, the search records in it the faces at which it looks. Requires:
-  /// the start in `ends`, the triangulation and the abstraction (if there is one) do not change during the search.
-  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Ends& ends,
+  /// the triangulation and the abstraction (if there is one) do not change during the search, and `start.faces` does
+  /// not change before start().
+  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
              bool wants_channel, LookedAt* looked_at = nullptr);
+  /// Makes the search that has begun a guide: it crosses no edge that `labels` closes, and it records in `labels` what
+  /// it sees. A guide has one goal. When step() has found the shortest path, it returns true, but continue_to() can
+  /// continue the search.
+  void guide(GuideLabels& labels) { labels_ = &labels; }
+  /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
+  void continue_to(double limit) { longest_ = end_ = limit; }
   /// Makes the search that has begun append each window that it follows to `windows`: one or more for each triangle
   /// that it enters. Requires: the search records the faces at which it looks.
   void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
@@ -68,11 +86,19 @@ class Optimal {
 
   /// Returns whether the search has found a path to the goal. Goals are numbered in the order in which they were added.
   [[nodiscard]] bool is_found(std::size_t goal) const { return goals_[goal].root != kNone; }
+  /// The length of the path to the goal. Requires: is_found(goal).
+  [[nodiscard]] double length(std::size_t goal) const { return goals_[goal].length; }
   /// Writes the status, the length and, if `wants_points` is true, the points. Requires: is_found(goal).
   void write_path(std::size_t goal, bool wants_points, Path& path) const;
   /// Writes to Path::channel the edges that the path to the goal crosses. Requires: begin() was called with
   /// `wants_channel`, and is_found(goal).
   void write_channel(std::size_t goal, Path& path) const;
+  /// Calls visit(h) for each edge that the path to the goal crosses, from the goal back to the start. `h` is a
+  /// half-edge of the face on the goal's side. Requires: as write_channel().
+  template <class Visit>
+  void for_each_crossing(std::size_t goal, Visit&& visit) const {
+    for (std::uint32_t at = goals_[goal].trace; at != kNone; at = traces_[at].before) visit(traces_[at].entry);
+  }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
@@ -166,6 +192,11 @@ class Optimal {
   /// Records that the search has entered the face, and follows the window.
   void enter(mesh::Face f, const Node& window) {
     if (looked_at_ != nullptr) record(f, window);
+    if (labels_ != nullptr) labels_->cross(window.entry);
+  }
+  /// Tells the guide's labels that the root sees the vertex.
+  void see(mesh::Vertex v, std::uint32_t root) const {
+    if (labels_ != nullptr) labels_->see(v, roots_[root].length + distance(roots_[root].point, position_of(v)));
   }
   void record(mesh::Face f, const Node& window);
   void follow(Node node);
@@ -204,10 +235,15 @@ class Optimal {
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or it leads to
   /// no goal face.
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
-    if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
+    const bool leads_on = core_ == nullptr ? nav::PointAgent::can_cross(*mesh_, exit)
+                                           : core_->is_passage(f, exit) || leads_out_of_core(exit);
+    return !leads_on || (labels_ != nullptr && labels_->is_closed(exit));
   }
   [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const { return is_excluded(mesh::face(exit), exit); }
+  /// Returns whether the edge, which does not lead from one face of the core to another, is a passage to a goal face.
+  [[nodiscard]] bool leads_out_of_core(mesh::HalfEdge exit) const {
+    return nav::PointAgent::can_cross(*mesh_, exit) && !leads_to_no_goal(exit);
+  }
   [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
     const GoalsBelow& below = goals_below_[number(f)];
@@ -223,12 +259,13 @@ class Optimal {
   void record_window(const Node& window);
   [[nodiscard]] double bound_from(const Point& p) const;
 
-  const Ends* ends_ = nullptr;
+  Start start_{};
   const nav::TwoCore* core_ = nullptr;  ///< null without an abstraction
   const nav::Components* components_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
+  GuideLabels* labels_ = nullptr;                 ///< of a guide; otherwise null
   LookedAt* looked_at_ = nullptr;                 ///< or null
   std::vector<SearchWindow>* windows_ = nullptr;  ///< or null; null if `looked_at_` is null
 
@@ -248,7 +285,8 @@ class Optimal {
   std::size_t expansions_ = 0;
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   double known_length_ = 0.0;
-  double longest_ = 0.0;           ///< the search needs only paths that are shorter than this
+  double longest_ = 0.0;  ///< the search needs only paths that are shorter than this
+  double end_ = 0.0;      ///< the search ends when no bound is below this: `longest_`, or the length of a guide's path
   std::size_t longest_count_ = 0;  ///< number of goals with min(Goal::length, known_length_) equal to `longest_`
 };
 

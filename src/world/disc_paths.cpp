@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,41 @@ bool is_over_budget(const detail::DiscSearch& disc, const Path& path) {
   return path.expansions >= disc.budget.expansions || (disc.begun && Clock::now() - *disc.begun >= disc.budget.time);
 }
 
+void begin_guide(detail::DiscSearch& disc) {
+  disc.guide.begin(*disc.map, disc.abstraction, disc.ends, disc.start, disc.goal);
+}
+
+/// Searches for a string through a channel. Returns false if there is none.
+bool find_string(detail::DiscSearch& disc, std::span<const mesh::HalfEdge> exits, mesh::HalfEdge goal_face) {
+  if (!disc.string.find(*disc.map, disc.ends, exits, goal_face)) return false;
+  disc.string.write_path(disc.pieces);
+  disc.length = disc.string.length();
+  return true;
+}
+
+void begin_shortest(detail::DiscSearch& disc, const path::GuideLabels* labels) {
+  disc.stage = Stage::shortest;
+  disc.shortest.begin(*disc.map, disc.ends, disc.length, labels);
+}
+
+void begin_labels(detail::DiscSearch& disc) {
+  disc.stage = Stage::labels;
+  disc.guide.continue_to(disc.length);
+}
+
+/// Continues the stage `guide`.
+void step_guide(detail::DiscSearch& disc, std::size_t limit, Path& path) {
+  if (!disc.guide.step(limit, path.expansions)) return;
+  if (!disc.guide.is_found()) {
+    disc.outcome = Outcome::none;
+    return;
+  }
+  const std::span<const mesh::HalfEdge> exits = disc.guide.collect_exits();
+  if (find_string(disc, exits, disc.map->mesh().twin(exits.back()))) return begin_labels(disc);
+  disc.stage = Stage::channel;
+  disc.channel.begin(*disc.map, disc.ends);
+}
+
 /// Continues the stage `channel`. If it finds a string, writes the string as the first path.
 void step_channel(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   if (!disc.channel.step(limit, path.expansions)) return;
@@ -90,29 +126,38 @@ void step_channel(detail::DiscSearch& disc, std::size_t limit, Path& path) {
     disc.outcome = Outcome::none;
     return;
   }
-  if (disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) {
-    disc.string.write_path(disc.pieces);
-    disc.length = disc.string.length();
-    if (disc.algorithm != PathAlgorithm::optimal) write_path(disc, distance(disc.start, disc.goal), path);
+  const bool has_string = find_string(disc, disc.channel.exits(), disc.channel.goal_face());
+  if (has_string && disc.algorithm != PathAlgorithm::optimal) {
+    write_path(disc, distance(disc.start, disc.goal), path);
     if (disc.algorithm == PathAlgorithm::tra || is_over_budget(disc, path)) {
       disc.outcome = Outcome::found;
       return;
     }
+    if (disc.has_guide) begin_guide(disc);
   }
-  disc.stage = Stage::shortest;
-  disc.shortest.begin(*disc.map, disc.ends, disc.length);
+  if (has_string && disc.has_guide) return begin_labels(disc);
+  begin_shortest(disc, nullptr);
+}
+
+/// If a path is known and the budget is used up, ends the search and returns true. Otherwise reduces `limit`, so that
+/// the search looks at the budget soon.
+bool ends_by_budget(detail::DiscSearch& disc, std::size_t& limit, const Path& path) {
+  if (path.status != PathStatus::found) return false;
+  if (is_over_budget(disc, path)) disc.outcome = Outcome::found;
+  limit = std::min({limit, disc.budget.expansions, path::saturating_add(path.expansions, kSlice)});
+  return disc.outcome == Outcome::found;
+}
+
+/// Continues the stage `labels`.
+void step_labels(detail::DiscSearch& disc, std::size_t limit, Path& path) {
+  if (ends_by_budget(disc, limit, path) || !disc.guide.step(limit, path.expansions)) return;
+  begin_shortest(disc, &disc.guide.labels());
 }
 
 /// Continues the stage `shortest`, until the search or its budget ends or `path.expansions` reaches `limit`. If the
 /// search finds a path that is shorter than the string, writes its pieces.
 void step_shortest(detail::DiscSearch& disc, std::size_t limit, Path& path) {
-  if (is_over_budget(disc, path)) {
-    disc.outcome = Outcome::found;
-    return;
-  }
-  if (path.status == PathStatus::found) {
-    limit = std::min({limit, disc.budget.expansions, path::saturating_add(path.expansions, kSlice)});
-  }
+  if (ends_by_budget(disc, limit, path)) return;
   if (!disc.shortest.step(limit, path.expansions)) {
     path.lower_bound = std::max(path.lower_bound, std::min(path.length, disc.shortest.least_bound()));
     return;
@@ -128,7 +173,20 @@ void step_shortest(detail::DiscSearch& disc, std::size_t limit, Path& path) {
 /// Continues the search. Returns whether it has ended.
 bool step(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   while (disc.outcome == Outcome::running && path.expansions < limit) {
-    disc.stage == Stage::channel ? step_channel(disc, limit, path) : step_shortest(disc, limit, path);
+    switch (disc.stage) {
+      case Stage::guide:
+        step_guide(disc, limit, path);
+        break;
+      case Stage::channel:
+        step_channel(disc, limit, path);
+        break;
+      case Stage::labels:
+        step_labels(disc, limit, path);
+        break;
+      case Stage::shortest:
+        step_shortest(disc, limit, path);
+        break;
+    }
   }
   return disc.outcome != Outcome::running;
 }
@@ -192,13 +250,20 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.map.emplace(walls, clearance->bridges(), query.radius, query.start,
                    has_abstraction ? &abstraction->core() : nullptr);
   disc.ends.begin(*disc.map, query.start, query.goal);
-  disc.stage = Stage::channel;
+  disc.abstraction = has_abstraction ? &*abstraction : nullptr;
   disc.outcome = Outcome::running;
   if (find_straight(disc)) return;
   disc.algorithm = query.algorithm;
   disc.budget = query.budget;
   disc.length = kInfinity;
-  disc.channel.begin(*disc.map, disc.ends);
+  disc.has_guide = !disc.ends.have_common_face();
+  if (disc.algorithm == PathAlgorithm::optimal && disc.has_guide) {
+    disc.stage = Stage::guide;
+    begin_guide(disc);
+  } else {
+    disc.stage = Stage::channel;
+    disc.channel.begin(*disc.map, disc.ends);
+  }
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {

@@ -18,6 +18,7 @@
 #include "nav/kept_cover.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"
+#include "path/disc_guide.hpp"
 #include "path/disc_line.hpp"
 #include "path/disc_optimal.hpp"
 #include "path/disc_string.hpp"
@@ -29,11 +30,18 @@ namespace waywright::detail {
 
 /// The search for the path of a disc. It can continue as long as the world does not change.
 struct DiscSearch {
-  /// If the disc can move straight from the start to the goal, no stage runs. The first stage searches for a channel
-  /// and for a string through it. If there is no channel, there is no path. The second stage searches for the shortest
-  /// path. Its search leaves out everything that is longer than the string. `tra` needs the second stage only if the
-  /// first one finds no string through its channel. `ta` also needs it if its budget is not used up.
-  enum class Stage { channel, shortest };
+  /// If the disc can move straight from the start to the goal, no stage runs. The stages of `optimal`:
+  /// - `guide`: the guide searches for a path of a point agent. If there is none, the disc has no path either. If there
+  ///   is a string through its channel, the stage `channel` does not run.
+  /// - `channel`: searches for a channel of the disc, and for a string through it. If there is no channel, there is no
+  ///   path.
+  /// - `labels`: the guide continues, and labels everything that is not longer than the string. Without a string, this
+  ///   stage does not run.
+  /// - `shortest`: searches for the shortest path. It leaves out everything that is longer than the string.
+  ///
+  /// `ta` and `tra` start with the stage `channel`. `tra` needs the stages after it only if it finds no string through
+  /// its channel. `ta` also needs them if its budget is not used up.
+  enum class Stage { guide, channel, labels, shortest };
   enum class Outcome { running, found, none };
 
   Point start;
@@ -43,11 +51,14 @@ struct DiscSearch {
   bool wants_time = false;
   std::optional<path::DiscMap> map;  ///< the stages refer to it and to `ends`
   path::DiscEnds ends;
+  const nav::Abstraction* abstraction = nullptr;  ///< of the map's triangulation, or null
   Stage stage = Stage::channel;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget;
   double length = 0.0;  ///< of `pieces`, or infinity as long as the search has found no path
   path::DiscLine line;
+  bool has_guide = false;  ///< false if the two ends lie in one face: then the stages of the guide do not run
+  path::DiscGuide guide;
   path::DiscChannel channel;
   path::DiscString string;
   path::DiscOptimal shortest;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "clearance/near_walls.hpp"
+#include "path/disc_guide.hpp"
 #include "support/case_count.hpp"
 #include "support/disc_oracle.hpp"
 #include "support/disc_scenes.hpp"
@@ -36,10 +37,11 @@ class Map {
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
     const path::DiscMap map(walls_, *bridges_, radius, start);
     ends_.begin(map, start, goal);
-    search_.begin(map, ends_, std::numeric_limits<double>::infinity());
+    search_.begin(map, ends_, std::numeric_limits<double>::infinity(), nullptr);
     std::size_t expansions = 0;
     EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;
+    if (!ends_.have_common_face()) check_with_guide(map, start, goal);
     std::vector<path::DiscPiece> pieces;
     search_.write_path(pieces);
     std::vector<disc::Piece> result;
@@ -58,9 +60,25 @@ class Map {
   [[nodiscard]] double length() const { return search_.length(); }
 
  private:
+  /// Searches again with a guide that follows no window beyond the length of the shortest path.
+  void check_with_guide(const path::DiscMap& map, const Point& start, const Point& goal) {
+    const double length = search_.length();
+    std::size_t expansions = 0;
+    guide_.begin(map, nullptr, ends_, start, goal);
+    ASSERT_TRUE(guide_.step(200000, expansions));
+    ASSERT_TRUE(guide_.is_found());
+    guide_.continue_to(length);
+    ASSERT_TRUE(guide_.step(200000, expansions));
+    search_.begin(map, ends_, length, &guide_.labels());
+    ASSERT_TRUE(search_.step(200000, expansions));
+    ASSERT_TRUE(search_.is_found());
+    ASSERT_NEAR(search_.length(), length, 1e-12 * length);
+  }
+
   constraint::ExactTriangulation walls_;
   std::optional<clearance::Bridges> bridges_;
   path::DiscEnds ends_;
+  path::DiscGuide guide_;
   path::DiscOptimal search_;
 };
 

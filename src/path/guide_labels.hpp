@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "memory/stamp.hpp"
+#include "memory/zeroed_array.hpp"
+#include "path/disc_map.hpp"
+
+namespace waywright::path {
+
+/// What the search of a guide (DiscGuide) tells a search for the path of a disc: which vertices and which edges a path
+/// through the map may use that is not longer than a limit, and lower bounds of the way from a vertex to the goal.
+class GuideLabels {
+ public:
+  /// Forgets the labels of the last search. `start` is where the disc starts, relative to the origin of the map.
+  void begin(const DiscMap& map, const Point& start) {
+    map_ = &map;
+    start_ = start;
+    limit_ = std::numeric_limits<double>::infinity();
+    stamp_.next(1, lengths_, crossed_);
+    lengths_.grow_to(map.mesh().vertex_slots());
+    crossed_.grow_to(std::size_t{3} * map.mesh().face_slots());
+  }
+
+  /// Returns whether the guide cannot cross an edge that is no wall, because no disc passes between its ends.
+  [[nodiscard]] bool is_closed(mesh::HalfEdge exit) const {
+    const Point edge = map_->position(map_->mesh().target(exit)) - map_->position(map_->mesh().origin(exit));
+    return map_->is_closed(exit, squared_length(edge));
+  }
+  /// Records that a path of this length leads from the goal to the vertex.
+  void see(mesh::Vertex v, double length) {
+    Length& known = lengths_[number(v)];
+    if (known.query != stamp_.value() || length < known.length) known = {length, stamp_.value()};
+  }
+  /// Records that the guide has followed a window across the edge.
+  void cross(mesh::HalfEdge h) {
+    crossed_[number(h)] = stamp_.value();
+    crossed_[number(map_->mesh().twin(h))] = stamp_.value();
+  }
+  /// Records that the guide has followed all windows whose bound is below `limit`.
+  void end(double limit) { limit_ = limit; }
+
+  /// Returns whether the guide has followed a window across the edge.
+  [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }
+  /// Returns whether a path of the guide that is shorter than the limit may lead through the vertex, whose position is
+  /// `at`.
+  [[nodiscard]] bool is_useful(mesh::Vertex v, const Point& at) const {
+    const Length& known = lengths_[number(v)];
+    return known.query == stamp_.value() && known.length + distance(start_, at) < limit_;
+  }
+  /// Returns a lower bound of the length of a path of the guide from the vertex, whose position is `at`, to the goal.
+  [[nodiscard]] double least_length(mesh::Vertex v, const Point& at) const {
+    const double least = limit_ - distance(start_, at);
+    const Length& known = lengths_[number(v)];
+    return known.query == stamp_.value() ? std::min(known.length, least) : least;
+  }
+
+ private:
+  /// The length of the shortest path to a vertex that the guide has found. Valid only in query number `query`.
+  struct Length {
+    double length;
+    std::uint32_t query;
+  };
+
+  const DiscMap* map_ = nullptr;
+  Point start_;
+  double limit_ = 0.0;
+  memory::ZeroedArray<Length> lengths_;         ///< by vertex
+  memory::ZeroedArray<std::uint32_t> crossed_;  ///< by half-edge
+  memory::Stamp stamp_;
+};
+
+}  // namespace waywright::path
