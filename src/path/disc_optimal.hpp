@@ -57,7 +57,7 @@ class DiscOptimal {
   struct Root {
     DiscLine::End end;      ///< the contact, or the start
     mesh::HalfEdge corner;  ///< the corner of a face at the vertex of the contact, in the direction of `position`
-    Point direction;        ///< the direction in which the path arrives at the contact
+    Point direction;        ///< the direction in which the path arrives at the contact; at the start: not used
     double length = 0.0;    ///< the length of the path from the start to `position`
     std::uint32_t before = kNone;  ///< the root before this one on the path
     TurnLimit limit{};             ///< how far the path can turn around the vertex
@@ -164,9 +164,10 @@ class DiscOptimal {
   /// bound is above `limit_`.
   void offer(const Window& window, const Edge& edge);
 
-  /// Tests the line of a turn node. If it passes, makes a root at its end; if it fails, adds turn nodes for obstacles.
+  /// Tests the line of a turn node, unless a known path to its contact is at least as short. If the line passes the
+  /// test, makes a root at its end. If it fails, adds turn nodes for its obstacles.
   void expand(std::uint32_t index);
-  /// Does this for a line to the goal. If the line passes its test, the search has found the path.
+  /// Tests the line of a turn node that ends at the goal. If the line passes the test, the search has found the path.
   void try_goal(std::uint32_t index);
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
   void push_limit(std::uint32_t index);
