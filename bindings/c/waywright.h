@@ -324,7 +324,7 @@ WW_API ww_status ww_world_get_options(const ww_world* world, ww_world_options* o
 /* ---------------------------------------------------------------------------------------------------------------------
    Changing items. Each call is one operation: the world carries it out completely or changes nothing.
    If `id` is 0, the world chooses the id: the largest id that it has seen, plus 1. `inserted` receives the id, and may
-   be null. Geometry is never an error: items may cross, overlap, repeat each other or have length 0. Errors of
+   be null. No arrangement of items is an error: items may cross, overlap, repeat each other or have length 0. Errors of
    insertions: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_ID_IN_USE, WW_BAD_ID, WW_BAD_SHAPE, WW_TOO_LARGE,
    WW_TOO_MANY_VERTICES. ww_error.index is the index of the refused point in the shape. */
 

@@ -102,7 +102,7 @@ enum class PathStatus : std::uint8_t {
   /// position within the tolerance to which it could move the start.
   start_blocked,
   goal_blocked,  ///< the goal lies strictly inside a polygon or too near to a wall, as for `start_blocked`
-  no_path,       ///< no path connects the start and the goal, for another reason than the two reasons above
+  no_path,       ///< no path connects the start and the goal, and the status is none of those above
 };
 
 /// Returns the name of a status in the output of world scripts: `found`, `start-blocked`, `goal-blocked`, `no-path`.
@@ -216,7 +216,7 @@ struct WAYWRIGHT_API Path {
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
-  /// vertices at which the search let the disc turn, and the triangles that the search for a first channel took.
+  /// straight lines that the search considered, and the triangles that the search for a first channel considered.
   std::size_t expansions = 0;
   /// The time that the search took. 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};
@@ -236,9 +236,9 @@ struct WAYWRIGHT_API Path {
   /// You can use the result as the start of a path query. If doubles can express the exact position on the path, the
   /// result is this position. Otherwise the function rounds it to the left or to the right of the path, so that the
   /// result does not lie beyond a wall. A path turns around walls. So near a left turn, these walls lie to the left of
-  /// the path, and the function rounds to the right. Near a right turn it rounds to the left. The nearer turn decides.
-  /// There are two exceptions. If walls touch one straight piece of the path from the left and from the right, the
-  /// result can lie beyond one of them. And on a path without turns, the function rounds to nearest.
+  /// the path, and the function rounds to the right. Near a right turn it rounds to the left. Between two turns, the
+  /// nearer one decides. There are two exceptions. If walls touch one straight piece of the path from the left and from
+  /// the right, the result can lie beyond one of them. And on a path without turns, the function rounds to nearest.
   ///
   /// The coordinates are doubles or floats, as `precision` says. With Precision::float32 the result can lie outside the
   /// domain, if the border of the domain has a coordinate that no `float` can express.

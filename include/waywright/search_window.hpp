@@ -18,8 +18,8 @@ namespace waywright {
 /// Directly after a turn, it lies between the root and the edge: the root is one of its vertices, and the edge is
 /// opposite to this vertex.
 ///
-/// The coordinates are rounded: use them only for pictures. The search itself decides exactly, and computes no end of
-/// an interval. If the search sees an edge at an angle that is too small for doubles, the interval reaches to the end
+/// The coordinates are rounded: use them only for pictures. The search itself decides exactly, without these
+/// coordinates. If the search sees an edge at an angle that is too small for doubles, the interval reaches to the end
 /// of the edge.
 struct SearchWindow {
   Point root;           ///< the last turn of the path, or its start

@@ -42,8 +42,8 @@ namespace waywright {
 
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
 /// box. Every decision about the mesh is exact. The live items alone determine the mesh, in whatever order you inserted
-/// them. Geometry is never an error: items may cross, overlap or repeat each other, cross themselves, be collinear or
-/// have length zero. The world handles all of this exactly.
+/// them. No arrangement of items is an error: items may cross, overlap or repeat each other, cross themselves, be
+/// collinear or have length zero. The world handles all of this exactly.
 ///
 /// @code{.cpp}
 /// World arena = World::create({{0, 0}, {10, 10}}).value();

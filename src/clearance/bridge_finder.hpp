@@ -20,7 +20,7 @@ namespace waywright::clearance {
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
   std::vector<mesh::HalfEdge> to_enter;        ///< half-edges through which a search enters faces
-  std::vector<mesh::HalfEdge> to_clear;        ///< half-edges through which the search for a clear disc enters faces
+  std::vector<mesh::HalfEdge> to_clear;        ///< half-edges through which the search for walls in a disc enters faces
   memory::ZeroedArray<std::uint32_t> visited;  ///< by face: the number of the last search that visited it
   memory::Stamp stamp;
 
@@ -130,10 +130,10 @@ class BridgeFinder {
 
   /// A vertex near the disc of a candidate.
   struct Around {
-    Point offset;   ///< from the centre of the disc
-    double square;  ///< of the distance from the centre
+    Point offset;   ///< the vector from the centre of the disc to the vertex
+    double square;  ///< the square of the vertex's distance from the centre
     mesh::Vertex vertex;
-    bool is_end;  ///< of the candidate
+    bool is_end;  ///< whether the vertex is an end of the candidate
   };
 
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
@@ -147,7 +147,8 @@ class BridgeFinder {
   [[nodiscard]] bool is_blocked_by(const Candidate& candidate, mesh::Vertex v) const {
     return v != candidate.from && v != candidate.to && is_explicit(v) && candidate.disc.surely_contains(position_of(v));
   }
-  /// The radius is at most |c| + t - 8 rounding_, if c is the centre. The limit of the candidate is larger than
+  /// Makes a candidate. Let c be the vector from the origin of its disc to the centre, and t the number in the code.
+  /// Then the radius of the disc is at most |c| + t - 8 rounding_. The limit of the candidate is larger than
   /// (|c| + t)^2 (1 + 2^-20)^2, because 2 |c| t is at most 2^-20 c^2 + 2^20 t^2.
   [[nodiscard]] Candidate candidate_of(const exact::Gap& gap, mesh::Vertex from, mesh::Vertex to) const {
     const Disc disc = Disc::of_gap(gap.from, gap.a, gap.b);

@@ -35,7 +35,7 @@ class BridgeLister {
     kSearched = 2,  ///< a search beyond the box has looked for foot bridges that start in the face
     kOpen = 4,      ///< the face is in faces_, and no polygon covers it
     kCovered = 8,   ///< the face is in faces_, and a polygon covers it
-    kMarks = 16,
+    kMarks = 16,    ///< the step of the query numbers: larger than the sum of all marks
   };
 
   /// A bridge of the list.

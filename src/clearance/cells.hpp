@@ -70,8 +70,9 @@ class Cells {
     return std::size_t{3} * mesh_.face_slots() + 2 * bridges_.foot_slots();
   }
 
-  /// Consider the cell that lies at the origin of `h`, in the direction of `h`. Returns the edge of its border that
-  /// starts at this vertex. If a bridge or a wall runs in this direction, the result is this bridge or wall.
+  /// Turns clockwise around the origin of `h`, from the direction of `h` on, to the first wall or bridge. Returns this
+  /// wall or bridge, as the edge that starts at the origin of `h`. The cell on the left of the result contains the
+  /// positions near the origin of `h` in the directions that the function has passed.
   [[nodiscard]] CellEdge first_clockwise(mesh::HalfEdge h) const;
 
  private:

@@ -67,7 +67,7 @@ class ChangedRegion {
   void add_corners(std::initializer_list<mesh::HalfEdge> corners);
   void add_edge(mesh::HalfEdge h);
 
-  const mesh::TriangleMesh* mesh_ = nullptr;  ///< of the operation
+  const mesh::TriangleMesh* mesh_ = nullptr;  ///< the mesh that the operation has changed
   std::vector<mesh::Face> faces_;
   std::vector<mesh::HalfEdge> border_;  ///< see add_border()
   std::vector<mesh::HalfEdge> corners_;

@@ -26,8 +26,8 @@ class Clearance {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// The bridges of a world. Pass the triangulation of the world, which may have been moved, to every function with a
-  /// parameter `world`.
+  /// Finds the bridges of a world. The object does not keep a reference to the triangulation, which the program may
+  /// move. So pass the triangulation of the world to every function with a parameter `world`.
   explicit Clearance(const Triangulation& world);
   /// Copies the bridges, and the second triangulation if there is one. Requires: no operation is under way.
   Clearance(const Clearance& other)
@@ -40,7 +40,7 @@ class Clearance {
   [[nodiscard]] const Triangulation& walls(const Triangulation& world) const { return walls_ ? *walls_ : world; }
   [[nodiscard]] const Bridges& bridges() const { return *bridges_; }
 
-  /// One operation, all or nothing. If the object is destroyed before commit(), for example because memory ran out, the
+  /// Makes an operation atomic. If the object is destroyed before commit(), for example because memory ran out, the
   /// destructor undoes update(). Requires: no other operation is under way.
   class UndoGuard {
    public:
@@ -89,7 +89,7 @@ class Clearance {
   std::unique_ptr<Triangulation> walls_;  ///< the second triangulation, or null
   std::unique_ptr<Bridges> bridges_;
 
-  // Of the operation under way.
+  // The next members belong to the operation under way.
   std::vector<ItemId> changed_;
   ChangedWalls changed_walls_;
   std::optional<Triangulation::UndoGuard> walls_guard_;  ///< set if the operation changes the second triangulation

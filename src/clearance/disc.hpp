@@ -20,7 +20,8 @@ struct Disc {
   Point origin;
   Point centre;  ///< relative to `origin`
   double radius = 0.0;
-  double error = 0.0;  ///< of each coordinate of `centre`: at most this, plus 2^-50 of the coordinates' magnitudes
+  /// Each coordinate of `centre` is wrong by at most this number plus 2^-50 of the magnitudes of the coordinates.
+  double error = 0.0;
 
   /// Returns the disc whose diameter is the segment from `from` to the foot of the perpendicular on the line through
   /// `a` and `b`, or to `a` if the two are equal.

@@ -17,13 +17,19 @@ class DiscReach {
   /// `cells` exist and do not change.
   void begin(const Cells& cells, const CellEdge& goal, double radius);
   /// Returns whether the disc can move from the cell of `edge` to the goal. The decision is exact. Cost: two searches
-  /// run alternately, one from the goal and one from the cell. They stop when they meet, or when one of them is at its
-  /// end. No later call enters a cell again.
+  /// run alternately, one from the goal and one from the cell. They stop when they meet, or when one of them has
+  /// entered all cells that it can reach. The object keeps the state of each entered cell, so no later call for the
+  /// same goal enters this cell again.
   [[nodiscard]] bool is_reached(const Cells& cells, const CellEdge& edge);
 
  private:
   /// What the searches know about a cell. All gates of a cell have the same state.
-  enum class State : std::uint8_t { unknown, reached, not_reached, entered };
+  enum class State : std::uint8_t {
+    unknown,
+    reached,      ///< the disc can move from the cell to the goal
+    not_reached,  ///< the disc cannot move from the cell to the goal
+    entered,      ///< the present search from a cell has entered the cell, and the result is not known yet
+  };
 
   [[nodiscard]] State state(const Cells& cells, const CellEdge& gate) const;
   void set_state(std::uint32_t key, State state) { states_[key] = stamp_.value() + static_cast<std::uint32_t>(state); }

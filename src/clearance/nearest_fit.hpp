@@ -57,10 +57,10 @@ class NearestFit {
     candidate,  ///< an interval without the positions that walls block: an element of `pieces_`
   };
   struct Entry {
-    double bound;  ///< the position is not nearer than this
+    double bound;  ///< no position that the entry can give is nearer to the query's point than this
     Kind kind;
     mesh::HalfEdge h;
-    std::uint32_t piece;
+    std::uint32_t piece;  ///< index in `pieces_`, if the kind is line or candidate
   };
   struct Piece {
     OffsetCurve curve;

@@ -93,7 +93,7 @@ void subtract(const OffsetCurve& curve, const OffsetCurve::Blocked& blocked, mes
 void cut(double parameter, mesh::HalfEdge blocker, OffsetCurve::Intervals& intervals);
 /// Returns whether one of the intervals contains a blocked position.
 [[nodiscard]] bool meets(const OffsetCurve::Blocked& blocked, const OffsetCurve::Intervals& intervals);
-/// Returns whether one of the intervals contains the parameter in its inside.
+/// Returns whether one of the intervals contains the parameter strictly between its ends.
 [[nodiscard]] bool contains(double parameter, const OffsetCurve::Intervals& intervals);
 
 }  // namespace waywright::clearance

@@ -12,7 +12,7 @@ struct WallLine {
   Point to;
 };
 
-/// Returns the ends of a side that lies on the wall, in the direction of `wall`. Both lie on the same line as the wall,
+/// Returns the ends of a side that lies on the wall, in the direction of `wall`. The side and the wall lie on one line,
 /// so the (x, y) order of their ends says whether they have the same direction.
 [[nodiscard]] inline WallLine wall_line(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge wall) {
   const exact::Geometry& geometry = triangulation.triangulation().geometry();

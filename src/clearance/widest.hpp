@@ -62,7 +62,7 @@ class WidestSearch {
   void see(const Cells& cells, End& end, const CellEdge& gate);
   [[nodiscard]] Narrowest narrower_level(const Cells& cells) const;
 
-  End ends_[2];                                 ///< from the start, from the goal
+  End ends_[2];                                 ///< the search from the start, the search from the goal
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by key: the stamp of the search that has entered the gate's cell
   memory::Stamp stamp_;
 };

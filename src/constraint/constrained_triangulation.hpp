@@ -131,8 +131,10 @@ class ConstrainedTriangulation {
   /// add_records() prefetches the data of the item, and of the corner, that it needs this many steps later.
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
-  static constexpr std::size_t kUsualRegions = 64;      ///< of a bulk load, if this gives regions of a suitable size
-  static constexpr std::size_t kSmallestRegion = 2048;  ///< vertices
+  /// A bulk load divides the domain into this many regions, if each of them then has a number of vertices between the
+  /// next two numbers.
+  static constexpr std::size_t kUsualRegions = 64;
+  static constexpr std::size_t kSmallestRegion = 2048;
   static constexpr std::size_t kLargestRegion = 65536;
   /// If there are more points than this for each item with sides, one thread inserts all sides.
   static constexpr std::size_t kPointsPerItem = 64;
@@ -145,7 +147,7 @@ class ConstrainedTriangulation {
   struct Step {
     mesh::Vertex vertex{};
     mesh::HalfEdge along = mesh::kNoHalfEdge;  ///< the edge to `vertex`, if it exists already
-    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< of the fixed edge that the side meets; runs from right to left
+    mesh::HalfEdge fixed = mesh::kNoHalfEdge;  ///< the half-edge from the right of the side to its left, if any
   };
 
   /// An item with sides: the rank of its first corner, and its slot.
@@ -248,14 +250,14 @@ class ConstrainedTriangulation {
   /// A corner of the item that the operation inserts. Its vertex is not made yet.
   struct LateCorner {
     Point point;
-    std::uint32_t index;  ///< in `outline_`
+    std::uint32_t index;  ///< the index of the corner in `outline_`
   };
 
   // Scratch.
   std::vector<LateCorner> late_corners_;
   std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
-  std::vector<mesh::Vertex> touched_;  ///< the vertices that the removed item used: perhaps not needed any more
+  std::vector<mesh::Vertex> touched_;  ///< the vertices of the removed item; there may be no reason for them any more
   NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes
 };

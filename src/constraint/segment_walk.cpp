@@ -18,8 +18,8 @@ SegmentWalk::Stop SegmentWalk::leave_vertex(mesh::Vertex u) const {
 }
 
 /// Returns the first stop of a segment that starts on an edge. If the end of the segment lies on the edge's line, the
-/// stop is the vertex ahead. Otherwise the stop is the edge itself: of its two faces, the segment counts as about to
-/// leave the one that does not lie towards its end.
+/// stop is the vertex ahead. Otherwise the stop is the edge itself, as a half-edge of the face that the segment does
+/// not enter.
 SegmentWalk::Stop SegmentWalk::stop_on_start_edge() const {
   const mesh::HalfEdge h = start_.h;
   if (geometry().order(from(), to()) == 0) return {mesh::kNoVertex, h, false, true};

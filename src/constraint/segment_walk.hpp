@@ -47,7 +47,9 @@ class SegmentWalk {
     mesh::HalfEdge exit = mesh::kNoHalfEdge;
     bool has_ended = false;  ///< the segment ends before this vertex or edge
     bool ends_on_exit = false;
-    mesh::HalfEdge through = mesh::kNoHalfEdge;  ///< in the face that leads to this stop; none if an edge leads to it
+    /// A half-edge of the face through which the segment reaches this stop. kNoHalfEdge if the segment reaches the stop
+    /// along an edge, or starts at the stop.
+    mesh::HalfEdge through = mesh::kNoHalfEdge;
   };
 
   [[nodiscard]] const exact::Geometry& geometry() const { return delaunay_.geometry(); }

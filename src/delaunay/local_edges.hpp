@@ -40,7 +40,7 @@ class LocalEdges {
   }
 
  private:
-  static constexpr std::size_t kMostEdges = 256;  ///< of a vertex that a segment starts at
+  static constexpr std::size_t kMostEdges = 256;  ///< first_crossed() looks at no more edges of a vertex than this
 
   [[nodiscard]] bool is_own(mesh::Vertex v) const { return begin_ <= number(v) && number(v) < end_; }
   [[nodiscard]] exact::Sign orientation(mesh::Vertex u, mesh::Vertex w, mesh::Vertex v) const {

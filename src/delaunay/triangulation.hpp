@@ -170,9 +170,9 @@ class Triangulation {
  private:
   using Triangle = mesh::TriangleMesh::Triangle;
 
-  static constexpr std::size_t kLongWalk = 16;
-  static constexpr std::size_t kLargeHole = 32;   ///< edges on its border
-  static constexpr std::size_t kManySpokes = 16;  ///< on the left half of a star
+  static constexpr std::size_t kLongWalk = 16;    ///< after a walk with more steps, an insertion divides a sector
+  static constexpr std::size_t kLargeHole = 32;   ///< a hole is large if its border has more edges than this
+  static constexpr std::size_t kManySpokes = 16;  ///< after this number of spokes, star() looks for a crossing
 
   void set_positions(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);

@@ -46,12 +46,12 @@ std::string rectangle(const Box& box) {
 /// read.
 std::string draw_title(const Layout& layout, const Palette& palette, const std::string& title) {
   if (title.empty()) return {};
-  const double room = layout.width - layout.left - io::kPageMargin;
+  const double room = layout.width - layout.text_left - io::kPageMargin;
   const auto most = static_cast<std::size_t>(room / (kLeastTitleFont * kTitleCharacter));
   const std::string shown = io::shortened(title, most);
   const auto characters = static_cast<double>(io::character_count(shown));
   std::string out = R"(<text id="title" y="38" font-weight="600")";
-  append_attribute(out, "x", layout.left);
+  append_attribute(out, "x", layout.text_left);
   append_attribute(out, "font-size", std::clamp(room / (characters * kTitleCharacter), kLeastTitleFont, kTitleFont));
   palette.append(out, {Ink::text}, {Ink::none});
   out += '>';
@@ -114,9 +114,10 @@ Result<std::string> to_svg(const World& world, const SvgOverlay& overlay, const 
   append_entries(entries, additions.entries);
   if (options.axes) io::add_axes_entries(entries, layout, options.y_down, palette);
   double legend_height = 0.0;
-  const std::string legend = io::legend(entries, palette, layout.width, layout.left, layout.bottom, legend_height);
+  const std::string legend =
+      io::legend(entries, palette, layout.width, layout.text_left, layout.legend_top, legend_height);
 
-  std::string out = draw_head(layout, layout.bottom + legend_height, palette, options.title);
+  std::string out = draw_head(layout, layout.legend_top + legend_height, palette, options.title);
   out += clip_path(frame, options.crop.has_value());
   if (options.axes) out += io::draw_axes(layout, palette);
   out += clipped("map", drawing.elements + discs.clipped + queries.clipped);

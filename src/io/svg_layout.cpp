@@ -97,9 +97,9 @@ Result<Layout> lay_out(const Box& domain, const SvgOptions& options) {
   const Point corner{left + (room - map_width) / 2.0, top + (panel - map_height) / 2.0};
 
   Layout layout{SvgFrame(shown, corner, scale, options.y_down), width, kPageMargin, top + panel + kPageMargin, {}, {}};
-  if (width >= kRoomy) layout.left = left;
+  if (width >= kRoomy) layout.text_left = left;
   if (options.axes) {
-    layout.bottom += kTickStrip;
+    layout.legend_top += kTickStrip;
     layout.x_ticks = ticks_between(shown.min.x, shown.max.x, {scale, kLeastSpacingX, kTickCharacter});
     layout.y_ticks = ticks_of_y(shown, scale);
   }

@@ -8,20 +8,21 @@
 
 namespace waywright::io {
 
-/// The positions of the pieces of a picture, in pixels.
+/// Where the map, the title, the ticks and the legend of a picture lie, in pixels from the upper left corner of the
+/// picture.
 struct Layout {
-  SvgFrame frame;
-  double width = 0.0;   ///< of the picture
-  double left = 0.0;    ///< where the title and the legend start
-  double bottom = 0.0;  ///< of the map with its ticks; the legend starts there
-  std::vector<Tick> x_ticks;
-  std::vector<Tick> y_ticks;
+  SvgFrame frame;             ///< where the map lies, and its scale
+  double width = 0.0;         ///< the width of the picture
+  double text_left = 0.0;     ///< the left edge of the title and of the legend
+  double legend_top = 0.0;    ///< the upper edge of the legend: the map and the labels of its ticks lie above it
+  std::vector<Tick> x_ticks;  ///< the ticks below the map
+  std::vector<Tick> y_ticks;  ///< the ticks on the left of the map
 };
 
 inline constexpr double kPageMargin = 20.0;
 inline constexpr double kTickLength = 5.0;
 inline constexpr double kTickFont = 12.0;
-inline constexpr double kTickCharacter = 7.2;  // largest width of a digit in that font
+inline constexpr double kTickCharacter = 7.2;  // the largest width of a digit in the font of the ticks
 
 /// Computes the layout of a picture of `domain`, or of the crop box in `options`. The map has the proportions of that
 /// box. Errors: the errors of to_svg().

@@ -106,13 +106,14 @@ class Sectors {
   static constexpr double kFar = 9.0;  ///< squared: three times the width of the sector
   static constexpr int kKeyBits = 64;
   static constexpr std::uint32_t kNoZoom = 0xffffffff;
-  static constexpr std::uint32_t kMaxDepth = 12;  ///< of zooms; each has cells 2^32 times smaller
+  static constexpr std::uint32_t kMaxDepth = 12;  ///< of a zoom: see Zoom::depth
 
-  /// The curve of a sector that is as small as a cell, and the index of the first of the sector's four quarters.
+  /// The curve of a sector that is as small as a cell, and the index of the first of the sector's four quarters. The
+  /// width of its cells is 2^-32 of the width of the sector.
   struct Zoom {
     Curve curve;
     std::uint32_t first;
-    std::uint32_t depth;  ///< 0 if no zoom contains it
+    std::uint32_t depth;  ///< the number of zooms that contain this one
   };
 
   [[nodiscard]] static bool is_divided(Content content) { return (content & (kDivided | kZoomed)) == kDivided; }

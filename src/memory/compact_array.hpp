@@ -15,9 +15,10 @@
 namespace waywright::memory {
 
 /// An array of 32-bit numbers. pack() stores the array in a third of the memory if the numbers of each block of 16
-/// differ by at most 255: each block as its smallest number, and for each of its numbers the difference from it, in 8
-/// bits. A *wide* block, whose numbers differ by more, contains the index of 16 numbers of 32 bits. A packed array can
-/// change as any other array. If so many blocks become wide that the packed array takes more memory than a plain one
+/// differ by at most 255. For each block, the array then stores the smallest number in 32 bits and, for each of the 16
+/// numbers, the difference from the smallest one in 8 bits. If the numbers of a block differ by more, the block is
+/// *wide*: it contains the index of an array of 16 numbers of 32 bits. The same functions change a packed array and a
+/// plain one. If so many blocks become wide that the packed array takes more memory than a plain one
 /// (at most 84 bytes instead of 64 for 16 numbers), shrink_to_fit() makes it plain again.
 class CompactArray {
  public:

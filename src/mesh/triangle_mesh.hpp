@@ -39,7 +39,7 @@ class TriangleMesh {
   /// several times, in the order of the changes.
   enum class Touch : std::uint8_t {
     made,
-    rebuilt,  ///< also: one of its edges became fixed or free
+    rebuilt,  ///< its vertices or neighbours have changed, or one of its edges became fixed or free
     freed,
     relabelled  ///< one of its fixed edges got another label, and stayed fixed
   };

@@ -127,15 +127,15 @@ class Components {
     mesh::Face face;
   };
   /// A search through the old faces of a component. It starts at the old neighbours of one group, or of several
-  /// connected groups. Searches that have met are a *set*, named by its root in `search_sets_`. The links are of three
-  /// kinds of circular lists.
+  /// connected groups. Searches that have met are a *set*. The root of the set in `search_sets_` identifies it. Three
+  /// of the members are links of circular lists: of the searches of a set, of the searches beside a region, of a queue.
   struct Search {
     std::uint32_t group = 0;
     std::vector<mesh::Face> found;
     std::size_t next = 0;              ///< index of the first face in `found` whose neighbours it has not looked at
     std::uint32_t next_of_set = 0;     ///< the next search of the same set
     std::uint32_t next_of_region = 0;  ///< the next search beside the same region
-    std::uint32_t next_in_queue = 0;   ///< the next search of the set in its queue: those that may be unfinished
+    std::uint32_t next_in_queue = 0;   ///< the next search in the queue of the searches of a set that may be unfinished
     std::uint32_t last_in_queue = 0;   ///< of a root: the last search in the queue of its set, or kNone
     std::uint32_t round = 0;           ///< of a root: the last round of list_unfinished() that has met its set
   };
@@ -181,7 +181,7 @@ class Components {
   void start_searches(std::span<const OldNeighbour> old_neighbours);
   void start_search(std::uint32_t group);
   void search_beside(const mesh::TriangleMesh& mesh, std::uint32_t region);
-  void add_to_compared(std::uint32_t search);
+  void add_searches_beside(std::uint32_t search);
   void list_unfinished(std::uint32_t region);
   void join_regions_of(std::uint32_t set, std::uint32_t region);
   [[nodiscard]] bool is_finished(std::uint32_t set);
@@ -245,19 +245,19 @@ class Components {
   std::vector<OldNeighbour> old_neighbours_;  ///< by component, then by group
   std::vector<Search> searches_;              ///< the first search_sets_.size() of them search one old component
   std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, see root_of()
-  std::vector<std::uint32_t> compared_;       ///< a search of each unfinished set beside the region of search_beside()
+  std::vector<std::uint32_t> alternating_;    ///< the searches that search_beside() advances alternately
   std::uint32_t round_ = 0;                   ///< see Search::round
   std::vector<Remainder> remainders_;         ///< of all old components
   std::vector<mesh::Face> piece_faces_;       ///< the faces of all pieces, piece by piece
   std::vector<mesh::Face> stack_;             ///< visited faces whose neighbours are not visited yet
   std::vector<Id> flooded_;                   ///< the components that the flood has visited
-  std::vector<std::uint32_t> reached_;        ///< groups with a new component whose neighbours may have none yet
-  std::vector<mesh::HalfEdge> around_;        ///< the faces around the vertex of outer_half_edge()
-  constraint::Outline outline_;               ///< of the polygon `covering_`
-  std::vector<std::uint32_t> sides_;          ///< of the polygon `covering_`, by slot, ring after ring
-  std::vector<std::uint32_t> polygons_;       ///< an entry for each polygon side on the edge of cover_beyond()
-  std::vector<std::uint32_t> removed_;        ///< the polygons that CoverTree::change() removes from a set
-  std::vector<std::uint32_t> added_;          ///< the polygons that CoverTree::change() adds to it
+  std::vector<std::uint32_t> reached_;   ///< covered groups whose neighbours cover_new_groups() has not looked at yet
+  std::vector<mesh::HalfEdge> around_;   ///< the faces around the vertex of outer_half_edge()
+  constraint::Outline outline_;          ///< of the polygon `covering_`
+  std::vector<std::uint32_t> sides_;     ///< of the polygon `covering_`, by slot, ring after ring
+  std::vector<std::uint32_t> polygons_;  ///< an entry for each polygon side on the edge of cover_beyond()
+  std::vector<std::uint32_t> removed_;   ///< the polygons that CoverTree::change() removes from a set
+  std::vector<std::uint32_t> added_;     ///< the polygons that CoverTree::change() adds to it
 
   /// Something that refers to the set `set` in the tree of covers: a component with this cover, or a node of the tree
   /// with this parent. `index` is the component or the node.

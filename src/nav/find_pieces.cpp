@@ -7,19 +7,21 @@
 
 // Finds the pieces into which a change of the mesh has divided the components.
 //
-// A *region* consists of new faces that are adjacent, also across walls: it fills one connected part of the changed
-// area. Before the change, each way between two old faces led through old faces and through regions. So if the old
-// faces beside each region are still connected with each other, no component is divided, and it is enough to look at
-// one region after the other. Searches that have met form a *set* of searches. The searches that start beside one
-// region advance alternately, until at most one of their sets is unfinished.
+// A *region* consists of new faces that are adjacent to each other, also across walls: it fills one connected part of
+// the changed area. Before the change, a chain of passages connected each two old faces of a component. It led through
+// old faces and through the areas of regions. So if the old faces beside each region are still connected with each
+// other, no component is divided, and it is enough to look at one region after the other. Searches that have met form a
+// *set* of searches. The searches that start beside one region advance alternately, until at most one of their sets is
+// unfinished.
 //
-// The faces that a finished set has found are a *piece*: no way leads from them to other faces. The ways that led
-// through a piece no longer exist, so the regions beside a piece count as one region from then on. When each region has
-// at most one unfinished set, all unfinished sets are connected. Proof: suppose that two unfinished sets are not
-// connected. Before the change they were, so a chain of regions and sets leads from one to the other. Of all such
-// pairs, take one with the shortest chain. An unfinished set between the two would not be connected with one of them,
-// and would have a shorter chain to it. So all sets between the two are finished, all regions of the chain count as one
-// region, and this region has two unfinished sets: a contradiction.
+// The old faces that a finished set has found are a *piece*: no chain of passages leads from them to other old faces.
+// The old chains through a piece no longer connect the regions beside it, so these regions count as one region from
+// then on. When each region has at most one unfinished set, all unfinished sets are connected. Proof: suppose that two
+// unfinished sets are not connected. Before the change they were connected, so a sequence in which regions and sets
+// alternate leads from one to the other. Of all such pairs, take one with the shortest sequence. An unfinished set
+// between the two would not be connected with one of them, and would have a shorter sequence to it. So all sets between
+// the two are finished, all regions of the sequence count as one region, and this region has two unfinished sets: a
+// contradiction.
 
 namespace waywright::nav {
 
@@ -67,7 +69,7 @@ void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin
     if (rest == kNone) rest = i;
     unite(group_sets_, searches_[rest].group, searches_[i].group);
   }
-  if (rest == kNone) rest = 0;  // all sets are finished: an arbitrary piece is the rest
+  if (rest == kNone) rest = 0;  // all sets are finished: one of the pieces, whichever it is, counts as the rest
   const Id component = neighbours.front().component;
   std::uint32_t size = records_[component].size;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -132,53 +134,53 @@ void Components::start_search(std::uint32_t group) {
 
 /// Runs the searches beside a region alternately, one face of each set at a time, until at most one set is unfinished.
 void Components::search_beside(const mesh::TriangleMesh& mesh, std::uint32_t region) {
-  compared_.clear();
-  add_to_compared(groups_[region].first_search);
+  alternating_.clear();
+  add_searches_beside(groups_[region].first_search);
   for (;;) {
     list_unfinished(region);
-    if (compared_.size() <= 1) break;
-    for (const std::uint32_t search : compared_) step(mesh, root_of(search_sets_, search));
+    if (alternating_.size() <= 1) break;
+    for (const std::uint32_t search : alternating_) step(mesh, root_of(search_sets_, search));
   }
-  // Later regions that join this one need only the unfinished set.
+  // If a later call joins this region to another one, it needs only the search of the unfinished set.
   std::uint32_t& first = groups_[root_of(regions_, region)].first_search;
-  if (!compared_.empty()) first = compared_.front();
+  if (!alternating_.empty()) first = alternating_.front();
   searches_[first].next_of_region = first;
 }
 
-/// Adds all searches beside the region of a search to `compared_`.
-void Components::add_to_compared(std::uint32_t search) {
+/// Adds all searches beside the region of a search to `alternating_`.
+void Components::add_searches_beside(std::uint32_t search) {
   for (std::uint32_t i = searches_[search].next_of_region;; i = searches_[i].next_of_region) {
-    compared_.push_back(i);
+    alternating_.push_back(i);
     if (i == search) return;
   }
 }
 
-/// Keeps in `compared_` one search of each unfinished set. If a set is finished, joins the regions beside its piece
+/// Keeps in `alternating_` one search of each unfinished set. If a set is finished, joins the regions beside its piece
 /// to `region`, and adds the searches beside these regions.
 void Components::list_unfinished(std::uint32_t region) {
   ++round_;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < compared_.size(); ++i) {  // join_regions_of() makes the list longer
-    const std::uint32_t set = root_of(search_sets_, compared_[i]);
+  for (std::size_t i = 0; i < alternating_.size(); ++i) {  // join_regions_of() makes the list longer
+    const std::uint32_t set = root_of(search_sets_, alternating_[i]);
     if (searches_[set].round == round_) continue;
     searches_[set].round = round_;
     if (is_finished(set)) {
       join_regions_of(set, region);
     } else {
-      compared_[kept++] = compared_[i];
+      alternating_[kept++] = alternating_[i];
     }
   }
-  compared_.resize(kept);
+  alternating_.resize(kept);
 }
 
-/// Joins the regions beside a piece to `region`, and adds the searches beside them to `compared_`.
+/// Joins the regions beside a piece to `region`, and adds the searches beside them to `alternating_`.
 void Components::join_regions_of(std::uint32_t set, std::uint32_t region) {
   for (std::uint32_t i = searches_[set].next_of_set;; i = searches_[i].next_of_set) {
     const std::uint32_t own = root_of(regions_, region);
     const std::uint32_t other = root_of(regions_, searches_[i].group);
     if (other != own) {
       const std::uint32_t first = groups_[own].first_search;
-      add_to_compared(groups_[other].first_search);
+      add_searches_beside(groups_[other].first_search);
       std::swap(searches_[first].next_of_region, searches_[groups_[other].first_search].next_of_region);
       unite(regions_, own, other);
       groups_[root_of(regions_, own)].first_search = first;

@@ -43,7 +43,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   length_ = line.length;
   start_ = touching_point(from.contact, direction_, map.radius);
   end_ = touching_point(to.contact, direction_, map.radius);
-  least_ = map.least_distance() * map.least_distance();
+  least_squared_ = map.least_distance() * map.least_distance();
   reach_ = map.radius + kTouching * map.slack;
   is_blocked_ = false;
   obstacles_[0].vertex = obstacles_[1].vertex = mesh::kNoVertex;
@@ -105,7 +105,7 @@ void DiscLine::note_ends_as_obstacles(HalfEdge exit) {
   is_blocked_ = true;
   for (const HalfEdge corner : {exit, map_->mesh().twin(exit)}) {
     const Vertex v = map_->mesh().origin(corner);
-    if (v == from_.vertex || v == to_.vertex || squared_distance(offset(v)) >= least_) continue;
+    if (v == from_.vertex || v == to_.vertex || squared_distance(offset(v)) >= least_squared_) continue;
     note_obstacle(corner);
   }
 }
@@ -115,9 +115,9 @@ void DiscLine::note_ends_as_obstacles(HalfEdge exit) {
 bool DiscLine::is_edge_near(const Offset& a, const Offset& b) const {
   // The distance between the edge and the line is the distance of an end of the edge from the line, or of an end of the
   // line from the edge. An end of the line can be the nearest position only if the edge reaches beyond it.
-  if (std::min(squared_distance(a), squared_distance(b)) < least_) return true;
+  if (std::min(squared_distance(a), squared_distance(b)) < least_squared_) return true;
   const auto is_near = [&](const Point& end) {
-    return squared_distance_to_segment(end, a.position, b.position) < least_;
+    return squared_distance_to_segment(end, a.position, b.position) < least_squared_;
   };
   return (std::min(a.along, b.along) < 0.0 && is_near(end_)) ||
          (std::max(a.along, b.along) > length_ && is_near(start_));
@@ -125,18 +125,18 @@ bool DiscLine::is_edge_near(const Offset& a, const Offset& b) const {
 
 void DiscLine::visit_beside(HalfEdge h, const Offset& origin, const Offset& target) {
   if (!enter_beside(h, origin, target)) return;
-  to_enter_.clear();
-  to_enter_.push_back({h, origin, target});
-  while (!to_enter_.empty()) {
+  entered_.clear();
+  entered_.push_back({h, origin, target});
+  while (!entered_.empty()) {
     // The visit has entered the face beyond this edge.
-    const Beside at = to_enter_.back();
-    to_enter_.pop_back();
+    const Entered at = entered_.back();
+    entered_.pop_back();
     const HalfEdge beyond = map_->mesh().twin(at.h);
     const Offset apex = offset(map_->mesh().apex(beyond));
     look_at_vertex(mesh::previous(beyond), apex);
-    if (enter_beside(mesh::next(beyond), at.origin, apex)) to_enter_.push_back({mesh::next(beyond), at.origin, apex});
+    if (enter_beside(mesh::next(beyond), at.origin, apex)) entered_.push_back({mesh::next(beyond), at.origin, apex});
     if (enter_beside(mesh::previous(beyond), apex, at.target))
-      to_enter_.push_back({mesh::previous(beyond), apex, at.target});
+      entered_.push_back({mesh::previous(beyond), apex, at.target});
   }
 }
 
@@ -163,7 +163,7 @@ void DiscLine::look_at_wall(const Point& a, const Point& b) {
     const double share = dot(p - a, along);
     if (share <= 0.0 || share >= squared_length(along)) return false;
     const double across = cross(along, p - a);
-    return across * across < least_ * squared_length(along);
+    return across * across < least_squared_ * squared_length(along);
   };
   if (is_near(end_) || is_near(start_)) is_blocked_ = true;
 }
@@ -174,7 +174,7 @@ void DiscLine::look_at_near_vertex(HalfEdge corner, const Offset& at) {
   const Vertex v = map_->mesh().origin(corner);
   if (v == from_.vertex || v == to_.vertex) return;
   look_at_feet(v);
-  if (squared >= least_) return;
+  if (squared >= least_squared_) return;
   note_obstacle(corner);
 }
 

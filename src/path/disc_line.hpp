@@ -15,8 +15,8 @@ namespace waywright::path {
 
 /// Tests whether a disc can move along a straight line from one contact to another, or from or to a point. The test
 /// visits the faces that the line crosses, and the faces beside them that are nearer to the line than the radius. It
-/// does not look beyond bridges: if both ends of a bridge are far enough from the line, no wall beyond the bridge is
-/// nearer.
+/// does not look beyond bridges: if both ends of a bridge are at least as far from the line as the radius, no wall
+/// beyond the bridge is nearer than the radius.
 class DiscLine {
  public:
   /// An end of the line: a contact at a vertex, or a point.
@@ -42,23 +42,25 @@ class DiscLine {
   [[nodiscard]] const Obstacle& left() const { return obstacles_[1]; }
   [[nodiscard]] const Obstacle& right() const { return obstacles_[0]; }
 
-  /// A half-edge of the face that contains a position, or a wall before the position.
+  /// The result of face_at().
   struct FaceAt {
-    mesh::HalfEdge h;
-    bool is_behind_wall;
+    mesh::HalfEdge h;     ///< a half-edge of the face that contains the position, or the wall before the position
+    bool is_behind_wall;  ///< whether a wall lies between the vertex and the position; then `h` is this wall
   };
-  /// Finds the face that contains the position at which a line touches the contact at `vertex`, which is the origin of
-  /// `corner`. The straight line from the vertex to the position begins in the face of `corner`. If it meets a wall,
-  /// the disc does not fit at the position.
+  /// Finds the face that contains `touching`, the position at which a line touches a contact. `vertex` is the position
+  /// of the contact's vertex, and `corner` starts at this vertex. The function follows the straight line from the
+  /// vertex to `touching`. If this line meets a wall, the disc does not fit at `touching`. Requires: the line begins in
+  /// the face of `corner`.
   [[nodiscard]] static FaceAt face_at(const DiscMap& map, const Point& vertex, const Point& touching,
                                       mesh::HalfEdge corner);
 
  private:
-  /// A position relative to the line, which starts here at end_ and goes back to start_.
+  /// A position, and its coordinates relative to the line. The test goes along the line from its end to its start, so
+  /// the direction of these coordinates is `back_`.
   struct Offset {
     Point position;
-    double along = 0.0;   ///< from end_ to the foot of the position on the line
-    double across = 0.0;  ///< positive on the left of the line from end_ to start_
+    double along = 0.0;   ///< the coordinate in the direction `back_`: 0 at `end_`, `length_` at `start_`
+    double across = 0.0;  ///< the distance from the straight line; positive on the left of the direction `back_`
   };
 
   [[nodiscard]] Offset offset(mesh::Vertex v) const;
@@ -69,8 +71,8 @@ class DiscLine {
   void look_beside(mesh::HalfEdge h, const Offset& origin, const Offset& target) {
     if (!is_aside(origin, target)) visit_beside(h, origin, target);
   }
-  /// Returns whether the whole edge lies left of the line, or the whole edge lies right of it, and the edge is farther
-  /// than the radius from the straight line through the two ends of the line.
+  /// Returns whether the edge does not meet the straight line through `start_` and `end_`, and each position on the
+  /// edge is farther than the radius from this line.
   [[nodiscard]] bool is_aside(const Offset& origin, const Offset& target) const {
     return std::min(origin.across, target.across) > map_->radius ||
            std::max(origin.across, target.across) < -map_->radius;
@@ -85,12 +87,14 @@ class DiscLine {
   }
   void look_at_near_vertex(mesh::HalfEdge corner, const Offset& at);
   void note_obstacle(mesh::HalfEdge corner);
+  /// Returns whether a foot bridge that is too narrow for the disc starts at `corner`, and the line crosses it.
   [[nodiscard]] bool crosses_foot(mesh::HalfEdge corner) const;
   void look_at_feet(mesh::Vertex v);
 
-  /// An edge beside the line that the visit has not looked at yet.
-  struct Beside {
-    mesh::HalfEdge h;
+  /// An edge through which visit_beside() has entered a face. The visit has not looked at the other edges of this face
+  /// yet.
+  struct Entered {
+    mesh::HalfEdge h;  ///< the edge, as a half-edge of the face before it
     Offset origin;
     Offset target;
   };
@@ -100,15 +104,15 @@ class DiscLine {
   End to_;
   Point start_;      ///< the position at which the line starts
   Point end_;        ///< the position at which it ends
-  Point direction_;  ///< of the line
+  Point direction_;  ///< the direction of the line, from `start_` to `end_`
   Point back_;       ///< the opposite direction
   double length_ = 0.0;
-  double least_ = 0.0;  ///< the square of the least distance that a wall may have
-  double reach_ = 0.0;  ///< the disc touches vertices that are not farther than this
-  bool is_blocked_ = false;
-  Obstacle obstacles_[2];  ///< on the right, on the left
-  std::vector<Beside> to_enter_;
-  memory::ZeroedArray<std::uint32_t> visited_;  ///< by face
+  double least_squared_ = 0.0;  ///< the square of DiscMap::least_distance(): no wall may be nearer to the line
+  double reach_ = 0.0;          ///< the test looks at the feet of vertices that are not farther from the line
+  bool is_blocked_ = false;     ///< whether the test has failed
+  Obstacle obstacles_[2];       ///< right(), left()
+  std::vector<Entered> entered_;
+  memory::ZeroedArray<std::uint32_t> visited_;  ///< by face: the number of the last test that visited it
   memory::Stamp stamp_;
 };
 

@@ -23,10 +23,10 @@ namespace waywright::path {
 /// a line from a root to a contact, or to the goal. A *window* is an edge of the mesh together with two rays from the
 /// vertex of a root.
 ///
-/// With windows, the search finds the vertices that are visible from the vertex of a root. They move from face to face,
-/// as in Optimal. If a disc can move along a straight line from one contact to another, then the two vertices see each
-/// other. Before a path uses a line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the search
-/// adds a turn node for this vertex. From there it then tries a line to the end of the old line.
+/// With windows, the search finds the vertices that are visible from the vertex of a root. Windows move from face to
+/// face, as in Optimal. If a disc can move along a straight line from one contact to another, then the two vertices see
+/// each other. Before a path uses a line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the
+/// search adds a turn node for this vertex. From this vertex, the search then tries a line to the end of the old line.
 ///
 /// The search decides exactly whether a disc passes a gap: windows and tested lines cross no gap that is too narrow.
 /// All other numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
@@ -50,27 +50,31 @@ class DiscOptimal {
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// A contact that the search has reached, or the start.
+  // A member that names a root, a turn node or a record contains its index in `roots_`, `turn_nodes_`, `noted_` or
+  // `failed_`, or kNone if there is none.
+
+  /// A contact, and a path to it. DiscLine has accepted the last line of this path. If several paths lead to a contact,
+  /// the contact has several roots. The first root is the start.
   struct Root {
-    DiscLine::End end;
-    mesh::HalfEdge corner;         ///< starts at the vertex and contains the position of the disc when it arrives
-    Point direction;               ///< in which the path reaches it
-    double length = 0.0;           ///< of the path up to there
-    std::uint32_t before = kNone;  ///< the root at which the straight line to this contact starts
-    TurnLimit limit{};             ///< how far the path can turn here
-    std::uint32_t next = kNone;    ///< another root at the same contact
-    Point position{};              ///< of the disc when it arrives
-    double distance = 0.0;         ///< from there to the goal
+    DiscLine::End end;      ///< the contact, or the start
+    mesh::HalfEdge corner;  ///< the corner of a face at the vertex of the contact, in the direction of `position`
+    Point direction;        ///< the direction in which the path arrives at the contact; at the start: not used
+    double length = 0.0;    ///< the length of the path from the start to `position`
+    std::uint32_t before = kNone;  ///< the root before this one on the path
+    TurnLimit limit{};             ///< how far the path can turn around the vertex
+    std::uint32_t next = kNone;    ///< the root that the search has made before this one for the same contact
+    Point position{};              ///< the position of the disc's centre when the path arrives at the contact
+    double distance = 0.0;         ///< the distance from `position` to the goal
   };
 
-  /// A bound of a window: a ray from the centre of its root.
+  /// A bound of a window: a ray from the vertex of its root, or from the start.
   struct Bound {
     Point direction;
-    mesh::Vertex anchor = mesh::kNoVertex;  ///< the vertex through which the line leads, or kNoVertex
+    mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
   };
   struct Window {
-    mesh::HalfEdge entry;  ///< in the face beyond the edge
-    std::uint32_t root;
+    mesh::HalfEdge entry;  ///< the edge of the window, as a half-edge of the face beyond this edge
+    std::uint32_t root;    ///< the root from whose vertex the window is visible
     Bound right;
     Bound left;
   };
@@ -79,39 +83,46 @@ class DiscOptimal {
     Point left;
     Point right;
   };
-  /// A line to a contact or to the goal, which DiscLine has not tested yet.
+  /// A line from a root to a contact, or to the goal. When the search takes the turn node from the open list, DiscLine
+  /// tests the line.
   struct TurnNode {
-    mesh::HalfEdge corner;  ///< starts at the contact; at the goal: a half-edge of its face
-    std::uint32_t root;
-    mesh::Vertex vertex;  ///< kNoVertex at the goal
-    int turn;             ///< around the vertex; kNoTurn at the goal
+    mesh::HalfEdge corner;  ///< starts at the vertex of the contact; at the goal: DiscEnds::goal_face()
+    std::uint32_t root;     ///< the root at which the line starts
+    mesh::Vertex vertex;    ///< the vertex of the contact; kNoVertex at the goal
+    int turn;               ///< the direction in which the path turns around the vertex; kNoTurn at the goal
     Tangent line;
-    double length;       ///< of the path to the end of the line
-    std::uint32_t then;  ///< the turn node that the search tries after this one, in `turn_nodes_`, or kNone
+    double length;  ///< the length of the path from the start to the end of the line
+    /// An earlier turn node, if this contact is an obstacle of the earlier line, or limits the turn before that line.
+    /// After the turn around this contact, the search tries a line to the end of the earlier line.
+    std::uint32_t then;
   };
 
-  /// A turn node that the search has added, and the turn node that the search tries after it.
+  /// A record of a turn node that push_turn() has handled, so that the search does not add this turn node again. The
+  /// records of one contact form a linked list, which starts at Reached::noted.
   struct Noted {
-    std::uint32_t root;
-    std::uint32_t then;  ///< in `turn_nodes_`, or kNone
-    std::uint32_t before;
+    std::uint32_t root;    ///< TurnNode::root
+    std::uint32_t then;    ///< TurnNode::then
+    std::uint32_t before;  ///< the next record of the list: an older one
   };
 
-  /// A line that failed its test.
+  /// A record of a line that failed its test, with the obstacles that the test found. The records of one contact form a
+  /// linked list, which starts at Reached::failed.
   struct Failed {
-    std::uint32_t root;  ///< where the line starts
-    std::uint32_t next;
+    std::uint32_t root;  ///< the root at which the line starts
+    std::uint32_t next;  ///< the next record of the list: an older one
     DiscLine::Obstacle left;
     DiscLine::Obstacle right;
   };
 
+  /// What the search knows about a contact.
   struct Reached {
-    std::uint32_t query;
-    std::uint32_t root;    ///< the last root at this contact
-    std::uint32_t noted;   ///< the last turn node that ends at this contact, in `noted_`
-    std::uint32_t failed;  ///< the last line to this contact that failed its test, in `failed_`
+    std::uint32_t query;   ///< the number of the query that wrote this entry
+    std::uint32_t root;    ///< the last root of this contact
+    std::uint32_t noted;   ///< the last record of a turn node that ends at this contact
+    std::uint32_t failed;  ///< the last record of a line to this contact that failed its test
   };
 
+  /// Returns the entry of a contact. Clears it if an earlier query wrote it.
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
   /// Returns a number that is positive if the position lies left of a bound of a window of this root, negative if it
   /// lies right of the bound, and 0 if it lies on the bound.
@@ -125,8 +136,10 @@ class DiscOptimal {
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
-  /// Returns whether the search does not follow lines from a contact across the edge `exit`, whose ends are `edge`: no
-  /// disc has its centre there, or a dead end lies beyond, or the guide has not crossed the edge.
+  /// Returns whether the search follows no line from the contact `from` across the edge `exit`, whose ends are `edge`.
+  /// There are four reasons: the edge is a wall; beyond the edge lies only a dead end without the goal; the guide has
+  /// not crossed the edge; the edge is too short for the disc (is_too_short()). A guide crosses no wall, and it enters
+  /// no dead end without the start and the goal.
   [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit, const Edge& edge) const {
     if (labels_ != nullptr ? !labels_->is_crossed(exit) : ends_->dead_ends().is_no_exit(mesh::face(exit), exit))
       return true;
@@ -138,17 +151,26 @@ class DiscOptimal {
                                 const Edge& edge) const;
   [[nodiscard]] bool is_far_behind(const Root& root, const Point& bound, const Edge& edge) const;
   std::uint32_t add_root(const Root& root);
+  /// Makes the windows of the start, on the edges of the faces that contain it.
   void leave_start(const locate::Located& location);
+  /// Moves a window from face to face, until the search divides the window, drops it or computes its bound again.
   void follow(Window window);
   [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
   void note_turn(const Window& window, int turn, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
+  /// Adds a turn node for the goal if the goal lies between the bounds of the window.
   void reach_goal(const Window& window);
+  /// Adds a turn node for a line from a root to the goal, unless the path would have to turn back at the root.
   void push_goal(std::uint32_t root, const Tangent& line);
+  /// Adds a window to the open list or, if its bound is not above `at_once_bound_`, to `at_once_`. Leaves it out if its
+  /// bound is above `limit_`.
   void offer(const Window& window, const Edge& edge);
 
+  /// Tests the line of a turn node, unless a known path to its contact is at least as short. If the line passes the
+  /// test, makes a root at its end. If it fails, adds turn nodes for its obstacles.
   void expand(std::uint32_t index);
+  /// Tests the line of a turn node that ends at the goal. If the line passes the test, the search has found the path.
   void try_goal(std::uint32_t index);
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
   void push_limit(std::uint32_t index);
@@ -167,13 +189,13 @@ class DiscOptimal {
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;
-  const GuideLabels* labels_ = nullptr;  ///< of the guide, or null
+  const GuideLabels* labels_ = nullptr;  ///< the labels of the guide, or null
   bool is_found_ = false;
   double length_ = 0.0;
-  double limit_ = 0.0;  ///< the search leaves out each node whose bound is larger
-  std::uint32_t last_root_ = kNone;
-  Point last_direction_;
-  double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
+  double limit_ = 0.0;               ///< the search leaves out each node whose bound is larger
+  std::uint32_t last_root_ = kNone;  ///< the root at which the last line of the path starts
+  Point last_direction_;             ///< the direction of this line
+  double at_once_bound_ = 0.0;       ///< the search follows windows at once if their bound is not above this
   std::size_t expansions_ = 0;
 
   std::vector<Root> roots_;
@@ -182,10 +204,10 @@ class DiscOptimal {
   std::vector<Failed> failed_;
   std::vector<Noted> noted_;
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
-  OpenList open_;                ///< 2 x index in `windows_`, or 2 x index in `turn_nodes_` + 1
+  OpenList open_;                ///< 2 i stands for the window i, 2 i + 1 for the turn node i
   DiscLine line_;
-  std::vector<DiscStop> stops_;           ///< of the path that was found
-  memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn
+  std::vector<DiscStop> stops_;           ///< the start and the contacts of the path, for write_path()
+  memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn: see reached_at()
   memory::Stamp stamp_;
 };
 

@@ -15,10 +15,10 @@ namespace waywright::path {
 struct DiscPiece {
   Point from;
   Point to;
-  Point centre;         ///< of the arc
-  int turn = kNoTurn;   ///< of the arc; kNoTurn if there is none
-  Point direction;      ///< of the line, where the arc starts
-  Point end_direction;  ///< of the path where the arc ends
+  Point centre;         ///< the centre of the arc
+  int turn = kNoTurn;   ///< the direction in which the arc turns; kNoTurn if there is no arc
+  Point direction;      ///< the direction of the line, which is the direction of the path at the start of the arc
+  Point end_direction;  ///< the direction of the path at the end of the arc
 };
 
 /// A contact of a path, and the direction of the line that leaves it.

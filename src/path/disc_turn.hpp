@@ -11,7 +11,9 @@ namespace waywright::path {
 /// How far the path of a disc can turn around a vertex.
 struct TurnLimit {
   double order = 2.0;  ///< turning_order() from the direction of arrival to the last possible direction
-  mesh::HalfEdge limit = mesh::kNoHalfEdge;  ///< starts at the vertex that limits the turn, if there is one
+  /// A half-edge that starts at the other end of the wall or of the narrow gap that limits the turn. kNoHalfEdge if no
+  /// vertex limits the turn.
+  mesh::HalfEdge limit = mesh::kNoHalfEdge;
 };
 
 /// If the order of a direction exceeds a limit by more than this, the path cannot turn so far. Allows for rounding.
@@ -36,8 +38,9 @@ inline constexpr double kTurnsBack = 0x1p-23;
 /// far the path can turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the corner
 /// that contains the position of the disc at this time.
 ///
-/// Directions are numbers, their *orders*: 0 is the direction of arrival, 1 and 2 are 90 and 180 degrees farther in the
-/// direction of the turn. -1 is the direction from the vertex to the position of arrival.
+/// The *order* of a direction is a number that says how far the path has turned when it has this direction: 0 for the
+/// direction of arrival, 1 after 90 degrees, and 2 after 180 degrees. The direction from the vertex to the position of
+/// arrival has the order -1.
 template <class Visit>
 [[nodiscard]] TurnLimit turn_around(const DiscMap& map, const Contact& contact, const Point& arrival,
                                     mesh::HalfEdge corner, Visit&& visit) {

@@ -113,7 +113,9 @@ class Optimal {
     std::uint32_t before;
     double length;        ///< of the path from the start to this root
     std::uint32_t depth;  ///< number of roots before this one on the path
-    std::uint32_t jump;   ///< a root before this one, so that few jumps lead to any root before it; the start: itself
+    /// An earlier root of the path, as in a skip list: a few jumps lead from a root to any earlier root. The jump of
+    /// the start is the start itself.
+    std::uint32_t jump;
   };
 
   enum class Kind : std::uint8_t { window, left_turn, right_turn };
@@ -126,8 +128,8 @@ class Optimal {
   /// rightmost.
   struct Node {
     Kind kind;
-    bool has_window;       ///< of a turn: the window that noted it waits here, at the far edge of the turn's face
-    mesh::HalfEdge entry;  ///< a window's edge, in the face beyond it; of a turn: the edge at whose end the path turns
+    bool has_window;       ///< of a turn: whether a window waits in this node until the search makes the turn
+    mesh::HalfEdge entry;  ///< of a window: its edge, in the face beyond it; of a turn: an edge that ends at the turn
     std::uint32_t left_root;   ///< the root of the leftmost window; of a left turn: the root before it
     std::uint32_t right_root;  ///< the root of the rightmost window; of a right turn: the root before it
     mesh::Vertex left;         ///< the vertex that bounds the cone on the left; of a left turn, where the path turns

@@ -26,8 +26,8 @@ namespace waywright::path {
 
 /// The position on a piece that is nearest to a point.
 struct NearestOnPiece {
-  double along = 0.0;     ///< from the start of the piece
-  double distance = 0.0;  ///< from the point
+  double along = 0.0;     ///< the length of the piece from its start to the position
+  double distance = 0.0;  ///< the distance of the position from the point
 };
 /// Returns the position on a piece that is nearest to a point. If several positions are equally near, returns the first
 /// of them.

@@ -32,7 +32,7 @@ class TraStar {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Starts a search between two ends. Requires: the ends are connected; no face lies at both ends; the ends, the
+  /// Starts a search between two ends. Requires: the ends are connected; no face contains both ends; the ends, the
   /// triangulation and its abstraction do not change during the search.
   void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
   /// Finds the path.
@@ -45,9 +45,10 @@ class TraStar {
   // without a core, towards its root. At a face of the core, the passages to other faces of the core lead up. *Down* is
   // the opposite direction.
   static constexpr std::uint32_t kGoal = 1;
-  static constexpr std::uint32_t kAboveGoal = 2;    ///< a goal face, or a face on the way up from one
-  static constexpr std::uint32_t kGoalOutside = 4;  ///< kAboveGoal, and the way up also leads to a goal face
-  static constexpr std::uint32_t kChosen = 8;       ///< the search has made its choice here
+  static constexpr std::uint32_t kAboveGoal = 2;  ///< a goal face, or a face on the way up from one
+  /// A face with the mark kAboveGoal from which a passage up leads to a goal face, too.
+  static constexpr std::uint32_t kGoalOutside = 4;
+  static constexpr std::uint32_t kChosen = 8;  ///< the search has made its choice here
   static constexpr std::uint32_t kMarks = 16;
 
   void clear_marks();
@@ -90,9 +91,11 @@ class TraStar {
   OpenList open_;                             ///< indices in `nodes_`
   memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp plus the marks, if this search wrote them
   memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
-  std::vector<mesh::Face> tops_;              ///< core faces and roots above the goal; later also faces below them
-  std::vector<std::uint32_t> chosen_;         ///< the nodes of the path, from the start to the goal
-  std::vector<mesh::HalfEdge> exits_;         ///< the edges that the channel crosses, in the faces that it leaves
+  /// The last faces on the ways up from the goal faces. mark_passages_between_goals() then visits the faces below them,
+  /// and uses the list as a stack.
+  std::vector<mesh::Face> tops_;
+  std::vector<std::uint32_t> chosen_;  ///< the nodes of the path, from the start to the goal
+  std::vector<mesh::HalfEdge> exits_;  ///< the edges that the channel crosses, in the faces that it leaves
   TautString string_;
 };
 

@@ -55,7 +55,7 @@ struct DiscSearch {
   Stage stage = Stage::channel;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget;
-  double length = 0.0;  ///< of `pieces`, or infinity as long as the search has found no path
+  double length = 0.0;  ///< the length of `pieces`; infinity as long as the search has found no path
   path::DiscLine line;
   bool has_guide = false;  ///< false if the two ends lie in one face: then the stages of the guide do not run
   path::DiscGuide guide;

@@ -4,7 +4,7 @@ namespace waywright {
 
 void ReplicaPrefetch::run(const Triangulation& replica, const Triangulation& world, const nav::Abstraction* abstraction,
                           std::span<const ItemId> ids) {
-  constexpr int kTurns = 8;  // few vertices have more edges
+  constexpr int kSteps = 8;  // few vertices have more edges
   find_corners(replica, world, ids);
   const auto& geometry = world.triangulation().geometry();
   spokes_.clear();
@@ -14,7 +14,7 @@ void ReplicaPrefetch::run(const Triangulation& replica, const Triangulation& wor
     replica.triangulation().prefetch_star(v);
   }
   for (const mesh::Vertex v : new_corners_) replica.triangulation().prefetch_start(geometry.rounded(number(v)));
-  turn(replica, abstraction);
+  advance_spokes(replica, abstraction);
   starts_.clear();
   for (const mesh::Vertex v : new_corners_) {
     const mesh::Vertex start = replica.triangulation().probable_start(geometry.rounded(number(v)));
@@ -22,11 +22,11 @@ void ReplicaPrefetch::run(const Triangulation& replica, const Triangulation& wor
     replica.triangulation().prefetch(start);
     starts_.push_back(start);
   }
-  turn(replica, abstraction);
+  advance_spokes(replica, abstraction);
   for (const mesh::Vertex v : starts_) {
     if (replica.topology().is_live(v)) replica.topology().prefetch(replica.topology().outgoing(v));
   }
-  for (int i = 2; i < kTurns; ++i) turn(replica, abstraction);
+  for (int i = 2; i < kSteps; ++i) advance_spokes(replica, abstraction);
 }
 
 /// Fills `corners_` and `new_corners_`, and prefetches their positions.
@@ -66,7 +66,7 @@ void ReplicaPrefetch::find_corners(const Triangulation& replica, const Triangula
 
 /// Replaces each spoke by the next one around its vertex, and prefetches what the changes read around its face. Drops
 /// the spokes that have gone around their vertex.
-void ReplicaPrefetch::turn(const Triangulation& replica, const nav::Abstraction* abstraction) {
+void ReplicaPrefetch::advance_spokes(const Triangulation& replica, const nav::Abstraction* abstraction) {
   const mesh::TriangleMesh& mesh = replica.topology();
   std::size_t kept = 0;
   for (Spoke spoke : spokes_) {

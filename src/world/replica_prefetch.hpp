@@ -23,7 +23,7 @@ class ReplicaPrefetch {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// So many items at once: the cache has room for their surroundings.
+  /// The largest number of items for one call of run(): the cache has room for the surroundings of this many items.
   static constexpr std::size_t kItems = 16;
 
   /// Prefetches what the replica needs to remove its items with these ids, and to insert the items with these ids of
@@ -35,19 +35,19 @@ class ReplicaPrefetch {
 
  private:
   void find_corners(const Triangulation& replica, const Triangulation& world, std::span<const ItemId> ids);
-  void turn(const Triangulation& replica, const nav::Abstraction* abstraction);
+  void advance_spokes(const Triangulation& replica, const nav::Abstraction* abstraction);
 
-  /// A half-edge that starts at a corner.
+  /// The spoke at which the prefetch around a corner has arrived.
   struct Spoke {
     mesh::HalfEdge h;
-    mesh::HalfEdge first;
-    mesh::Face before;  ///< the face before the face of `h`
+    mesh::HalfEdge first;  ///< the spoke at which it started
+    mesh::Face before;     ///< the face of the spoke before `h`
   };
 
-  std::vector<mesh::Vertex> corners_;      ///< in the replica
-  std::vector<mesh::Vertex> new_corners_;  ///< in the world
-  std::vector<mesh::Vertex> starts_;       ///< where the walks to the new corners start, in the replica
-  std::vector<Spoke> spokes_;              ///< of the vertices in `corners_`
+  std::vector<mesh::Vertex> corners_;      ///< the corners of the old shapes, as vertices of the replica
+  std::vector<mesh::Vertex> new_corners_;  ///< the corners of the new shapes, as vertices of the world
+  std::vector<mesh::Vertex> starts_;       ///< the vertices of the replica at which the walks to the new corners start
+  std::vector<Spoke> spokes_;              ///< a spoke for each vertex of `corners_`
 };
 
 }  // namespace waywright

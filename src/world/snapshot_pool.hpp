@@ -41,7 +41,8 @@ class Replica {
   /// Adds a reader. Requires: the calling thread is a reader.
   void add_reader() { readers_.fetch_add(1, std::memory_order_relaxed); }
   void remove_reader() noexcept;
-  /// Gives up the ownership of the pool, or the ownership of the readers.
+  /// Ends the ownership of one of the two owners: the pool calls it, and remove_reader() calls it for the last reader.
+  /// If the other owner has called it before, frees this replica.
   void release() noexcept;
   /// Makes the last reader of this replica call release() on `replica`, too. Requires: nobody reads this replica yet.
   void release_later(Replica* replica) { released_later_ = replica; }
@@ -58,7 +59,8 @@ class Replica {
 
 }  // namespace detail
 
-/// The shapes of one item, and what the replica prefetches. The object keeps its memory from one use to the next.
+/// The scratch of World::Impl::follow(): the shapes of one item in the world and in the replica, and the memory of
+/// ReplicaPrefetch.
 struct ReplicaScratch {
   void count_memory(MemoryUse& use) const;
 
@@ -67,7 +69,8 @@ struct ReplicaScratch {
   ReplicaPrefetch prefetch;
 };
 
-/// The replicas of a world, and the changes that they have not repeated yet.
+/// The replicas of a world, and the changes that they have not repeated yet. A replica *follows* the world if it
+/// repeats these changes (World::Impl::follow()).
 ///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
 class SnapshotPool {
@@ -94,8 +97,8 @@ class SnapshotPool {
   void drop(detail::Replica* replica);
   /// Makes a replica of a copy of the world, and adds it to the pool. If memory runs out, changes nothing.
   [[nodiscard]] detail::Replica* add(World&& copy);
-  /// Prepares a replica for its first reader: it is now the newest. Gives up the replicas that the pool no
-  /// longer needs. Allocates nothing. Requires: the replica is free and equal to the world.
+  /// Prepares a replica for its first reader, and makes it the newest replica of the pool. Gives up the replicas that
+  /// the pool no longer needs. Allocates nothing. Requires: the replica is free and equal to the world.
   void hand_out(detail::Replica* replica);
 
   void count_memory(MemoryUse& use) const;
@@ -112,8 +115,8 @@ class SnapshotPool {
   /// copy of the world costs less.
   static constexpr std::size_t kItemsForEachChange = 32;
 
-  /// Removes the replicas from the pool that readers hold and that cannot follow the world any more, and the oldest if
-  /// there are more than kMost.
+  /// Removes from the pool each replica that readers hold and that cannot follow the world any more. Then removes the
+  /// oldest replica if the pool has kMost. Requires: the replica for hand_out() is not in the pool.
   void release_held();
   /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null.
   [[nodiscard]] detail::Replica* take_unneeded();
@@ -123,7 +126,7 @@ class SnapshotPool {
 
   std::vector<detail::Replica*> replicas_;  ///< ascending by version
   ChangedItems changed_;
-  std::size_t limit_ = kFewChanges;  ///< the largest number of changed items that a replica follows
+  std::size_t limit_ = kFewChanges;  ///< if more items have changed, the pool makes a new replica instead
   std::vector<ItemId> ids_;          ///< the answer of changed()
   ReplicaScratch scratch_;
 };

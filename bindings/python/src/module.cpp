@@ -41,10 +41,10 @@ PYBIND11_MODULE(_core, module) {
 A world of obstacles that can change between path queries.
 
 It is a dynamic constrained Delaunay triangulation of a closed box, its domain. Every decision about the mesh is exact.
-Geometry is never an error: items may cross, overlap or repeat each other. ``domain`` is the smallest x and y and the
-largest x and y. ``keep_abstraction``: whether the world maintains the path abstraction, which makes searches fast.
-``keep_bridges``: whether it maintains what paths for a radius above 0 need. ``new_vertex_limit``: the largest number of
-vertices that one operation may make; None for no limit.
+No arrangement of items is an error: items may cross, overlap or repeat each other. ``domain`` is the smallest x and y
+and the largest x and y. ``keep_abstraction``: whether the world maintains the path abstraction, which makes searches
+fast. ``keep_bridges``: whether it maintains what paths for a radius above 0 need. ``new_vertex_limit``: the largest
+number of vertices that one operation may make; None for no limit.
 
 Several threads may use a world at once: queries run together, and a change waits until it is alone.
 
