@@ -4,8 +4,13 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-void DiscGuide::begin(const DiscMap& map, const nav::Abstraction* abstraction, const DiscEnds& ends, const Point& start,
-                      const Point& goal) {
+bool GuideLabels::can_cross(HalfEdge exit) const {
+  if (dead_ends_.is_no_exit(mesh::face(exit), exit)) return false;
+  const Point edge = map_->position(map_->mesh().target(exit)) - map_->position(map_->mesh().origin(exit));
+  return !map_->is_closed(exit, squared_length(edge));
+}
+
+void DiscGuide::begin(const DiscMap& map, const DiscEnds& ends, const Point& start, const Point& goal) {
   const mesh::TriangleMesh& mesh = map.mesh();
   const HalfEdge at_goal = ends.goal_face();
   const bool is_goal_on_edge = ends.is_goal_on_edge();
@@ -15,9 +20,11 @@ void DiscGuide::begin(const DiscMap& map, const nav::Abstraction* abstraction, c
   if (is_goal_on_edge) first_.push_back(mesh.twin(at_goal));
   last_.assign({at_start.h});
   if (at_start.kind == locate::LocatedKind::edge) last_.push_back(mesh.twin(at_start.h));
-  labels_.begin(map, ends.start());
+  mesh::Face start_faces[2];
+  for (std::size_t i = 0; i < last_.size(); ++i) start_faces[i] = mesh::face(last_[i]);
+  labels_.begin(map, ends.start(), std::span(start_faces, last_.size()));
   const locate::LocatedKind kind = is_goal_on_edge ? locate::LocatedKind::edge : locate::LocatedKind::face;
-  search_.begin(map.walls, abstraction, {goal, kind, first_}, true);
+  search_.begin(map.walls, nullptr, {goal, kind, first_}, true);
   search_.guide(labels_);
   search_.add_goal(start, last_);
   search_.start();

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "nav/abstraction.hpp"
 #include "path/disc_ends.hpp"
 #include "path/disc_map.hpp"
 #include "path/guide_labels.hpp"
@@ -38,15 +37,16 @@ namespace waywright::path {
 /// shorter at all its points, or as short, or if the bound of the window is not below the limit.
 class DiscGuide {
  public:
-  /// Starts the search. `abstraction` is the abstraction of the map's triangulation, or null. Requires: `ends` belongs
-  /// to `map`, and no face contains both ends; `start` and `goal` are the ends in the coordinates of the world.
-  void begin(const DiscMap& map, const nav::Abstraction* abstraction, const DiscEnds& ends, const Point& start,
-             const Point& goal);
+  /// Starts the search. Requires: `ends` belongs to `map`, and no face contains both ends; `start` and `goal` are the
+  /// ends in the coordinates of the world.
+  void begin(const DiscMap& map, const DiscEnds& ends, const Point& start, const Point& goal);
   /// Continues until `expansions` reaches `limit`, or until the guide has found its path, or until continue_to() has
   /// nothing more to do. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions) { return search_.step(limit, expansions); }
   /// Returns whether the guide has found a path. If it has found none, the disc has no path either.
   [[nodiscard]] bool is_found() const { return search_.is_found(0); }
+  /// The length of the guide's path. Requires: is_found().
+  [[nodiscard]] double length() const { return search_.length(0); }
   /// Collects the edges that the guide's path crosses, in the faces that it leaves, from the start to the goal.
   /// Requires: is_found().
   [[nodiscard]] std::span<const mesh::HalfEdge> collect_exits();

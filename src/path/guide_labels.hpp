@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
+#include "path/dead_ends.hpp"
 #include "path/disc_map.hpp"
 
 namespace waywright::path {
@@ -15,9 +17,11 @@ namespace waywright::path {
 /// through the map may use that is not longer than a limit, and lower bounds of the way from a vertex to the goal.
 class GuideLabels {
  public:
-  /// Forgets the labels of the last search. `start` is where the disc starts, relative to the origin of the map.
-  void begin(const DiscMap& map, const Point& start) {
+  /// Forgets the labels of the last search. `start` is where the disc starts, relative to the origin of the map, and
+  /// `start_faces` are the faces there.
+  void begin(const DiscMap& map, const Point& start, std::span<const mesh::Face> start_faces) {
     map_ = &map;
+    dead_ends_.begin(map.mesh(), map.core, start_faces);
     start_ = start;
     limit_ = std::numeric_limits<double>::infinity();
     stamp_.next(1, lengths_, crossed_);
@@ -25,11 +29,9 @@ class GuideLabels {
     crossed_.grow_to(std::size_t{3} * map.mesh().face_slots());
   }
 
-  /// Returns whether the guide cannot cross an edge that is no wall, because no disc passes between its ends.
-  [[nodiscard]] bool is_closed(mesh::HalfEdge exit) const {
-    const Point edge = map_->position(map_->mesh().target(exit)) - map_->position(map_->mesh().origin(exit));
-    return map_->is_closed(exit, squared_length(edge));
-  }
+  /// Returns whether the guide crosses the edge: it is no wall and not closed, and more than a dead end without the
+  /// start lies beyond it.
+  [[nodiscard]] bool can_cross(mesh::HalfEdge exit) const;
   /// Records that a path of this length leads from the goal to the vertex.
   void see(mesh::Vertex v, double length) {
     Length& known = lengths_[number(v)];
@@ -68,6 +70,7 @@ class GuideLabels {
   const DiscMap* map_ = nullptr;
   Point start_;
   double limit_ = 0.0;
+  DeadEnds dead_ends_;
   memory::ZeroedArray<Length> lengths_;         ///< by vertex
   memory::ZeroedArray<std::uint32_t> crossed_;  ///< by half-edge
   memory::Stamp stamp_;

@@ -24,6 +24,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   start_ = start;
   labels_ = nullptr;
   looked_at_ = looked_at;
+  is_recorded_ = looked_at != nullptr;
   windows_ = nullptr;
   core_ = abstraction == nullptr ? nullptr : &abstraction->core();
   components_ = abstraction == nullptr ? nullptr : &abstraction->components();

@@ -14,7 +14,6 @@
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
-#include "path/distance.hpp"
 #include "path/ends.hpp"
 #include "path/guide_labels.hpp"
 #include "path/looked_at.hpp"
@@ -63,7 +62,10 @@ class Optimal {
   /// Makes the search that has begun a guide: it crosses no edge that `labels` closes, and it records in `labels` what
   /// it sees. A guide has one goal. When step() has found the shortest path, it returns true, but continue_to() can
   /// continue the search.
-  void guide(GuideLabels& labels) { labels_ = &labels; }
+  void guide(GuideLabels& labels) {
+    labels_ = &labels;
+    is_recorded_ = true;
+  }
   /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
   void continue_to(double limit) { longest_ = end_ = limit; }
   /// Makes the search that has begun append each window that it follows to `windows`: one or more for each triangle
@@ -193,10 +195,9 @@ class Optimal {
   }
   /// Records that the search has entered the face, and follows the window.
   void enter(mesh::Face f, const Node& window) {
-    if (looked_at_ != nullptr) record(f, window);
-    if (labels_ != nullptr) labels_->cross(window.entry);
+    if (is_recorded_) record(f, window);
   }
-  /// Tells the guide's labels that the root sees the vertex.
+  /// Tells the labels of a guide that the root sees the vertex.
   void see(mesh::Vertex v, std::uint32_t root) const {
     if (labels_ != nullptr) labels_->see(v, roots_[root].length + distance(roots_[root].point, position_of(v)));
   }
@@ -237,14 +238,13 @@ class Optimal {
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or it leads to
   /// no goal face.
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
-    const bool leads_on = core_ == nullptr ? nav::PointAgent::can_cross(*mesh_, exit)
-                                           : core_->is_passage(f, exit) || leads_out_of_core(exit);
-    return !leads_on || (labels_ != nullptr && labels_->is_closed(exit));
+    if (core_ == nullptr) return !can_cross(exit);
+    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
   [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const { return is_excluded(mesh::face(exit), exit); }
-  /// Returns whether the edge, which does not lead from one face of the core to another, is a passage to a goal face.
-  [[nodiscard]] bool leads_out_of_core(mesh::HalfEdge exit) const {
-    return nav::PointAgent::can_cross(*mesh_, exit) && !leads_to_no_goal(exit);
+  /// Returns whether the agent can cross an edge. A guide has no core, so the search asks for each edge.
+  [[nodiscard]] bool can_cross(mesh::HalfEdge h) const {
+    return labels_ == nullptr ? nav::PointAgent::can_cross(*mesh_, h) : labels_->can_cross(h);
   }
   [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
@@ -267,6 +267,7 @@ class Optimal {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
+  bool is_recorded_ = false;                      ///< whether `labels_` or `looked_at_` is not null
   GuideLabels* labels_ = nullptr;                 ///< of a guide; otherwise null
   LookedAt* looked_at_ = nullptr;                 ///< or null
   std::vector<SearchWindow>* windows_ = nullptr;  ///< or null; null if `looked_at_` is null

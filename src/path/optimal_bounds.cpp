@@ -5,7 +5,7 @@
 #include "path/distance.hpp"
 #include "path/optimal_cone.hpp"
 
-// Lower bounds of windows, and the windows that cannot belong to a shortest path.
+// Lower bounds of windows, the windows that cannot belong to a shortest path, and what the search records.
 
 namespace waywright::path {
 
@@ -28,12 +28,12 @@ bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::Ha
 }
 
 /// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` without crossing a
-/// wall. Requires: both are passages and start at a vertex that has walls.
+/// wall, a closed edge or an edge to a dead end. Requires: both are passages and start at a vertex that has walls.
 bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
-  for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->next_around(at)) {
+  for (mesh::HalfEdge at = g; can_cross(at); at = mesh_->next_around(at)) {
     if (at == h) return true;
   }
-  for (mesh::HalfEdge at = g; nav::PointAgent::can_cross(*mesh_, at); at = mesh_->previous_around(at)) {
+  for (mesh::HalfEdge at = g; can_cross(at); at = mesh_->previous_around(at)) {
     if (at == h) return true;
   }
   return false;
@@ -113,8 +113,10 @@ double Optimal::bound_of_bundle(const Node& window, const Point& left, const Poi
   return root.length + distance(root.point, q);
 }
 
-/// Records that the search has looked at the face and, if the query wants the windows, records the windows.
+/// Records that a guide has crossed the edge of the window. Or records that the search has looked at the face and, if
+/// the query wants the windows, records the windows.
 void Optimal::record(mesh::Face f, const Node& window) {
+  if (labels_ != nullptr) return labels_->cross(window.entry);
   looked_at_->look(f);
   if (windows_ == nullptr) return;
   const bool turns_right = window.left_root < window.right_root;

@@ -84,9 +84,7 @@ bool is_over_budget(const detail::DiscSearch& disc, const Path& path) {
   return path.expansions >= disc.budget.expansions || (disc.begun && Clock::now() - *disc.begun >= disc.budget.time);
 }
 
-void begin_guide(detail::DiscSearch& disc) {
-  disc.guide.begin(*disc.map, disc.abstraction, disc.ends, disc.start, disc.goal);
-}
+void begin_guide(detail::DiscSearch& disc) { disc.guide.begin(*disc.map, disc.ends, disc.start, disc.goal); }
 
 /// Searches for a string through a channel. Returns false if there is none.
 bool find_string(detail::DiscSearch& disc, std::span<const mesh::HalfEdge> exits, mesh::HalfEdge goal_face) {
@@ -250,7 +248,6 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.map.emplace(walls, clearance->bridges(), query.radius, query.start,
                    has_abstraction ? &abstraction->core() : nullptr);
   disc.ends.begin(*disc.map, query.start, query.goal);
-  disc.abstraction = has_abstraction ? &*abstraction : nullptr;
   disc.outcome = Outcome::running;
   if (find_straight(disc)) return;
   disc.algorithm = query.algorithm;

@@ -51,7 +51,6 @@ struct DiscSearch {
   bool wants_time = false;
   std::optional<path::DiscMap> map;  ///< the stages refer to it and to `ends`
   path::DiscEnds ends;
-  const nav::Abstraction* abstraction = nullptr;  ///< of the map's triangulation, or null
   Stage stage = Stage::channel;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget;

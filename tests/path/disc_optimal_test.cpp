@@ -64,7 +64,7 @@ class Map {
   void check_with_guide(const path::DiscMap& map, const Point& start, const Point& goal) {
     const double length = search_.length();
     std::size_t expansions = 0;
-    guide_.begin(map, nullptr, ends_, start, goal);
+    guide_.begin(map, ends_, start, goal);
     ASSERT_TRUE(guide_.step(200000, expansions));
     ASSERT_TRUE(guide_.is_found());
     guide_.continue_to(length);
@@ -244,11 +244,13 @@ TEST_P(RandomWalls, HaveTheShortestPathsOfDiscs) {
   }
 }
 
-// In these two scenes, a search whose windows moved as bundles found no path. They are the scenes 105 and 477 of the
-// test above, which usually checks fewer. The seeds are the states of its random numbers there.
+// In the first two scenes, a search whose windows moved as bundles found no path. In the third scene, the guide found
+// no path: it took two sides of a closed bridge for one wedge. They are the scenes 105, 477 and 492 of the test above,
+// which usually checks fewer. The seeds are the states of its random numbers there.
 TEST(DiscPaths, AreFoundInRareScenes) {
   for (const auto& [kind, seed] : {std::pair{disc::SceneKind::segments, 0x1d38e7b2e46c51c4U},
-                                   std::pair{disc::SceneKind::corridors, 0xfb3f8b268c081657U}}) {
+                                   std::pair{disc::SceneKind::corridors, 0xfb3f8b268c081657U},
+                                   std::pair{disc::SceneKind::lattice, 0x88992d25985fa981U}}) {
     Random random(seed);
     check_scene(disc::random_scene(random, kind));
   }
