@@ -24,6 +24,11 @@ class DiscEnds {
   /// Returns whether the face contains the goal, or has it on its border.
   [[nodiscard]] bool is_goal_face(mesh::Face f) const { return f == goal_faces_[0] || f == goal_faces_[1]; }
   [[nodiscard]] const DeadEnds& dead_ends() const { return dead_ends_; }
+  /// Calls visit(face) as DeadEnds::for_each_above_goal() does.
+  template <class Visit>
+  void for_each_above_goal(Visit&& visit) const {
+    dead_ends_.for_each_above_goal(goal_faces_, visit);
+  }
 
  private:
   Point start_;

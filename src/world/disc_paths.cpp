@@ -65,6 +65,15 @@ void write_path(const detail::DiscSearch& disc, double lower_bound, Path& path) 
   path.lower_bound = std::min(path.length, lower_bound);
 }
 
+/// Returns true only if the disc fits at no position within the tolerance from `end`. If a wall is nearer to the end
+/// than the radius minus the tolerance, it is nearer than the radius to each of these positions.
+bool is_surely_blocked(const constraint::ExactTriangulation& triangulation, const Point& end, double radius,
+                       double tolerance, clearance::NearWalls& near_walls) {
+  // A difference above half the radius is a number for which the exact decision works.
+  const double difference = std::nextafter(radius - tolerance, 0.0);
+  return difference > 0.5 * radius && !near_walls.has_no_nearer_wall(triangulation, end, difference);
+}
+
 /// Tests the straight line from start to goal. If no wall is near it, writes it as the path and returns true.
 bool find_straight(detail::DiscSearch& disc) {
   const path::DiscLine::End from{{disc.ends.start(), 0}, mesh::kNoVertex};
@@ -92,8 +101,9 @@ void step_channel(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   }
   if (disc.string.find(*disc.map, disc.ends, disc.channel.exits(), disc.channel.goal_face())) {
     disc.string.write_path(disc.pieces);
-    disc.length = disc.string.length();
     if (disc.algorithm != PathAlgorithm::optimal) write_path(disc, distance(disc.start, disc.goal), path);
+    // For the other algorithms, the length of the string is a limit.
+    disc.length = disc.algorithm == PathAlgorithm::tra ? path.length : disc.string.length();
     if (disc.algorithm == PathAlgorithm::tra || is_over_budget(disc, path)) {
       disc.outcome = Outcome::found;
       return;
@@ -174,6 +184,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
                                                 detail::QueryScratch& scratch) const {
   const double tolerance = query.end_tolerance.value_or(path::default_end_tolerance(triangulation.domain()));
   if (!(tolerance > 0.0)) return std::nullopt;
+  if (is_surely_blocked(triangulation, end, query.radius, tolerance, scratch.near_walls)) return std::nullopt;
   NearestFitQuery nearest{end, query.radius, other, tolerance};
   if (other) {
     if (const auto found = nearest_fit_of_disc(nearest, scratch)) return found;
