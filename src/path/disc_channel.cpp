@@ -13,6 +13,10 @@ namespace {
 constexpr std::uint32_t kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kPrevious[3] = {2, 0, 1};
 
+/// Of channels of about the same length, the search prefers those that are nearer to the goal. Where a channel pauses,
+/// the bound has no such term, so that the search takes the nodes in the same order as if no channel paused.
+constexpr double kTieBreakWeight = 1.0 / 128;
+
 }  // namespace
 
 void DiscChannel::begin(const DiscMap& map, const DiscEnds& ends) {
@@ -130,9 +134,10 @@ void DiscChannel::leave(const Node& node, std::uint32_t index) {
   }
 }
 
-/// Follows the channel for as long as there is no choice. Pauses where another channel has a smaller bound.
+/// Follows the channel for as long as there is no choice. Pauses where another channel has a smaller bound. So the
+/// search does not follow a long corridor that leads away from the goal.
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
-  constexpr unsigned kFacesPerBound = 16;  // The bound costs about as much as to enter a face.
+  constexpr unsigned kFacesPerPause = 16;  // The bound costs about as much as to enter a face.
   const mesh::TriangleMesh& mesh = map_->mesh();
   const DeadEnds& dead_ends = ends_->dead_ends();
   const HalfEdge exit = channel.out;
@@ -156,9 +161,10 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
       exits |= kRight;
     }
     const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f));
-    if (has_choice || (faces % kFacesPerBound == 0 && exits != 0)) {
-      const double bound = bound_of(channel);
-      if (has_choice || (!open_.empty() && bound > open_.least_bound())) {
+    if (has_choice || (faces % kFacesPerPause == 0 && exits != 0)) {
+      const double length = channel.sight.length_to(ends_->goal());
+      if (has_choice || (!open_.empty() && length > open_.least_bound())) {
+        const double bound = has_choice ? length + kTieBreakWeight * distance(channel.left, ends_->goal()) : length;
         open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
         nodes_.push_back({{exit, entry, before, channel.sight}, exits});
         return;
@@ -172,12 +178,6 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
       channel.move_left(right_exit, apex);
     }
   }
-}
-
-double DiscChannel::bound_of(const Channel& channel) const {
-  // Of channels of about the same length, the search prefers those that are nearer to the goal.
-  constexpr double kTieBreakWeight = 1.0 / 128;
-  return channel.sight.length_to(ends_->goal()) + kTieBreakWeight * distance(channel.left, ends_->goal());
 }
 
 void DiscChannel::collect(std::uint32_t node) {

@@ -67,7 +67,6 @@ class DiscChannel {
   [[nodiscard]] std::uint32_t& mark_of(mesh::Face f, mesh::HalfEdge entry) {
     return marks_[marks_faces_ ? number(f) : number(entry)];
   }
-  [[nodiscard]] double bound_of(const Channel& channel) const;
   /// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
   /// as the disc is wide needs the exact decision.
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const {
@@ -89,7 +88,7 @@ class DiscChannel {
   const DiscEnds* ends_ = nullptr;
   mesh::HalfEdge goal_face_;
   bool is_found_ = false;
-  bool marks_faces_ = true;     ///< whether the search makes its choice at each face only once
+  bool marks_faces_ = true;     ///< whether the search enters each face only once
   bool has_seen_foot_ = false;  ///< whether a foot bridge closed a passage from one edge of a face to another
 
   std::vector<Node> nodes_;
