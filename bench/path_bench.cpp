@@ -28,12 +28,19 @@ struct PathContender {
   const char* name;
   PathAlgorithm algorithm;
   PathBudget budget;
+  double radius = 0.0;
 };
 constexpr std::array<PathContender, 4> kContenders = {{
     {"waywright_ta", PathAlgorithm::ta, {}},
     {"waywright_ta_proven", PathAlgorithm::ta, {.expansions = PathBudget::kNoLimit}},
     {"waywright_tra", PathAlgorithm::tra, {}},
     {"waywright_optimal", PathAlgorithm::optimal, {}},
+}};
+
+/// Discs, whose paths the benchmark measures only among squares.
+constexpr std::array<PathContender, 2> kDiscs = {{
+    {"waywright_tra_radius_5", PathAlgorithm::tra, {}, 5.0},
+    {"waywright_tra_radius_20", PathAlgorithm::tra, {}, 20.0},
 }};
 
 struct MapQueries {
@@ -57,7 +64,7 @@ struct PathTotals {
 };
 
 PathQuery query_between(const KnownPath& ends, const PathContender& contender) {
-  return {ends.start, ends.goal, 0.0, contender.algorithm, contender.budget};
+  return {ends.start, ends.goal, contender.radius, contender.algorithm, contender.budget};
 }
 
 /// The timed loop repeats all queries until, by the times of the first pass, it takes this many microseconds. So
@@ -113,10 +120,16 @@ void time_map_paths(benchmark::State& state, const MapQueries& files, const Path
 void time_square_paths(benchmark::State& state, std::size_t count, const PathContender& contender) {
   constexpr std::size_t kQueries = 1000;
   const Workload workload = random_squares(count);
+  const World world = world_of(workload, {.keep_bridges = contender.radius > 0.0});
   const std::vector<Point> ends = free_points(workload, 2 * kQueries);
   std::vector<KnownPath> queries;
-  for (std::size_t i = 0; i < kQueries; ++i) queries.push_back({ends[2 * i], ends[2 * i + 1], 0.0});
-  time_queries(state, world_of(workload), queries, contender);
+  const auto fits = [&](const Point& end) {
+    return contender.radius == 0.0 || world.fit_disc(end, contender.radius).value().fits;
+  };
+  for (std::size_t i = 0; i < kQueries; ++i) {
+    if (fits(ends[2 * i]) && fits(ends[2 * i + 1])) queries.push_back({ends[2 * i], ends[2 * i + 1], 0.0});
+  }
+  time_queries(state, world, queries, contender);
 }
 
 template <class Run>
@@ -124,21 +137,25 @@ void register_queries(const std::string& name, Run&& run) {
   benchmark::RegisterBenchmark(name.c_str(), run)->Iterations(1)->Unit(benchmark::kMillisecond);
 }
 
+void register_square_paths(const PathContender& contender) {
+  for (const std::size_t count : kPathSquares) {
+    register_queries("path_squares/" + std::to_string(count) + '/' + contender.name,
+                     [count, contender](benchmark::State& state) { time_square_paths(state, count, contender); });
+  }
+}
+
 }  // namespace
 
 void register_paths() {
   for (const PathContender& contender : kContenders) {
-    const auto name = [&](const std::string& workload) { return workload + '/' + contender.name; };
-    for (const std::size_t count : kPathSquares) {
-      register_queries(name("path_squares/" + std::to_string(count)),
-                       [count, contender](benchmark::State& state) { time_square_paths(state, count, contender); });
-    }
+    register_square_paths(contender);
     for (const MapQueries& files : kMapQueries) {
       const std::string map = files.map;
-      register_queries(name("path/" + map.substr(map.rfind('/') + 1)),
+      register_queries("path/" + map.substr(map.rfind('/') + 1) + '/' + contender.name,
                        [files, contender](benchmark::State& state) { time_map_paths(state, files, contender); });
     }
   }
+  for (const PathContender& disc : kDiscs) register_square_paths(disc);
 }
 
 }  // namespace waywright::bench

@@ -9,17 +9,11 @@ void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, s
   if (core == nullptr) return;
   stamp_.next(1, goals_below_);
   goals_below_.grow_to(mesh.face_slots());
-  for (const mesh::Face goal : goals) {
-    for (mesh::Face f = goal;;) {
-      GoalsBelow& below = goals_below_[number(f)];
-      if (below.query != stamp_.value()) below = {stamp_.value(), 0};
-      ++below.count;
-      if (core->is_core(f)) break;
-      const mesh::HalfEdge up = core->towards_core(f);
-      if (up == mesh::kNoHalfEdge) break;
-      f = mesh::face(mesh.twin(up));
-    }
-  }
+  for_each_above_goal(goals, [&](mesh::Face f) {
+    GoalsBelow& below = goals_below_[number(f)];
+    if (below.query != stamp_.value()) below = {stamp_.value(), 0};
+    ++below.count;
+  });
 }
 
 bool DeadEnds::is_before_tree(mesh::HalfEdge exit) const {

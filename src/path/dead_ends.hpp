@@ -26,10 +26,29 @@ class DeadEnds {
   /// Returns the edges of a face across which a path to a goal may lead: no walls, and no edges into a dead end without
   /// a goal. The result has one bit for each half-edge of the face.
   [[nodiscard]] unsigned passages(mesh::Face f) const {
-    if (core_ == nullptr || goals_below_[number(f)].query == stamp_.value()) return find_passages(f);
+    if (core_ != nullptr && goals_below_[number(f)].query == stamp_.value()) return find_passages(f);
+    return passages_without_goal(f);
+  }
+  /// Returns passages(f). Requires: the face is none of those that for_each_above_goal() visits.
+  [[nodiscard]] unsigned passages_without_goal(mesh::Face f) const {
+    if (core_ == nullptr) return find_passages(f);
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
+  }
+  /// Calls visit(face) for each goal face and, if there is a core, for each face between a goal face and the core. May
+  /// visit a face more than once.
+  template <class Visit>
+  void for_each_above_goal(std::span<const mesh::Face> goals, Visit&& visit) const {
+    for (mesh::Face f : goals) {
+      for (;;) {
+        visit(f);
+        if (core_ == nullptr || core_->is_core(f)) break;
+        const mesh::HalfEdge up = core_->towards_core(f);
+        if (up == mesh::kNoHalfEdge) break;
+        f = mesh::face(mesh_->twin(up));
+      }
+    }
   }
 
  private:

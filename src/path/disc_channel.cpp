@@ -2,17 +2,28 @@
 
 #include <algorithm>
 
-#include "base/compiler.hpp"
-
 namespace waywright::path {
 
 using mesh::HalfEdge;
+
+namespace {
+
+/// For the number of a half-edge in its face: the numbers of the next and of the previous one. Costs less than
+/// mesh::next(), which divides.
+constexpr std::uint32_t kNext[3] = {1, 2, 0};
+constexpr std::uint32_t kPrevious[3] = {2, 0, 1};
+
+/// Of channels of about the same length, the search prefers those that are nearer to the goal. Where a channel pauses,
+/// the bound has no such term, so that the search takes the nodes in the same order as if no channel paused.
+constexpr double kTieBreakWeight = 1.0 / 128;
+
+}  // namespace
 
 void DiscChannel::begin(const DiscMap& map, const DiscEnds& ends) {
   map_ = &map;
   ends_ = &ends;
   is_found_ = false;
-  visited_.grow_to(std::size_t{3} * map.mesh().face_slots());
+  marks_.grow_to(std::size_t{3} * map.mesh().face_slots());
   goal_face_ = ends.goal_face();
   marks_faces_ = true;
   has_seen_foot_ = false;
@@ -23,7 +34,12 @@ void DiscChannel::restart() {
   nodes_.clear();
   open_.clear();
   exits_.clear();
-  stamp_.next(1, visited_);
+  stamp_.next(kMarks, marks_);
+  ends_->for_each_above_goal([&](mesh::Face f) {
+    for (const HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
+      mark_of(f, h) = stamp_.value() + kAboveGoal;
+    }
+  });
   leave_start(ends_->at_start());
 }
 
@@ -64,18 +80,13 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
       collect(index);
       return true;
     }
-    if (is_visited(entry)) continue;
-    visited_[marks_faces_ ? 3 * number(mesh::face(entry)) : number(entry)] = stamp_.value();
+    std::uint32_t& mark = mark_of(mesh::face(entry), entry);
+    const std::uint32_t marks = mark >= stamp_.value() ? mark : stamp_.value();
+    if ((marks & kEntered) != 0) continue;
+    mark = marks | kEntered;
     leave(node, index);
   }
   return is_found_;
-}
-
-/// Returns whether the search has followed a channel through this entry already, or has made its choice at the face.
-/// Without the first test, a channel without a choice could repeat the same cycle of faces forever.
-bool DiscChannel::is_visited(HalfEdge entry) const {
-  return visited_[number(entry)] == stamp_.value() ||
-         (marks_faces_ && visited_[3 * number(mesh::face(entry))] == stamp_.value());
 }
 
 //          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
@@ -83,23 +94,10 @@ bool DiscChannel::is_visited(HalfEdge entry) const {
 //      /       \         target - c. A foot bridge that starts at the origin separates the left edge from the entry.
 //  origin --> target
 //
-/// Finds the exits of the face of `entry`, whose ends lie at `left` and `right`.
-WAYWRIGHT_ALWAYS_INLINE
-DiscChannel::Exits DiscChannel::exits_of(HalfEdge entry, const Point& left, const Point& right) {
-  const HalfEdge left_exit = mesh::previous(entry);
-  const HalfEdge right_exit = mesh::next(entry);
-  const mesh::Face f = mesh::face(entry);
-  const unsigned passages = ends_->dead_ends().passages(f);
-  const Point apex = map_->position(map_->mesh().origin(left_exit));
-  return {is_passage(passages, f, left_exit) && is_open(left_exit, apex, left, entry),
-          is_passage(passages, f, right_exit) && is_open(right_exit, right, apex, right_exit), apex};
-}
-
-/// Returns whether the channel can leave a face across the passage `exit`, whose ends lie at `p` and `q`. A foot bridge
-/// that separates this edge from the entry starts at the origin of `corner`.
-WAYWRIGHT_ALWAYS_INLINE
-bool DiscChannel::is_open(HalfEdge exit, const Point& p, const Point& q, HalfEdge corner) {
-  if (!can_cross(exit, squared_length(q - p))) return false;
+/// Returns whether the channel can leave a face across an edge. A foot bridge that separates this edge from the entry
+/// starts at the origin of `corner`. Decides exactly.
+bool DiscChannel::decide_is_open(HalfEdge exit, double squared, HalfEdge corner) {
+  if (!can_cross(exit, squared)) return false;
   if (!map_->has_closed_foot(corner)) return true;
   has_seen_foot_ = true;
   return false;
@@ -123,42 +121,61 @@ void DiscChannel::leave(const Node& node, std::uint32_t index) {
   const HalfEdge entry = node.channel.entry;
   const Channel channel{mesh::kNoHalfEdge, map_->position(mesh.origin(entry)), map_->position(mesh.target(entry)),
                         node.channel.sight};
-  if (node.exits.is_right_open) {
+  const Point apex = map_->position(mesh.apex(entry));
+  if ((node.exits & kRight) != 0) {
     Channel right = channel;
-    right.move_left(mesh::next(entry), node.exits.apex);
+    right.move_left(mesh::next(entry), apex);
     follow(right, index);
   }
-  if (node.exits.is_left_open) {
+  if ((node.exits & kLeft) != 0) {
     Channel left = channel;
-    left.move_right(mesh::previous(entry), node.exits.apex);
+    left.move_right(mesh::previous(entry), apex);
     follow(left, index);
   }
 }
 
-/// Follows the channel for as long as there is no choice.
+/// Follows the channel for as long as there is no choice. Pauses where another channel has a smaller bound. So the
+/// search does not follow a long corridor that leads away from the goal.
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
-  // Of channels of about the same length, the search prefers those that are nearer to the goal.
-  constexpr double kTieBreakWeight = 1.0 / 128;
+  constexpr unsigned kFacesPerPause = 16;  // The bound costs about as much as to enter a face.
   const mesh::TriangleMesh& mesh = map_->mesh();
+  const DeadEnds& dead_ends = ends_->dead_ends();
   const HalfEdge exit = channel.out;
-  for (;;) {
+  for (unsigned faces = 1;; ++faces) {
     const HalfEdge entry = mesh.twin(channel.out);
     const mesh::Face f = mesh::face(entry);
-    if (is_visited(entry)) return;
-    const Exits exits = exits_of(entry, channel.left, channel.right);
-    if (ends_->is_goal_face(f) || (exits.is_left_open && exits.is_right_open)) {
-      const double bound =
-          channel.sight.length_to(ends_->goal()) + kTieBreakWeight * distance(channel.left, ends_->goal());
-      open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
-      nodes_.push_back({{exit, entry, before, channel.sight}, exits});
-      return;
+    std::uint32_t& mark = mark_of(f, entry);
+    const std::uint32_t marks = mark >= stamp_.value() ? mark : stamp_.value();
+    if ((marks & kEntered) != 0) return;
+    const bool is_above_goal = (marks & kAboveGoal) != 0;
+    const std::uint32_t i = mesh::index_in(f, entry);
+    const HalfEdge left_exit = mesh::half_edge(f, kPrevious[i]);
+    const HalfEdge right_exit = mesh::half_edge(f, kNext[i]);
+    const Point apex = map_->position(mesh.origin(left_exit));
+    const unsigned passages = is_above_goal ? dead_ends.passages(f) : dead_ends.passages_without_goal(f);
+    unsigned exits = 0;
+    if ((passages >> kPrevious[i] & 1U) != 0 && is_open(left_exit, squared_length(apex - channel.left), entry)) {
+      exits |= kLeft;
     }
-    if (!exits.is_left_open && !exits.is_right_open) return;
-    visited_[number(entry)] = stamp_.value();
-    if (exits.is_left_open) {
-      channel.move_right(mesh::previous(entry), exits.apex);
+    if ((passages >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
+      exits |= kRight;
+    }
+    const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f));
+    if (has_choice || (faces % kFacesPerPause == 0 && exits != 0)) {
+      const double length = channel.sight.length_to(ends_->goal());
+      if (has_choice || (!open_.empty() && length > open_.least_bound())) {
+        const double bound = has_choice ? length + kTieBreakWeight * distance(channel.left, ends_->goal()) : length;
+        open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
+        nodes_.push_back({{exit, entry, before, channel.sight}, exits});
+        return;
+      }
+    }
+    if (exits == 0) return;
+    mark = marks | kEntered | exits;
+    if (exits == kLeft) {
+      channel.move_right(left_exit, apex);
     } else {
-      channel.move_left(mesh::next(entry), exits.apex);
+      channel.move_left(right_exit, apex);
     }
   }
 }
@@ -168,20 +185,15 @@ void DiscChannel::collect(std::uint32_t node) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   goal_face_ = nodes_[node].channel.entry;
   for (std::uint32_t i = node; i != ChannelNode::kNone; i = nodes_[i].channel.before) {
-    // The nodes give the exits from the goal to the start. Between two nodes the code finds the exits in the other
-    // direction, so it reverses this piece of the list.
+    // The nodes give the exits from the goal to the start. Between two nodes, the marks of the faces give the exits in
+    // the other direction, so the code reverses this piece of the list.
     const std::size_t first = exits_.size();
     for (HalfEdge exit = nodes_[i].channel.exit;;) {
       exits_.push_back(exit);
       const HalfEdge entry = mesh.twin(exit);
       if (entry == nodes_[i].channel.entry) break;
-      // One of the two other edges of the face is open.
-      const HalfEdge left_exit = mesh::previous(entry);
-      const mesh::Face f = mesh::face(entry);
-      const bool leads_left = is_passage(ends_->dead_ends().passages(f), f, left_exit);
-      const Point apex = map_->position(mesh.origin(left_exit));
-      const Point left = map_->position(mesh.origin(entry));
-      exit = leads_left && is_open(left_exit, apex, left, entry) ? left_exit : mesh::next(entry);
+      const bool goes_left = (mark_of(mesh::face(entry), entry) & kLeft) != 0;
+      exit = goes_left ? mesh::previous(entry) : mesh::next(entry);
     }
     std::reverse(exits_.begin() + static_cast<std::ptrdiff_t>(first), exits_.end());
   }

@@ -36,6 +36,13 @@ class DiscChannel {
   [[nodiscard]] mesh::HalfEdge goal_face() const { return goal_face_; }
 
  private:
+  // Marks of a face in this search.
+  static constexpr std::uint32_t kLeft = 1;       ///< a channel has left the face to the left without a choice
+  static constexpr std::uint32_t kRight = 2;      ///< or to the right
+  static constexpr std::uint32_t kEntered = 4;    ///< a channel has entered the face and gone on
+  static constexpr std::uint32_t kAboveGoal = 8;  ///< DeadEnds::for_each_above_goal() visits the face
+  static constexpr std::uint32_t kMarks = 16;
+
   /// A channel that the search is following.
   struct Channel {
     mesh::HalfEdge out;  ///< the last edge that it crossed
@@ -46,15 +53,9 @@ class DiscChannel {
     void move_left(mesh::HalfEdge exit, const Point& to);
     void move_right(mesh::HalfEdge exit, const Point& to);
   };
-  /// How a channel that has entered a face can leave it.
-  struct Exits {
-    bool is_left_open;
-    bool is_right_open;
-    Point apex;  ///< the position of the vertex between the two exits
-  };
   struct Node {
     ChannelNode channel;
-    Exits exits;
+    unsigned exits;  ///< how the channel can leave the face: kLeft, kRight or both
   };
 
   void restart();
@@ -62,7 +63,10 @@ class DiscChannel {
   void follow(Channel channel, std::uint32_t before);
   void leave(const Node& node, std::uint32_t index);
   void collect(std::uint32_t node);
-  [[nodiscard]] bool is_visited(mesh::HalfEdge entry) const;
+  /// The mark of a face or, if marks_faces_ is false, of the entry.
+  [[nodiscard]] std::uint32_t& mark_of(mesh::Face f, mesh::HalfEdge entry) {
+    return marks_[marks_faces_ ? number(f) : number(entry)];
+  }
   /// Returns whether the centre of a disc can cross the edge. Requires: the edge is no wall. Only an edge about as long
   /// as the disc is wide needs the exact decision.
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const {
@@ -72,20 +76,25 @@ class DiscChannel {
   [[nodiscard]] static bool is_passage(unsigned passages, mesh::Face f, mesh::HalfEdge exit) {
     return (passages >> (number(exit) - 3 * number(f)) & 1U) != 0;
   }
-  [[nodiscard]] Exits exits_of(mesh::HalfEdge entry, const Point& left, const Point& right);
-  [[nodiscard]] bool is_open(mesh::HalfEdge exit, const Point& p, const Point& q, mesh::HalfEdge corner);
+  /// Returns whether the channel can leave a face across the passage `exit`. `squared` is the squared length of this
+  /// edge. A foot bridge that separates it from the entry starts at the origin of `corner`.
+  [[nodiscard]] bool is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner) {
+    if (squared > map_->surely_long && map_->bridges.foot_at(corner) == clearance::Bridges::kNone) return true;
+    return squared >= map_->surely_short && decide_is_open(exit, squared, corner);
+  }
+  [[nodiscard]] bool decide_is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner);
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;
   mesh::HalfEdge goal_face_;
   bool is_found_ = false;
-  bool marks_faces_ = true;     ///< whether the search makes its choice at each face only once
+  bool marks_faces_ = true;     ///< whether the search enters each face only once
   bool has_seen_foot_ = false;  ///< whether a foot bridge closed a passage from one edge of a face to another
 
   std::vector<Node> nodes_;
-  OpenList open_;                               ///< indices in `nodes_`
-  memory::ZeroedArray<std::uint32_t> visited_;  ///< by half-edge: where channels have entered a face
-  memory::Stamp stamp_;
+  OpenList open_;                             ///< indices in `nodes_`
+  memory::ZeroedArray<std::uint32_t> marks_;  ///< mark_of(): the stamp plus the marks, if this search wrote them
+  memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
   std::vector<mesh::HalfEdge> exits_;
 };
 

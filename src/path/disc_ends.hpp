@@ -27,6 +27,11 @@ class DiscEnds {
   /// Returns whether a face at the start is a face at the goal.
   [[nodiscard]] bool have_common_face() const { return have_common_face_; }
   [[nodiscard]] const DeadEnds& dead_ends() const { return dead_ends_; }
+  /// Calls visit(face) as DeadEnds::for_each_above_goal() does.
+  template <class Visit>
+  void for_each_above_goal(Visit&& visit) const {
+    dead_ends_.for_each_above_goal(goal_faces_, visit);
+  }
 
  private:
   Point start_;

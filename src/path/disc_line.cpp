@@ -83,15 +83,18 @@ void DiscLine::walk(HalfEdge face) {
     if (map_->is_closed(exit, squared_length(left.position - right.position))) return note_ends_as_obstacles(exit);
     const HalfEdge entry = mesh.twin(exit);
     visited_[number(mesh::face(entry))] = stamp_.value();
-    const Offset apex = offset(mesh.apex(entry));
-    look_at_vertex(mesh::previous(entry), apex);
+    const HalfEdge before = mesh::previous(entry);
+    const HalfEdge after = mesh::next(entry);
+    const Offset apex = offset(mesh.origin(before));
+    look_at_vertex(before, apex);
+    // The edge that the line does not cross lies on one side of the line.
     if (apex.across > 0.0) {
-      look_beside(mesh::previous(entry), apex, left);
-      exit = mesh::next(entry);
+      if (std::min(apex.across, left.across) <= map_->radius) visit_beside(before, apex, left);
+      exit = after;
       left = apex;
     } else {
-      look_beside(mesh::next(entry), right, apex);
-      exit = mesh::previous(entry);
+      if (std::max(right.across, apex.across) >= -map_->radius) visit_beside(after, right, apex);
+      exit = before;
       right = apex;
     }
     if (is_beyond(right, left)) continue;

@@ -16,13 +16,14 @@ void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, cons
     return arc_length(stops[i].contact, stops[i - 1].departure, stops[i].departure, map.radius) != 0.0;
   };
   pieces.clear();
+  bool has_arc_here = false;
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const Contact& contact = stops[i].contact;
     const Point& direction = stops[i].departure;
     const bool has_next = i + 1 < stops.size();
     // If the path does not turn at a contact, the two lines there are one line.
     if (i == 0 || direction != stops[i - 1].departure) {
-      const Point& touching = i > 0 && !has_arc(i) ? stops[i - 1].departure : direction;
+      const Point& touching = i > 0 && !has_arc_here ? stops[i - 1].departure : direction;
       pieces.emplace_back().from = touching_point(contact, touching, map.exact_radius) + map.origin;
     }
     DiscPiece& piece = pieces.back();
@@ -30,7 +31,8 @@ void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, cons
     piece.to = (has_next ? touching_point(stops[i + 1].contact, direction, map.exact_radius) : goal) + map.origin;
     if (!has_next) continue;
     piece.centre = stops[i + 1].contact.centre + map.origin;
-    piece.turn = has_arc(i + 1) ? stops[i + 1].contact.turn : kNoTurn;
+    has_arc_here = has_arc(i + 1);
+    piece.turn = has_arc_here ? stops[i + 1].contact.turn : kNoTurn;
     piece.end_direction = stops[i + 1].departure;
   }
   // The last line has no arc.

@@ -41,13 +41,18 @@ DiscString::Stop DiscString::stop_at(HalfEdge corner, int turn) const {
   return {{{map_->position(v), turn}, v}, corner, {}};
 }
 
+DiscString::Bend DiscString::bend_at(HalfEdge corner) const {
+  return {map_->position(map_->mesh().origin(corner)), corner};
+}
+
 // Seen from inside a face, the left end of an edge is its target.
 void DiscString::run_funnel(std::span<const HalfEdge> exits) {
   left_ = apex_ = right_ = exits.size() + 1;
   if (row_.size() < 2 * exits.size() + 3) row_.resize(2 * exits.size() + 3);
-  row_[apex_] = {{{start_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
-  row_[--left_] = stop_at(mesh::next(exits[0]), kTurnLeft);
-  row_[++right_] = stop_at(exits[0], kTurnRight);
+  row_[apex_] = {start_, mesh::kNoHalfEdge};
+  apex_turn_ = kNoTurn;
+  row_[--left_] = bend_at(mesh::next(exits[0]));
+  row_[++right_] = bend_at(exits[0]);
   for (std::size_t i = 1; i < exits.size() && is_funnel_open_; ++i) {
     const HalfEdge entry = map_->mesh().twin(exits[i - 1]);
     move(mesh::previous(entry), exits[i] == mesh::next(entry) ? kTurnLeft : kTurnRight);
@@ -55,73 +60,87 @@ void DiscString::run_funnel(std::span<const HalfEdge> exits) {
   end_at_goal();
 }
 
-/// Returns the direction of the line from one stop to another, not necessarily of length 1.
-Point DiscString::direction(const Stop& from, const Stop& to) {
-  const Contact& p = from.end.contact;
-  const Contact& q = to.end.contact;
-  if (p.turn == q.turn) return q.centre - p.centre;
-  const auto line = tangent(p, q, map_->radius);
-  if (!line) is_funnel_open_ = false;
-  return line ? line->direction : Point{};
+/// Returns whether a string from the bend with the index `before` over `at` to `after` turns at `at` in the direction
+/// `turn`, in which it also turns at `after`.
+bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, int turn) {
+  const Point to = at.centre - row_[before].centre;
+  const Point on = after.centre - at.centre;
+  if (before != apex_ || apex_turn_ == turn) return turn * cross(to, on) > 0.0;
+  // The direction of tangent(), times a positive number.
+  const double across = (turn - apex_turn_) * map_->radius;
+  const double square = squared_distance_minus(row_[before].centre, at.centre, across);
+  if (!(square >= kLeastSquare * squared_length(to))) is_funnel_open_ = false;
+  return turn * (std::sqrt(std::max(square, 0.0)) * cross(to, on) + across * dot(to, on)) > 0.0;
 }
 
-/// Returns whether a string from `p` to `r` turns at `q` in the direction `turn`.
-bool DiscString::turns(const Stop& p, const Stop& q, const Stop& r, int turn) {
-  return turn * cross(direction(p, q), direction(q, r)) > 0.0;
-}
-
-/// Returns whether the string from the apex to `end` has to turn around `other`, the next stop on the opposite string
-/// of the funnel: `end` lies beyond the line from the apex to `other`, and farther away.
+/// Returns whether the string from the apex to `end` has to turn around `other`, the next contact on the opposite
+/// string of the funnel: `end` lies beyond the line from the apex to `other`, and farther away.
 ///
 /// A tangent to a circle in the other direction differs from the line between the centres by the angle whose sine is
 /// the diameter, divided by the distance. The sum of two sines is at least the sine of the sum. So if the sine of the
 /// angle between the two lines between the centres is larger than the sum of these two sines, the two tangents do not
 /// cross either. (The sum of the two coordinates of a vector is at least its length.)
-bool DiscString::is_across(const Stop& apex, const Stop& end, const Stop& other) {
-  const Point to_end_centre = end.end.contact.centre - apex.end.contact.centre;
-  const Point to_other_centre = other.end.contact.centre - apex.end.contact.centre;
-  const double angle = -other.end.contact.turn * cross(to_other_centre, to_end_centre);
+bool DiscString::is_across(const Contact& end, const Contact& other) {
+  const Point to_end_centre = end.centre - row_[apex_].centre;
+  const Point to_other_centre = other.centre - row_[apex_].centre;
+  const double angle = -other.turn * cross(to_other_centre, to_end_centre);
   if (angle > kSurelyInside * map_->radius * (coordinate_sum(to_end_centre) + coordinate_sum(to_other_centre))) {
     return false;
   }
-  const auto to_end = tangent(apex.end.contact, end.end.contact, map_->radius);
-  const auto to_other = tangent(apex.end.contact, other.end.contact, map_->radius);
+  const auto to_end = tangent(apex(), end, map_->radius);
+  const auto to_other = tangent(apex(), other, map_->radius);
   if (!to_end || !to_other) {
     is_funnel_open_ = false;
     return false;
   }
-  const double across = other.end.contact.turn * cross(to_other->direction, to_end->direction);
+  const double across = other.turn * cross(to_other->direction, to_end->direction);
   return across > 0.0 && to_other->length < to_end->length;
+}
+
+/// Adds the apex of the funnel to the string.
+void DiscString::add_apex() {
+  const Bend& bend = row_[apex_];
+  if (bend.corner == mesh::kNoHalfEdge) {
+    stops_.push_back({{{start_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}});
+  } else {
+    stops_.push_back(stop_at(bend.corner, apex_turn_));
+  }
+}
+
+/// Adds the apex to the string, and makes a bend the new apex.
+void DiscString::move_apex(std::size_t to, int turn) {
+  add_apex();
+  apex_ = to;
+  apex_turn_ = turn;
 }
 
 /// Moves one end of the portal to the vertex of `corner`, as TautString does: the left end if `turn` is kTurnLeft, the
 /// right end if it is kTurnRight.
 void DiscString::move(HalfEdge corner, int turn) {
   const bool is_left = turn == kTurnLeft;
-  const Stop stop = stop_at(corner, turn);
+  const Bend bend = bend_at(corner);
   std::size_t& end = is_left ? left_ : right_;
   const std::size_t other = is_left ? right_ : left_;
   const std::size_t inwards = is_left ? 1 : kBackwards;  // the step in `row_` from `end` towards the apex
-  while (end != apex_ && !turns(row_[end + inwards], row_[end], stop, turn)) end += inwards;
+  while (end != apex_ && !turns(end + inwards, row_[end], bend, turn)) end += inwards;
   if (end == apex_) {
-    while (apex_ != other && is_across(row_[apex_], stop, row_[apex_ + inwards])) {
-      stops_.push_back(row_[apex_]);
-      apex_ += inwards;
+    while (apex_ != other && is_across({bend.centre, turn}, {row_[apex_ + inwards].centre, -turn})) {
+      move_apex(apex_ + inwards, -turn);
     }
     end = apex_;
   }
   end -= inwards;
-  row_[end] = stop;
+  row_[end] = bend;
 }
 
 void DiscString::end_at_goal() {
-  const Stop goal{{{goal_, kNoTurn}, mesh::kNoVertex}, mesh::kNoHalfEdge, {}};
+  const Contact goal{goal_, kNoTurn};
   const std::size_t first = apex_;
-  while (apex_ != left_ && is_across(row_[apex_], goal, row_[apex_ - 1])) stops_.push_back(row_[apex_--]);
+  while (apex_ != left_ && is_across(goal, {row_[apex_ - 1].centre, kTurnLeft})) move_apex(apex_ - 1, kTurnLeft);
   if (apex_ == first) {
-    while (apex_ != right_ && is_across(row_[apex_], goal, row_[apex_ + 1])) stops_.push_back(row_[apex_++]);
+    while (apex_ != right_ && is_across(goal, {row_[apex_ + 1].centre, kTurnRight})) move_apex(apex_ + 1, kTurnRight);
   }
-  stops_.push_back(row_[apex_]);
+  add_apex();
 }
 
 /// Changes the string until the disc can move along it. Returns false if this does not succeed.

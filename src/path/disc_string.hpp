@@ -39,12 +39,22 @@ class DiscString {
     Tangent line;           ///< to the next stop
   };
 
+  /// A vertex on a string of the funnel, or the start.
+  struct Bend {
+    Point centre;
+    mesh::HalfEdge corner;  ///< starts at the vertex, or kNoHalfEdge at the start
+  };
+
   void run_funnel(std::span<const mesh::HalfEdge> exits);
   void move(mesh::HalfEdge corner, int turn);
   void end_at_goal();
-  [[nodiscard]] Point direction(const Stop& from, const Stop& to);
-  [[nodiscard]] bool turns(const Stop& p, const Stop& q, const Stop& r, int turn);
-  [[nodiscard]] bool is_across(const Stop& apex, const Stop& end, const Stop& other);
+  [[nodiscard]] bool turns(std::size_t before, const Bend& at, const Bend& after, int turn);
+  [[nodiscard]] bool is_across(const Contact& end, const Contact& other);
+  /// The contact at the apex of the funnel.
+  [[nodiscard]] Contact apex() const { return {row_[apex_].centre, apex_turn_}; }
+  void move_apex(std::size_t to, int turn);
+  void add_apex();
+  [[nodiscard]] Bend bend_at(mesh::HalfEdge corner) const;
   [[nodiscard]] Stop stop_at(mesh::HalfEdge corner, int turn) const;
 
   [[nodiscard]] bool straighten();
@@ -62,10 +72,11 @@ class DiscString {
   bool is_funnel_open_ = true;  ///< whether the funnel found each tangent that it needed
   // Both strings of the funnel: first the left one from its end to the apex, then the right one from the apex to its
   // end. The left string turns left around each of its vertices, the right one turns right.
-  std::vector<Stop> row_;
+  std::vector<Bend> row_;
   std::size_t left_ = 0;  ///< indices in `row_`: of the left end, of the apex, of the right end
   std::size_t apex_ = 0;
   std::size_t right_ = 0;
+  int apex_turn_ = kNoTurn;
   std::vector<Stop> stops_;
   std::vector<DiscStop> path_;
   DiscLine line_;

@@ -57,6 +57,10 @@ struct Tangent {
                         2.0 * (x.rounded * x.error + y.rounded * y.error));
 }
 
+/// Where two circles touch, rounding may make squared_distance_minus() negative. If it is less than this share of the
+/// squared distance between the centres, the circles overlap.
+inline constexpr double kLeastSquare = -0x1p-40;
+
 /// Returns the line that touches `from` and then `to`. Returns nothing if there is none: the circles overlap, and the
 /// line would have to pass between them.
 [[nodiscard]] inline std::optional<Tangent> tangent(const Contact& from, const Contact& to, double radius) {
@@ -64,8 +68,7 @@ struct Tangent {
   const double squared = squared_length(between);
   const double across = (to.turn - from.turn) * radius;
   const double square = squared_distance_minus(from.centre, to.centre, across);
-  // If the circles touch, rounding may make the difference negative.
-  if (!(square >= -0x1p-40 * squared) || squared == 0.0) return std::nullopt;
+  if (!(square >= kLeastSquare * squared) || squared == 0.0) return std::nullopt;
   const double along = std::sqrt(std::max(square, 0.0));
   return Tangent{
       {(along * between.x + across * between.y) / squared, (along * between.y - across * between.x) / squared}, along};

@@ -66,6 +66,15 @@ void write_path(const detail::DiscSearch& disc, double lower_bound, Path& path) 
   path.lower_bound = std::min(path.length, lower_bound);
 }
 
+/// Returns true only if the disc fits at no position within the tolerance from `end`. If a wall is nearer to the end
+/// than the radius minus the tolerance, it is nearer than the radius to each of these positions.
+bool is_surely_blocked(const constraint::ExactTriangulation& triangulation, const Point& end, double radius,
+                       double tolerance, clearance::NearWalls& near_walls) {
+  // A difference above half the radius is a number for which the exact decision works.
+  const double difference = std::nextafter(radius - tolerance, 0.0);
+  return difference > 0.5 * radius && !near_walls.has_no_nearer_wall(triangulation, end, difference);
+}
+
 /// Tests the straight line from start to goal. If no wall is near it, writes it as the path and returns true.
 bool find_straight(detail::DiscSearch& disc) {
   const path::DiscLine::End from{{disc.ends.start(), 0}, mesh::kNoVertex};
@@ -90,7 +99,8 @@ void begin_guide(detail::DiscSearch& disc) { disc.guide.begin(*disc.map, disc.en
 bool find_string(detail::DiscSearch& disc, std::span<const mesh::HalfEdge> exits, mesh::HalfEdge goal_face) {
   if (!disc.string.find(*disc.map, disc.ends, exits, goal_face)) return false;
   disc.string.write_path(disc.pieces);
-  disc.length = disc.string.length();
+  // With `tra`, the search ends here, so it needs no limit.
+  if (disc.algorithm != PathAlgorithm::tra) disc.length = disc.string.length();
   return true;
 }
 
@@ -230,6 +240,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
                                                 detail::QueryScratch& scratch) const {
   const double tolerance = query.end_tolerance.value_or(path::default_end_tolerance(triangulation.domain()));
   if (!(tolerance > 0.0)) return std::nullopt;
+  if (is_surely_blocked(triangulation, end, query.radius, tolerance, scratch.near_walls)) return std::nullopt;
   NearestFitQuery nearest{end, query.radius, other, tolerance};
   if (other) {
     if (const auto found = nearest_fit_of_disc(nearest, scratch)) return found;
