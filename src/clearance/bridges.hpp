@@ -69,8 +69,8 @@ class Bridges {
   [[nodiscard]] std::size_t foot_slots() const { return feet_.size(); }
 
   /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open, and
-  /// `changed` contains all walls that it has inserted or removed. If memory runs out, nothing changes. Cost: depends
-  /// on what changed and on the bridges near it.
+  /// `changed` contains all walls that it has inserted or removed, and is sorted. If memory runs out, nothing changes.
+  /// Cost: depends on what changed and on the bridges near it.
   void update(const Triangulation& triangulation, const ChangedWalls& changed);
   /// Undoes the last update(). Requires: since then, neither commit() nor roll_back() was called. Allocates nothing.
   void roll_back();

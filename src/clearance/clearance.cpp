@@ -81,7 +81,6 @@ void Clearance::begin() {
 
 void Clearance::note_changed(const Triangulation& world, ItemId id) {
   changed_.push_back(id);
-  if (changed_walls_.are_all()) return;
   const constraint::ItemTable& items = world.items();
   const exact::Geometry& geometry = world.triangulation().geometry();
   std::optional<Box> box;
@@ -98,6 +97,7 @@ void Clearance::update(const Triangulation& world) {
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   if (!walls_ && is_any_changed_loose(world)) return make_walls(world);
   if (walls_) update_walls(world);
+  changed_walls_.sort();
   bridges_->update(walls(world), changed_walls_);
   are_bridges_changed_ = true;
 }
@@ -164,6 +164,7 @@ void Clearance::count_memory(MemoryUse& use) const {
   bridges_->count_memory(use);
   use.spare += sizeof(Clearance) + sizeof(Bridges);
   memory::count_spare(use, changed_, outline_.corners, outline_.ring_ends);
+  changed_walls_.count_memory(use);
   use.spare += shape_.rings.points().size_bytes();
   if (!walls_) return;
   MemoryUse of_walls;
@@ -174,6 +175,7 @@ void Clearance::count_memory(MemoryUse& use) const {
 
 void Clearance::shrink_to_fit(const Triangulation& world) {
   memory::release(changed_, outline_.corners, outline_.ring_ends);
+  changed_walls_.release();
   shape_ = {};
   if (walls_ && !has_any_loose_ring(world)) {
     bridges_ = std::make_unique<Bridges>(world);

@@ -98,7 +98,7 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
 /// starts at the origin of `corner`. Decides exactly.
 bool DiscChannel::decide_is_open(HalfEdge exit, double squared, HalfEdge corner) {
   if (!can_cross(exit, squared)) return false;
-  if (!map_->has_closed_foot(corner)) return true;
+  if (!map_->has_narrow_bridge_foot(corner)) return true;
   has_seen_foot_ = true;
   return false;
 }

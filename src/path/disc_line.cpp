@@ -207,7 +207,7 @@ void DiscLine::look_at_feet(Vertex v) {
 }
 
 bool DiscLine::crosses_foot(HalfEdge corner) const {
-  const auto foot = map_->closed_foot(corner);
+  const auto foot = map_->narrow_bridge_foot(corner);
   if (!foot) return false;
   const Point from = map_->position(map_->mesh().origin(corner));
   const double one = cross(direction_, from - start_);

@@ -81,15 +81,15 @@ class DiscMap {
 
   /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
   /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.
-  [[nodiscard]] std::optional<Point> closed_foot(mesh::HalfEdge corner) const {
+  [[nodiscard]] std::optional<Point> narrow_bridge_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
     if (foot == clearance::Bridges::kNone) return std::nullopt;
     const exact::Gap gap = foot_gap(corner, foot);
     if (exact::compare_to_diameter(gap, exact_radius) >= 0) return std::nullopt;
     return exact::end_of(gap) - origin;
   }
-  /// Returns whether closed_foot() returns a foot.
-  [[nodiscard]] bool has_closed_foot(mesh::HalfEdge corner) const {
+  /// Returns whether narrow_bridge_foot() returns a foot.
+  [[nodiscard]] bool has_narrow_bridge_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
     return foot != clearance::Bridges::kNone && exact::compare_to_diameter(foot_gap(corner, foot), exact_radius) < 0;
   }

@@ -456,7 +456,7 @@ std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t first
 bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   for (HalfEdge at = from;;) {
-    if (map_->closed_foot(at)) return false;
+    if (map_->narrow_bridge_foot(at)) return false;
     if (at == to) return true;
     const HalfEdge spoke = turn == kTurnLeft ? mesh.next_around(at) : at;
     if (map_->is_closed(spoke)) return false;

@@ -56,7 +56,7 @@ template <class Visit>
     const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - contact.centre, turn);
     order = end_order - 4.0 >= order - kTurnsBack ? std::max(order, end_order - 4.0) : end_order;
     visit(at, spoke, order);
-    if (const auto foot = map.closed_foot(at)) {
+    if (const auto foot = map.narrow_bridge_foot(at)) {
       // A foot bridge does not limit the turn if its foot lies before the direction of arrival.
       const double foot_order = turning_order(arrival, *foot - contact.centre, turn);
       const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
