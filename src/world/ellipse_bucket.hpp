@@ -72,22 +72,31 @@ class EllipseBucket {
     const auto y = static_cast<float>(middle.y);
     // For a position of the box, the sum of the distances to two foci is at most this much less than for the centre.
     const auto nearer = static_cast<float>(distance(relative.min, relative.max) + FloatFrame::kError);
-    for (std::size_t i = 0; i < floats_.block_count(); ++i) {
-      const Floats::Block& block = floats_.block(i);
-      Floats::LaneSet outside = 0;
-      Floats::LaneSet beyond = 0;
-      for (std::size_t lane = 0; lane < Floats::kLanes; ++lane) {
-        const float sum = distance(block[kStartX][lane] - x, block[kStartY][lane] - y) +
-                          distance(block[kGoalX][lane] - x, block[kGoalY][lane] - y);
-        outside |= Floats::lane_if_negative(lane, block[kInside][lane] - sum);
-        beyond |= Floats::lane_if_negative(lane, block[kBeyond][lane] + nearer - sum);
+    // The lanes of several blocks at once, because the end of each loop over lanes is hard to predict.
+    for (std::size_t first = 0; first < size(); first += kBits) {
+      std::uint64_t inside = 0;
+      std::uint64_t unsure = 0;
+      const std::size_t count =
+          std::min((size() - first + Floats::kLanes - 1) / Floats::kLanes, kBits / Floats::kLanes);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = first / Floats::kLanes + i;
+        const Floats::Block& block = floats_.block(at);
+        Floats::LaneSet outside = 0;
+        Floats::LaneSet beyond = 0;
+        for (std::size_t lane = 0; lane < Floats::kLanes; ++lane) {
+          const float sum = distance(block[kStartX][lane] - x, block[kStartY][lane] - y) +
+                            distance(block[kGoalX][lane] - x, block[kGoalY][lane] - y);
+          outside |= Floats::lane_if_negative(lane, block[kInside][lane] - sum);
+          beyond |= Floats::lane_if_negative(lane, block[kBeyond][lane] + nearer - sum);
+        }
+        const Floats::LaneSet near = floats_.used_lanes(at) & ~beyond;
+        inside |= std::uint64_t{near & ~outside} << i * Floats::kLanes;
+        unsure |= std::uint64_t{near & outside} << i * Floats::kLanes;
       }
-      const Floats::LaneSet near = floats_.used_lanes(i) & ~beyond;
-      const std::size_t first = i * Floats::kLanes;
-      Floats::for_each_lane(near & ~outside, [&](std::size_t lane) { visit(slots_[first + lane]); });
-      Floats::for_each_lane(near & outside, [&](std::size_t lane) {
-        if (may_meet(entries_[first + lane], box)) visit(slots_[first + lane]);
+      Floats::for_each_lane(unsure, [&](std::size_t lane) {
+        if (may_meet(entries_[first + lane], box)) inside |= std::uint64_t{1} << lane;
       });
+      Floats::for_each_lane(inside, [&](std::size_t lane) { visit(slots_[first + lane]); });
     }
   }
 
@@ -144,6 +153,7 @@ class EllipseBucket {
     return rest * std::abs(rest) >= 4.0 * a2 * b2 && entry.bounds.overlaps(box);
   }
 
+  static constexpr std::size_t kBits = 64;
   static constexpr double kLarge = 0x1p100;
 
   FloatFrame frame_;

@@ -76,9 +76,9 @@ class FloatTable {
     return static_cast<LaneSet>(base::bit_cast<std::int32_t>(number) >> 31) & kOnly[lane];
   }
 
-  /// Calls visit(lane) for each lane of a set.
-  template <class Visit>
-  static void for_each_lane(LaneSet lanes, const Visit& visit) {
+  /// Calls visit(lane) for each lane of a set: of a LaneSet, or of a larger set of the lanes of successive blocks.
+  template <class Set, class Visit>
+  static void for_each_lane(Set lanes, const Visit& visit) {
     for (; lanes != 0; lanes &= lanes - 1) visit(static_cast<std::size_t>(std::countr_zero(lanes)));
   }
 
