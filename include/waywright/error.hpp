@@ -33,8 +33,8 @@ enum class ErrorCode : std::uint8_t {
   bad_id,
   bad_domain,  ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
   bad_shape,   ///< a number of rings or points that the kind of the item does not allow, for example 0
-  /// A change that makes the mesh too large. There are two limits: 2^27 vertices without the crossings that the change
-  /// makes, and 350 million vertices including these crossings.
+  /// A change that makes the mesh too large. There are two limits: 2^27 for the number of vertices plus the number
+  /// of points of the new shapes, and 350 million vertices including the crossings that the change makes.
   too_large,
   too_many_vertices,  ///< an operation that would make more vertices than WorldOptions::new_vertex_limit allows
   world_gone,         ///< the world of a PathSearch no longer exists

@@ -24,7 +24,7 @@ namespace waywright {
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (`optimal`);
 /// Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (`ta` and `tra`).
 enum class PathAlgorithm : std::uint8_t {
-  ta,       ///< a first path quickly, and a better one with a PathBudget: triangulation A* (Demyen and Buro 2006)
+  ta,       ///< a first path, and a better one with a PathBudget: triangulation A* (Demyen and Buro 2006)
   tra,      ///< a good path in very little time, useful for crowds: triangulation reduction A* (Demyen and Buro 2006)
   optimal,  ///< the shortest path: after Polyanya (Cui, Harabor and Grastien 2017)
 };
@@ -216,7 +216,8 @@ struct WAYWRIGHT_API Path {
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
-  /// straight lines that the search considered, and the triangles that the search for a first channel considered.
+  /// straight lines that the search took from its open list. The search for a first channel counts only the triangles
+  /// at which it had a choice or paused.
   std::size_t expansions = 0;
   /// The time that the search took. 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};

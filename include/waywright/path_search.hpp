@@ -48,7 +48,8 @@ class WAYWRIGHT_API PathSearch {
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
   /// wall. If the segment meets no wall, the first call of step() ends the search. For a radius above 0: the location
-  /// of both ends, and the walls near them.
+  /// of both ends, the walls near them, and the triangles that the straight segment crosses or that are nearer to it
+  /// than the radius.
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the

@@ -25,15 +25,15 @@ struct PathChanges {
   /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;
   /// The paths that may be longer than necessary: an operation has removed an item that may have blocked a shorter
-  /// path. No other path has become longer than necessary.
+  /// path. No other path has become longer than necessary, with one exception: see PathWatch.
   std::vector<std::uint64_t> may_be_too_long;
 
   friend bool operator==(const PathChanges&, const PathChanges&) = default;
 };
 
 /// Watches the paths of many agents. After operations, it finds the paths that the agents should search for again. It
-/// looks only at paths near the changes. So the cost of update() depends on what has changed, not on how many paths
-/// there are.
+/// looks only at paths near the changes. So the cost of update() depends on what has changed, and hardly on the number
+/// of paths.
 ///
 /// @code{.cpp}
 /// PathWatch watch(world);
@@ -68,8 +68,8 @@ class WAYWRIGHT_API PathWatch {
   PathWatch(PathWatch&&) noexcept;
   PathWatch& operator=(PathWatch&&) noexcept;
 
-  /// Watches a path under a key. If the watch has a path under this key, the new path replaces it. The path must have
-  /// been found in the world as it is now, or as it was at the last update().
+  /// Watches a path under a key. If the watch has a path under this key, the new path replaces it. The path must
+  /// be the answer of a query (found or not) in the world as it is now, or as it was at the last update().
   /// Cost: linear in the points or pieces of the path.
   void add(std::uint64_t key, const Path& path);
   /// Stops watching the path under a key. Returns whether the watch had a path under this key.
@@ -92,9 +92,10 @@ class WAYWRIGHT_API PathWatch {
   /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
   /// (WorldSnapshot).
   /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for the pieces of paths
-  /// that come near to a box, and for a whole path if such a piece runs along a wall or if there are more than 8 boxes;
-  /// the answer; and one step for each 64 paths of the watch. Allocates nothing if earlier updates had answers of this
-  /// size. If memory runs out, `changes` is empty, and you can call update() again.
+  /// that come near to a box, and for a whole path if such a piece runs along a wall or has a point with the rounded
+  /// coordinates of a crossing, if the path turns where a crossing may have vanished, or if there are more than 8
+  /// boxes; the answer; and one step for each 64 paths of the watch. Allocates nothing if earlier updates had answers
+  /// of this size. If memory runs out, `changes` is empty, and you can call update() again.
   void update(const World& world, PathChanges& changes);
 
  private:

@@ -440,9 +440,9 @@ class WAYWRIGHT_API World {
   /// with walls, it never passes from one wedge between walls into another. PathQuery::end_tolerance says when the
   /// search moves the start and the goal. If PathQuery::radius is above 0, the disc's path is in Path::pieces.
   ///
-  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the algorithm is `tra` and
-  /// the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and the world does not keep
-  /// its bridges.
+  /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the radius is 0, the
+  /// algorithm is `tra`, and the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and
+  /// the world does not keep its bridges.
   /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
   /// `context` and `path` have been used for a search of the same size before, except for Path::widest. If walls
   /// separate the ends and the world keeps its abstraction, the search for a point agent enters no triangle.

@@ -20,7 +20,8 @@ struct WorldOptions {
   /// Whether the world maintains the path abstraction: data that says which triangles are connected, which polygons
   /// cover them, and which triangles lie in dead ends. Without the abstraction, an operation costs less, and a world
   /// takes 10 bytes less for each vertex (up to 18 bytes less if operations have changed walls in all parts of the
-  /// world). But then many path queries enter far more triangles, and the world does not support PathAlgorithm::tra.
+  /// world). But then many path queries enter far more triangles, and the world does not support PathAlgorithm::tra for
+  /// point agents.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
   /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need

@@ -16,9 +16,9 @@
 namespace waywright::path {
 
 /// Finds a channel for a disc by A* over the faces, like TraStar for points. The channel crosses no edge that is
-/// shorter than the disc is wide, because no centre of a disc lies on this edge. In a face, the channel passes no gap
-/// that is too narrow. But it may pass a foot bridge that crosses several faces, so perhaps no path leads through the
-/// channel.
+/// shorter than the disc is wide, because no centre of a disc lies on this edge. It passes no narrow foot bridge that
+/// starts at a vertex of one of its faces and separates the edges of entry and exit. But it may cross a narrow foot
+/// bridge that starts in another face, so perhaps no path leads through the channel.
 ///
 /// The search orders the channels by an approximate length. If it finds no channel, there is no path.
 ///
@@ -77,7 +77,7 @@ class DiscChannel {
     return (passages >> (number(exit) - 3 * number(f)) & 1U) != 0;
   }
   /// Returns whether the channel can leave a face across the passage `exit`. `squared` is the squared length of this
-  /// edge. A foot bridge that separates it from the entry starts at the origin of `corner`.
+  /// edge. Only a foot bridge that starts at the origin of `corner` can separate it from the entry.
   [[nodiscard]] bool is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner) {
     if (squared > map_->surely_long && map_->bridges.foot_at(corner) == clearance::Bridges::kNone) return true;
     return squared >= map_->surely_short && decide_is_open(exit, squared, corner);

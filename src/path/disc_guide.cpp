@@ -40,7 +40,7 @@ void DiscGuide::continue_to(double length) {
   // The last terms allow for rounding.
   const double limit = length * (1.0 + 0x1p-32) + (2.0 + 0x1p-4) * radius_;
   search_.continue_to(limit);
-  labels_.end(limit);
+  labels_.set_limit(limit);
 }
 
 }  // namespace waywright::path

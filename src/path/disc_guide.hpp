@@ -12,42 +12,45 @@
 namespace waywright::path {
 
 /// Guides the search for the shortest path of a disc: a point agent searches for its shortest path from the goal back
-/// to the start, and crosses no edge that is closed for the disc (DiscMap::is_closed). The labels of this search are
-/// lower bounds for the disc, because the path of a disc is not shorter than a path of a point.
+/// to the start, and crosses no edge that is closed for the disc (DiscMap::is_closed). The label of a vertex, minus the
+/// radius, is a lower bound of the rest of a disc's path that turns around the vertex.
 ///
 /// Let P be a path of the disc that is not longer than a length l, and r the radius. Then:
 /// - The centre of the disc crosses no closed edge. So P is a path of the guide, too.
 /// - Let v be a vertex of a contact of P, and x the position of the disc when it reaches this contact. The segment from
 ///   x to v has the length r. It crosses no wall, because no wall is nearer to x than r. It crosses no closed bridge:
-///   the centre lies on one side of the bridge, and the piece of the disc beyond the bridge lies in the circle whose
+///   the centre lies left or right of the bridge, and the piece of the disc beyond the bridge lies in the circle whose
 ///   diameter is the bridge, because the bridge is shorter than the disc is wide and its ends do not lie inside the
 ///   disc. So v would lie in this circle, and a bridge has no wall there but its two ends. Therefore a path of the
 ///   guide leads from the start over x to v, and one from v over x to the goal. The sum of their lengths is at most
-///   l + 2 r. So the labels of v are useful if the guide has followed all windows whose bound is below l + 2 r, and the
-///   label of v is at most r longer than the rest of P.
+///   l + 2 r. So if the guide has followed all windows whose bound is below l + 2 r, then v has a label, and this
+///   label is at most r longer than the rest of P.
 /// - A straight line of P leads from one contact or end to the next. The segment between their vertices lies in the
-///   strip that the disc sweeps, so no wall meets it, and for the reason above no closed bridge meets it. A point of
-///   this segment has a foot on the line of P, at most r away. The segment from the point to its foot crosses no closed
-///   edge: the edge would have to end in the strip or to cross P, the segment between the vertices, or a segment from a
-///   vertex to a position of P. So a path of the guide that is not longer than l + 2 r leads through each point of the
-///   segment between the vertices, and the guide has followed a window across each edge that this segment crosses.
+///   strip that the disc sweeps, so no wall meets it, and for the reason above no closed bridge meets it. Consider a
+///   point of this segment. The nearest position on the line of P is at most r away. The segment to this position
+///   crosses no closed edge: such an edge would have to end in the strip, or to cross P, or the segment between the
+///   vertices, or a segment from a vertex to a position of P, and each of these is impossible. So a path of the guide
+///   that is not longer than l + 2 r leads through each point of the segment between the vertices, and the guide has
+///   followed a window across each edge that this segment crosses.
 ///
-/// The rules by which Optimal leaves out windows keep a shortest path to every point through which a path leads that is
-/// shorter than the limit, not only to the goal: each of them leaves out a window or a root only if another path is
-/// shorter at all its points, or as short, or if the bound of the window is not below the limit.
+/// If a path that is shorter than the limit leads through a point, Optimal keeps a shortest path to this point, not
+/// only to the goal. The reason is in its rules for leaving out windows: each of them leaves out a window or a root
+/// only if another path is shorter at all its points, or as short, or if the bound of the window is not below the
+/// limit.
 class DiscGuide {
  public:
   /// Starts the search. Requires: `ends` belongs to `map`, and no face contains both ends; `start` and `goal` are the
   /// ends in the coordinates of the world.
   void begin(const DiscMap& map, const DiscEnds& ends, const Point& start, const Point& goal);
-  /// Continues until `expansions` reaches `limit`, or until the guide has found its path, or until continue_to() has
-  /// nothing more to do. Returns whether it has ended.
+  /// Continues until `expansions` reaches `limit`, or until the guide has found its path, or, after
+  /// continue_to(), until it has followed all windows whose bound is below the new limit. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions) { return search_.step(limit, expansions); }
   /// Returns whether the guide has found a path. If it has found none, the disc has no path either.
   [[nodiscard]] bool is_found() const { return search_.is_found(0); }
   /// The length of the guide's path. Requires: is_found().
   [[nodiscard]] double length() const { return search_.length(0); }
-  /// Collects the edges that the guide's path crosses, in the faces that it leaves, from the start to the goal.
+  /// Collects the edges that the guide's path crosses, from the start to the goal. Each one is a half-edge of the face
+  /// that the path leaves.
   /// Requires: is_found().
   [[nodiscard]] std::span<const mesh::HalfEdge> collect_exits();
   /// Makes the next calls of step() find the labels for all paths of the disc that are not longer than `length`.

@@ -136,10 +136,10 @@ class DiscOptimal {
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
-  /// Returns whether the search follows no line from the contact `from` across the edge `exit`, whose ends are `edge`.
+  /// Returns whether the search follows no window of the contact `from` across the edge `exit`, whose ends are `edge`.
   /// There are four reasons: the edge is a wall; beyond the edge lies only a dead end without the goal; the guide has
-  /// not crossed the edge; the edge is too short for the disc (is_too_short()). A guide crosses no wall, and it enters
-  /// no dead end without the start and the goal.
+  /// not crossed the edge; the edge is too short for the disc (is_too_short()). A guide crosses no wall, and
+  /// it is never in a dead end that contains neither the start nor the goal.
   [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit, const Edge& edge) const {
     if (labels_ != nullptr ? !labels_->is_crossed(exit) : ends_->dead_ends().is_no_exit(mesh::face(exit), exit))
       return true;

@@ -13,8 +13,8 @@
 
 namespace waywright::path {
 
-/// What the search of a guide (DiscGuide) tells a search for the path of a disc: which vertices and which edges a path
-/// through the map may use that is not longer than a limit, and lower bounds of the way from a vertex to the goal.
+/// What the search of a guide (DiscGuide) tells a search for the path of a disc: which vertices and edges a path may
+/// use if it is not longer than a limit, and lower bounds of the length from a vertex to the goal.
 class GuideLabels {
  public:
   /// Forgets the labels of the last search. `start` is where the disc starts, relative to the origin of the map, and
@@ -29,8 +29,8 @@ class GuideLabels {
     crossed_.grow_to(std::size_t{3} * map.mesh().face_slots());
   }
 
-  /// Returns whether the guide crosses the edge: it is no wall and not closed, and more than a dead end without the
-  /// start lies beyond it.
+  /// Returns whether the guide may cross the edge: it is not closed (DiscMap::is_closed()), and it does not lead into a
+  /// dead end without the start.
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit) const;
   /// Records that a path of this length leads from the goal to the vertex.
   void see(mesh::Vertex v, double length) {
@@ -42,8 +42,8 @@ class GuideLabels {
     crossed_[number(h)] = stamp_.value();
     crossed_[number(map_->mesh().twin(h))] = stamp_.value();
   }
-  /// Records that the guide has followed all windows whose bound is below `limit`.
-  void end(double limit) { limit_ = limit; }
+  /// Sets the limit. The labels are complete when the guide has followed all windows whose bound is below it.
+  void set_limit(double limit) { limit_ = limit; }
 
   /// Returns whether the guide has followed a window across the edge.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }

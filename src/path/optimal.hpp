@@ -59,7 +59,8 @@ class Optimal {
   /// not change before start().
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// Makes the search that has begun a guide: it crosses no edge that `labels` closes, and it records in `labels` what
+  /// Makes the search that has begun a guide: it crosses only edges for which
+  /// labels.can_cross() is true, and it records in `labels` what
   /// it sees. A guide has one goal. When step() has found the shortest path, it returns true, but continue_to() can
   /// continue the search.
   void guide(GuideLabels& labels) {
@@ -69,7 +70,7 @@ class Optimal {
   /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
   void continue_to(double limit) { longest_ = end_ = limit; }
   /// Makes the search that has begun append each window that it follows to `windows`: one or more for each triangle
-  /// that it enters. Requires: the search records the faces at which it looks.
+  /// that it enters. Requires: begin() was called with `looked_at`.
   void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
   /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: the goal does not lie at
   /// a face of the start.
@@ -96,7 +97,7 @@ class Optimal {
   /// `wants_channel`, and is_found(goal).
   void write_channel(std::size_t goal, Path& path) const;
   /// Calls visit(h) for each edge that the path to the goal crosses, from the goal back to the start. `h` is a
-  /// half-edge of the face on the goal's side. Requires: as write_channel().
+  /// half-edge of the face that the path enters. Requires: as write_channel().
   template <class Visit>
   void for_each_crossing(std::size_t goal, Visit&& visit) const {
     for (std::uint32_t at = goals_[goal].trace; at != kNone; at = traces_[at].before) visit(traces_[at].entry);
@@ -193,7 +194,7 @@ class Optimal {
   void look(mesh::Face f) {
     if (looked_at_ != nullptr) looked_at_->look(f);
   }
-  /// Records that the search has entered the face, and follows the window.
+  /// Records, if the caller wants it, that the search has entered the face with this window.
   void enter(mesh::Face f, const Node& window) {
     if (is_recorded_) record(f, window);
   }
@@ -235,8 +236,8 @@ class Optimal {
   void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
   void limit_lengths();
 
-  /// Returns whether no path leaves the face `f` through its half-edge `exit`: a wall lies on it, or it leads to
-  /// no goal face.
+  /// Returns whether no path leaves the face `f` through its half-edge `exit`: the agent cannot cross it, or it
+  /// leads to no goal face.
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !can_cross(exit);
     return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));

@@ -70,7 +70,7 @@ void write_path(const detail::DiscSearch& disc, double lower_bound, Path& path) 
 /// than the radius minus the tolerance, it is nearer than the radius to each of these positions.
 bool is_surely_blocked(const constraint::ExactTriangulation& triangulation, const Point& end, double radius,
                        double tolerance, clearance::NearWalls& near_walls) {
-  // A difference above half the radius is a number for which the exact decision works.
+  // If the difference is smaller, a search for a free position is more likely to succeed, so the shortcut is not tried.
   const double difference = std::nextafter(radius - tolerance, 0.0);
   return difference > 0.5 * radius && !near_walls.has_no_nearer_wall(triangulation, end, difference);
 }

@@ -15,7 +15,7 @@
 namespace waywright {
 
 /// The positions from which the sum of the distances to two foci is at most `length`, and all positions that are at
-/// most `reach` away from them.
+/// most `reach` away from one of these positions.
 struct Ellipse {
   Point start;
   Point goal;
@@ -62,8 +62,8 @@ class EllipseBucket {
     slots_.pop_back();
   }
 
-  /// Calls visit(slot) for each ellipse that the box meets, and for a few that the box misses. Requires: whoever added
-  /// an ellipse has made its length larger by a 2^40th part. This part covers the rounding errors of the test.
+  /// Calls visit(slot) for each ellipse that the box meets, and for a few that the box misses. Requires: whoever
+  /// added an ellipse has multiplied its length by at least 1 + 2^-40. This covers the rounding errors of the test.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     const Box relative = frame_.relative(box);
@@ -72,7 +72,8 @@ class EllipseBucket {
     const auto y = static_cast<float>(middle.y);
     // For a position of the box, the sum of the distances to two foci is at most this much less than for the centre.
     const auto nearer = static_cast<float>(distance(relative.min, relative.max) + FloatFrame::kError);
-    // The lanes of several blocks at once, because the end of each loop over lanes is hard to predict.
+    // The loop collects the bits of several blocks before it visits their lanes, because the processor rarely predicts
+    // the end of a loop over the set bits.
     for (std::size_t first = 0; first < size(); first += kBits) {
       std::uint64_t inside = 0;
       std::uint64_t unsure = 0;
