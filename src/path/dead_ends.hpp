@@ -36,6 +36,10 @@ class DeadEnds {
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }
+  /// Returns whether the face lies in a dead end, and no goal face lies in its subtree.
+  [[nodiscard]] bool is_in_dead_end(mesh::Face f) const {
+    return core_ != nullptr && !core_->is_core(f) && goals_below(f) == 0;
+  }
   /// Calls visit(face) for each goal face and, if there is a core, for each face between a goal face and the core. May
   /// visit a face more than once.
   template <class Visit>

@@ -23,6 +23,7 @@ void DiscGuide::begin(const DiscMap& map, const DiscEnds& ends, const Point& sta
   mesh::Face start_faces[2];
   for (std::size_t i = 0; i < last_.size(); ++i) start_faces[i] = mesh::face(last_[i]);
   labels_.begin(map, ends.start(), std::span(start_faces, last_.size()));
+  if (is_goal_on_edge) labels_.cross(at_goal);
   const locate::LocatedKind kind = is_goal_on_edge ? locate::LocatedKind::edge : locate::LocatedKind::face;
   search_.begin(map.walls, nullptr, {goal, kind, first_}, true);
   search_.guide(labels_);

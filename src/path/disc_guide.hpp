@@ -33,6 +33,12 @@ namespace waywright::path {
 ///   that is not longer than l + 2 r leads through each point of the segment between the vertices, and the guide has
 ///   followed a window across each edge that this segment crosses.
 ///
+/// The guide enters no dead end without the start, but a vertex of P may lie there: the disc may touch it while its
+/// centre is outside of the dead end. GuideLabels::is_unknown() recognises these vertices and the edges in dead ends,
+/// and DiscOptimal uses no labels and no marks for them. For a vertex elsewhere, the proof above holds: if the segment
+/// from x to the vertex or P itself enters a dead end, it also leaves it across the same edge, and the way along this
+/// edge is not longer.
+///
 /// If a path that is shorter than the limit leads through a point, Optimal keeps a shortest path to this point, not
 /// only to the goal. The reason is in its rules for leaving out windows: each of them leaves out a window or a root
 /// only if another path is shorter at all its points, or as short, or if the bound of the window is not below the

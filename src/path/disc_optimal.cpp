@@ -223,7 +223,8 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
   const Point centre = map_->position(v);
-  if (labels_ != nullptr && !labels_->is_useful(v, centre)) return;
+  const bool has_label = labels_ != nullptr && !labels_->is_unknown(corner);
+  if (has_label && !labels_->is_useful(v, centre)) return;
   Reached& reached = reached_at(v, turn);
   for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].before) {
     if (noted_[i].root == root && is_same_chain(noted_[i].then, then)) return;
@@ -233,7 +234,7 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({centre, turn}, line.direction, map_->radius);
   double rest = distance(touching, ends_->goal());
-  if (labels_ != nullptr) rest = std::max(rest, labels_->least_length(v, centre) - map_->radius);
+  if (has_label) rest = std::max(rest, labels_->least_length(v, centre) - map_->radius);
   const double least = length + rest;
   if (least > limit_) return;
   turn_nodes_.push_back({corner, root, v, turn, line, length, then});
@@ -311,13 +312,15 @@ double DiscOptimal::bound(const Window& window, const Edge& edge) const {
 double DiscOptimal::bound_of_guide(const Window& window, const Edge& edge) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
-  const double left_rest = labels_->least_length(mesh.origin(window.entry), edge.left);
-  const double right_rest = labels_->least_length(mesh.target(window.entry), edge.right);
-  const double by_edge =
-      std::max(distance(root.position, edge.left) + right_rest, distance(root.position, edge.right) + left_rest) -
-      distance(edge.left, edge.right) - 2.0 * map_->radius;
-  if (root.end.vertex == mesh::kNoVertex) return by_edge;
-  return std::max(by_edge, labels_->least_length(root.end.vertex, root.end.contact.centre) - map_->radius);
+  double rest = 0.0;
+  if (!labels_->is_unknown(window.entry)) {
+    const double left_rest = labels_->least_length(mesh.origin(window.entry), edge.left);
+    const double right_rest = labels_->least_length(mesh.target(window.entry), edge.right);
+    rest = std::max(distance(root.position, edge.left) + right_rest, distance(root.position, edge.right) + left_rest) -
+           distance(edge.left, edge.right) - 2.0 * map_->radius;
+  }
+  if (root.end.vertex == mesh::kNoVertex || labels_->is_unknown(root.corner)) return rest;
+  return std::max(rest, labels_->least_length(root.end.vertex, root.end.contact.centre) - map_->radius);
 }
 
 // Copies the node: new nodes may move the memory of `turn_nodes_`.

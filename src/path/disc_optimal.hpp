@@ -137,12 +137,11 @@ class DiscOptimal {
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
   /// Returns whether the search follows no window of the contact `from` across the edge `exit`, whose ends are `edge`.
-  /// There are four reasons: the edge is a wall; beyond the edge lies only a dead end without the goal; the guide has
-  /// not crossed the edge; the edge is too short for the disc (is_too_short()). A guide crosses no wall, and
-  /// it is never in a dead end that contains neither the start nor the goal.
+  /// There are four reasons: the edge is a wall; beyond the edge lies only a dead end without the goal; the guide
+  /// could have crossed the edge and has not; the edge is too short for the disc (is_too_short()).
   [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit, const Edge& edge) const {
-    if (labels_ != nullptr ? !labels_->is_crossed(exit) : ends_->dead_ends().is_no_exit(mesh::face(exit), exit))
-      return true;
+    if (labels_ != nullptr && !labels_->is_crossed(exit) && !labels_->is_unknown(exit)) return true;
+    if (ends_->dead_ends().is_no_exit(mesh::face(exit), exit)) return true;
     const double squared = squared_length(edge.left - edge.right);
     return squared <= map_->surely_long && is_too_short(from, exit, edge, squared);
   }

@@ -47,6 +47,11 @@ class GuideLabels {
 
   /// Returns whether the guide has followed a window across the edge.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }
+  /// Returns whether one of the two faces of the edge lies in a dead end into which the guide does not look. Then the
+  /// labels and marks say nothing about the edge, or about a contact at one of its ends that is reached there.
+  [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
+    return dead_ends_.is_in_dead_end(mesh::face(h)) || dead_ends_.is_in_dead_end(mesh::face(map_->mesh().twin(h)));
+  }
   /// Returns whether a path of the guide that is shorter than the limit may lead through the vertex, whose position is
   /// `at`.
   [[nodiscard]] bool is_useful(mesh::Vertex v, const Point& at) const {

@@ -28,7 +28,7 @@ bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::Ha
 }
 
 /// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` without crossing a
-/// wall, a closed edge or an edge to a dead end. Requires: both are passages and start at a vertex that has walls.
+/// wall or a closed edge. Requires: both are passages and start at a vertex that has walls.
 bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
   for (mesh::HalfEdge at = g; can_cross(at); at = mesh_->next_around(at)) {
     if (at == h) return true;
@@ -113,10 +113,13 @@ double Optimal::bound_of_bundle(const Node& window, const Point& left, const Poi
   return root.length + distance(root.point, q);
 }
 
-/// Records that a guide has crossed the edge of the window. Or records that the search has looked at the face and, if
-/// the query wants the windows, records the windows.
+/// Records that a guide has crossed the edge of the window, if the face `f` lies beyond this edge. Or records that the
+/// search has looked at the face and, if the query wants the windows, records the windows.
 void Optimal::record(mesh::Face f, const Node& window) {
-  if (labels_ != nullptr) return labels_->cross(window.entry);
+  if (labels_ != nullptr) {
+    if (f == mesh::face(window.entry)) labels_->cross(window.entry);
+    return;
+  }
   looked_at_->look(f);
   if (windows_ == nullptr) return;
   const bool turns_right = window.left_root < window.right_root;

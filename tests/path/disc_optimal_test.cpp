@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "clearance/near_walls.hpp"
+#include "nav/two_core.hpp"
 #include "path/disc_guide.hpp"
 #include "support/case_count.hpp"
 #include "support/disc_oracle.hpp"
@@ -32,7 +33,9 @@ class Map {
     }
     operation.commit();
     bridges_.emplace(walls_);
+    core_.emplace(walls_);
   }
+  [[nodiscard]] const constraint::ExactTriangulation& walls() const { return walls_; }
 
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
     const path::DiscMap map(walls_, *bridges_, radius, start);
@@ -41,7 +44,11 @@ class Map {
     std::size_t expansions = 0;
     EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;
-    if (!ends_.have_common_face()) check_with_guide(map, start, goal);
+    if (!ends_.have_common_face()) {
+      const path::DiscMap with_core(walls_, *bridges_, radius, start, &*core_);
+      check_with_guide(with_core, start, goal);
+      check_with_guide(map, start, goal);
+    }
     std::vector<path::DiscPiece> pieces;
     search_.write_path(pieces);
     std::vector<disc::Piece> result;
@@ -64,11 +71,17 @@ class Map {
   void check_with_guide(const path::DiscMap& map, const Point& start, const Point& goal) {
     const double length = search_.length();
     std::size_t expansions = 0;
+    ends_.begin(map, start, goal);
     guide_.begin(map, ends_, start, goal);
     ASSERT_TRUE(guide_.step(200000, expansions));
     ASSERT_TRUE(guide_.is_found());
     guide_.continue_to(length);
     ASSERT_TRUE(guide_.step(200000, expansions));
+    const mesh::TriangleMesh& mesh = map.mesh();
+    for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
+      const mesh::HalfEdge h{i};
+      if (mesh.is_live(mesh::face(h)) && mesh.is_fixed(h)) ASSERT_FALSE(guide_.labels().is_crossed(h));
+    }
     search_.begin(map, ends_, length, &guide_.labels());
     ASSERT_TRUE(search_.step(200000, expansions));
     ASSERT_TRUE(search_.is_found());
@@ -77,6 +90,7 @@ class Map {
 
   constraint::ExactTriangulation walls_;
   std::optional<clearance::Bridges> bridges_;
+  std::optional<nav::TwoCore> core_;
   path::DiscEnds ends_;
   path::DiscGuide guide_;
   path::DiscOptimal search_;
@@ -231,6 +245,47 @@ TEST(DiscPaths, AreFoundForTinyRadii) {
     Map map(scene);
     ASSERT_TRUE(map.find({20, 50}, {80, 50}, radius).has_value()) << radius;
     ASSERT_NEAR(map.length(), 2 * std::sqrt(1000.0), 1e-7) << radius;
+  }
+}
+
+// The disc turns around a vertex in a niche, but its centre stays outside of the niche, which is a dead end. The guide
+// once did not look into dead ends.
+TEST(DiscPaths, TurnAroundAVertexInADeadEnd) {
+  check_scene(scene_of("niche", {{0, 0}, {20, 12}},
+                       {{{0, 4.0625}, {7.25, 4.0625}},
+                        {{11.5, 4.0625}, {20, 4.0625}},
+                        {{7.25, 4.0625}, {7.25, 6}},
+                        {{11.5, 4.0625}, {11.5, 6}},
+                        {{7.25, 6}, {11.5, 6}},
+                        {{9.375, 6}, {8.9235622882843018, 4.3883111476898193}},
+                        {{1.5, 0.5}, {1.6, 0.9}},
+                        {{18.5, 0.5}, {18.4, 0.9}},
+                        {{3.152879194641113, 1.9770869140625}, {3.704879194641113, 2.6070869140625}}},
+                       {2.3775720024108886, 1.9597089355468746}, {9.9432754295349124, 3.9819924095153807},
+                       0.66650390625));
+}
+
+// If the goal lies on an edge of the mesh, the guide starts in both faces of this edge. It once did not mark the edge.
+TEST(DiscPaths, AreFoundToGoalsOnEdges) {
+  Random random(8);
+  for (std::uint64_t i = 0; i < (case_count() + 1) / 2; ++i) {
+    NamedScene scene = disc::random_scene(random, i % 2 == 0 ? disc::SceneKind::lattice : disc::SceneKind::cells);
+    const disc::Walls walls = walls_of(scene);
+    Map map(scene);
+    const mesh::TriangleMesh& mesh = map.walls().topology();
+    const auto position_of = [&](mesh::Vertex v) { return map.walls().triangulation().geometry().rounded(number(v)); };
+    for (std::uint32_t j = 0; j < 3 * mesh.face_slots(); j += 1 + static_cast<std::uint32_t>(random.below(8))) {
+      const mesh::HalfEdge h{j};
+      if (!map.walls().triangulation().is_in_domain(mesh::face(h)) || mesh.is_fixed(h)) continue;
+      const Point goal = 0.5 * (position_of(mesh.origin(h)) + position_of(mesh.target(h)));
+      for (const double radius : {scene.radii[0], scene.radii[1]}) {
+        const Point& start = scene.queries[0].first;
+        if (!disc::is_free(walls, start, radius) || !disc::is_free(walls, goal, radius)) continue;
+        SCOPED_TRACE("scene " + std::to_string(i) + ", edge " + std::to_string(j));
+        static_cast<void>(map.find(start, goal, radius));  // compares the search with a guide and without it
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
   }
 }
 
