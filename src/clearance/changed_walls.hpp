@@ -51,7 +51,9 @@ class ChangedWalls {
     if (boxes_.size() <= kFew) return boxes_;
     const auto is_left = [](const Box& box, double x) { return box.min.x < x; };
     const auto first = std::lower_bound(boxes_.begin(), boxes_.end(), low - 1.01 * widest_, is_left);
-    return {first, std::lower_bound(first, boxes_.end(), high, is_left)};
+    const auto last = std::lower_bound(first, boxes_.end(), high, is_left);
+    return std::span(boxes_).subspan(static_cast<std::size_t>(first - boxes_.begin()),
+                                     static_cast<std::size_t>(last - first));
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, boxes_); }
