@@ -81,6 +81,7 @@ void Clearance::begin() {
 
 void Clearance::note_changed(const Triangulation& world, ItemId id) {
   changed_.push_back(id);
+  if (changed_walls_.are_all()) return;
   const constraint::ItemTable& items = world.items();
   const exact::Geometry& geometry = world.triangulation().geometry();
   std::optional<Box> box;

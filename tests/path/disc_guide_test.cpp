@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "support/disc_oracle.hpp"
 #include "support/disc_scenes.hpp"
 #include "support/oracle_adapter.hpp"
+#include "support/wall_mesh.hpp"
 
 namespace waywright::test {
 namespace {
@@ -22,26 +22,6 @@ namespace {
 using disc::NamedScene;
 
 constexpr std::size_t kAllExpansions = std::numeric_limits<std::size_t>::max();
-
-/// The triangulation of the walls of a scene, and its bridges.
-class Map {
- public:
-  explicit Map(const NamedScene& scene) : walls_(scene.domain) {
-    constraint::ExactTriangulation::UndoGuard operation(walls_);
-    std::uint64_t id = 0;
-    for (const auto& [a, b] : scene.walls.segments) {
-      if (!(a == b)) walls_.insert(Shape::segment(a, b), ItemId{++id});
-    }
-    operation.commit();
-    bridges_.emplace(walls_);
-  }
-  [[nodiscard]] const constraint::ExactTriangulation& walls() const { return walls_; }
-  [[nodiscard]] const clearance::Bridges& bridges() const { return *bridges_; }
-
- private:
-  constraint::ExactTriangulation walls_;
-  std::optional<clearance::Bridges> bridges_;
-};
 
 /// Returns the scene as an input of the oracle for shortest paths. It also contains a wall for each bridge between two
 /// ends of walls that is too narrow for the disc.
@@ -89,16 +69,15 @@ std::vector<Touch> touches_of(const NamedScene& scene, const disc::Connectivity&
 }
 
 /// Returns the vertex of the mesh at a point.
-mesh::Vertex vertex_at(const Map& map, const Point& at) {
-  const exact::Geometry& geometry = map.walls().triangulation().geometry();
+mesh::Vertex vertex_at(const WallMesh& map, const Point& at) {
   std::uint32_t i = 0;
-  while (!(geometry.rounded(i) == at)) ++i;
+  while (!(map.position(mesh::Vertex{i}) == at)) ++i;
   return mesh::Vertex{i};
 }
 
 /// Compares the labels of a guide with shortest paths of points among the walls and the closed bridges.
-void check_labels(const NamedScene& scene, const disc::Connectivity& connectivity, const Map& map, const Point& start,
-                  const Point& goal, double radius, Random& random) {
+void check_labels(const NamedScene& scene, const disc::Connectivity& connectivity, const WallMesh& map,
+                  const Point& start, const Point& goal, double radius, Random& random) {
   if (!connectivity.is_free(start, radius) || !connectivity.is_free(goal, radius)) return;
   const path::DiscMap disc_map(map.walls(), map.bridges(), radius, start);
   path::DiscEnds ends;
@@ -149,7 +128,7 @@ TEST_P(GuideLabels, AreTheShortestPathsOfPoints) {
   for (std::uint64_t i = 0; i < (case_count() + 19) / 20; ++i) {
     const NamedScene scene = disc::random_scene(random, GetParam());
     const disc::Connectivity connectivity(walls_of(scene));
-    const Map map(scene);
+    const WallMesh map(scene);
     for (const auto& [start, goal] : scene.queries) {
       for (const double radius : scene.radii) {
         SCOPED_TRACE("scene " + std::to_string(i) + ", " + to_string(start) + " to " + to_string(goal) + ", radius " +

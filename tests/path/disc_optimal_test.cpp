@@ -11,41 +11,32 @@
 #include <gtest/gtest.h>
 
 #include "clearance/near_walls.hpp"
-#include "nav/two_core.hpp"
 #include "path/disc_guide.hpp"
 #include "support/case_count.hpp"
 #include "support/disc_oracle.hpp"
 #include "support/disc_scenes.hpp"
+#include "support/wall_mesh.hpp"
 
 namespace waywright::test {
 namespace {
 
 using disc::NamedScene;
 
-/// A mesh of the walls of a scene, with its bridges and a search.
+/// A mesh of the walls of a scene, and a search.
 class Map {
  public:
-  explicit Map(const NamedScene& scene) : walls_(scene.domain) {
-    constraint::ExactTriangulation::UndoGuard operation(walls_);
-    std::uint64_t id = 0;
-    for (const auto& [a, b] : scene.walls.segments) {
-      if (!(a == b)) walls_.insert(Shape::segment(a, b), ItemId{++id});
-    }
-    operation.commit();
-    bridges_.emplace(walls_);
-    core_.emplace(walls_);
-  }
-  [[nodiscard]] const constraint::ExactTriangulation& walls() const { return walls_; }
+  explicit Map(const NamedScene& scene) : mesh_(scene) {}
+  [[nodiscard]] const WallMesh& mesh() const { return mesh_; }
 
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
-    const path::DiscMap map(walls_, *bridges_, radius, start);
+    const path::DiscMap map(mesh_.walls(), mesh_.bridges(), radius, start);
     ends_.begin(map, start, goal);
     search_.begin(map, ends_, std::numeric_limits<double>::infinity(), nullptr);
     std::size_t expansions = 0;
     EXPECT_TRUE(search_.step(200000, expansions));
     if (!search_.is_found()) return std::nullopt;
     if (!ends_.have_common_face()) {
-      const path::DiscMap with_core(walls_, *bridges_, radius, start, &*core_);
+      const path::DiscMap with_core(mesh_.walls(), mesh_.bridges(), radius, start, &mesh_.core());
       check_with_guide(with_core, start, goal);
       check_with_guide(map, start, goal);
     }
@@ -89,9 +80,7 @@ class Map {
     ASSERT_NEAR(search_.length(), length, 1e-12 * length);
   }
 
-  constraint::ExactTriangulation walls_;
-  std::optional<clearance::Bridges> bridges_;
-  std::optional<nav::TwoCore> core_;
+  WallMesh mesh_;
   path::DiscEnds ends_;
   path::DiscGuide guide_;
   path::DiscOptimal search_;
@@ -273,12 +262,12 @@ TEST(DiscPaths, AreFoundToGoalsOnEdges) {
     NamedScene scene = disc::random_scene(random, i % 2 == 0 ? disc::SceneKind::lattice : disc::SceneKind::cells);
     const disc::Walls walls = walls_of(scene);
     Map map(scene);
-    const mesh::TriangleMesh& mesh = map.walls().topology();
-    const auto position_of = [&](mesh::Vertex v) { return map.walls().triangulation().geometry().rounded(number(v)); };
+    const constraint::ExactTriangulation& triangulation = map.mesh().walls();
+    const mesh::TriangleMesh& mesh = triangulation.topology();
     for (std::uint32_t j = 0; j < 3 * mesh.face_slots(); j += 1 + static_cast<std::uint32_t>(random.below(8))) {
       const mesh::HalfEdge h{j};
-      if (!map.walls().triangulation().is_in_domain(mesh::face(h)) || mesh.is_fixed(h)) continue;
-      const Point goal = 0.5 * (position_of(mesh.origin(h)) + position_of(mesh.target(h)));
+      if (!triangulation.triangulation().is_in_domain(mesh::face(h)) || mesh.is_fixed(h)) continue;
+      const Point goal = 0.5 * (map.mesh().position(mesh.origin(h)) + map.mesh().position(mesh.target(h)));
       for (const double radius : {scene.radii[0], scene.radii[1]}) {
         const Point& start = scene.queries[0].first;
         if (!disc::is_free(walls, start, radius) || !disc::is_free(walls, goal, radius)) continue;
