@@ -29,17 +29,11 @@ class Map {
   [[nodiscard]] const WallMesh& mesh() const { return mesh_; }
 
   [[nodiscard]] std::optional<std::vector<disc::Piece>> find(const Point& start, const Point& goal, double radius) {
+    const path::DiscMap with_core(mesh_.walls(), mesh_.bridges(), radius, start, &mesh_.core());
+    if (search(with_core, start, goal) && !ends_.have_common_face()) check_with_guide(with_core, start, goal);
     const path::DiscMap map(mesh_.walls(), mesh_.bridges(), radius, start);
-    ends_.begin(map, start, goal);
-    search_.begin(map, ends_, std::numeric_limits<double>::infinity(), nullptr);
-    std::size_t expansions = 0;
-    EXPECT_TRUE(search_.step(200000, expansions));
-    if (!search_.is_found()) return std::nullopt;
-    if (!ends_.have_common_face()) {
-      const path::DiscMap with_core(mesh_.walls(), mesh_.bridges(), radius, start, &mesh_.core());
-      check_with_guide(with_core, start, goal);
-      check_with_guide(map, start, goal);
-    }
+    if (!search(map, start, goal)) return std::nullopt;
+    if (!ends_.have_common_face()) check_with_guide(map, start, goal);
     std::vector<path::DiscPiece> pieces;
     search_.write_path(pieces);
     std::vector<disc::Piece> result;
@@ -58,11 +52,18 @@ class Map {
   [[nodiscard]] double length() const { return search_.length(); }
 
  private:
-  /// Searches again with a guide that follows no window beyond the length of the shortest path.
+  /// Searches without a guide. Returns whether there is a path.
+  bool search(const path::DiscMap& map, const Point& start, const Point& goal) {
+    ends_.begin(map, start, goal);
+    search_.begin(map, ends_, std::numeric_limits<double>::infinity(), nullptr);
+    std::size_t expansions = 0;
+    EXPECT_TRUE(search_.step(200000, expansions));
+    return search_.is_found();
+  }
+  /// Repeats the last search with a guide that follows no window beyond the length of the shortest path.
   void check_with_guide(const path::DiscMap& map, const Point& start, const Point& goal) {
     const double length = search_.length();
     std::size_t expansions = 0;
-    ends_.begin(map, start, goal);
     guide_.begin(map, ends_, start, goal);
     ASSERT_TRUE(guide_.step(200000, expansions));
     ASSERT_TRUE(guide_.is_found());
