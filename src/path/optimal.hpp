@@ -59,9 +59,9 @@ class Optimal {
   /// not change before start().
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// Makes the search that has begun a guide: it crosses only edges for which labels.can_cross() is true, and it records
-  /// in `labels` what it sees. A guide has one goal. When step() has found the shortest path, it returns true, but
-  /// continue_to() can continue the search.
+  /// Makes the search that has begun a guide: it crosses only edges for which labels.can_cross() is true, and it
+  /// records in `labels` what it sees. A guide has one goal. When step() has found the shortest path, it returns true,
+  /// but continue_to() can continue the search.
   void guide(GuideLabels& labels) {
     labels_ = &labels;
     is_recorded_ = true;
