@@ -328,10 +328,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   ++expansions_;
   const TurnNode node = turn_nodes_[index];
   const Root& from = roots_[node.root];
-  if (is_beyond(from.limit, from.end.contact, from.direction, node.line.direction)) {
-    if (node.then != kNone || node.vertex == mesh::kNoVertex) push_limit(index);
-    return;
-  }
+  if (is_beyond(from.limit, from.end.contact, from.direction, node.line.direction)) return push_limit(index);
   if (node.vertex == mesh::kNoVertex) return try_goal(index);
   Reached& reached = reached_at(node.vertex, node.turn);
   if (const std::uint32_t failed = failed_line(node, reached.failed); failed != kNone) {
@@ -384,7 +381,9 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
   }
 }
 
-/// Adds a turn node for the vertex that limits the turn around the root of a line.
+/// Adds a turn node for the vertex that limits the turn around the root of a line. After the turn around that vertex,
+/// the path continues to the end of the line. This is necessary also if a window has suggested the line: the windows of
+/// the other vertex need not find the end of the line.
 void DiscOptimal::push_limit(std::uint32_t index) {
   const Root& root = roots_[turn_nodes_[index].root];
   const HalfEdge corner = root.limit.limit;

@@ -280,6 +280,56 @@ TEST(DiscPaths, AreFoundToGoalsOnEdges) {
   }
 }
 
+/// A cave with a path that turns left at (54, 37.5), left at (53, 37.5) and right at (50.5, 40). From (54, 37.5), the
+/// path cannot turn far enough for the line to (50.5, 40): the wall to (53, 37.5) limits this turn. From (53, 37.5),
+/// the windows of the search do not find (50.5, 40).
+NamedScene cave() {
+  return scene_of("cave", {{25, 13}, {79, 47}},
+                  {{{28, 33}, {31, 26}},
+                   {{31, 26}, {34, 30}},
+                   {{36, 29}, {37, 30}},
+                   {{39, 29}, {40, 32}},
+                   {{40, 32}, {43, 28}},
+                   {{45, 28}, {48, 28}},
+                   {{49, 29}, {50, 34}},
+                   {{50, 34}, {53, 33}},
+                   {{54, 35}, {57, 30.5}},
+                   {{59.5, 31}, {63, 31}},
+                   {{65, 33}, {65.5, 25}},
+                   {{67.75, 28}, {70, 30}},
+                   {{70, 30}, {73, 29}},
+                   {{73, 29}, {75.5, 34}},
+                   {{46, 42}, {49, 47}},
+                   {{48.5, 47}, {50.5, 40}},
+                   {{54, 37.5}, {53, 37.5}}},
+                  {63, 29}, {45, 43}, 1.3);
+}
+
+// If a limit of the turn prevented a line that a window had suggested, the search once did not try the vertex that
+// limits the turn, and its path was too long.
+TEST(DiscPaths, ContinueAtTheLimitOfATurn) { check_scene(cave()); }
+
+TEST(DiscPaths, AreFoundInCaves) {
+  Random random(9);
+  for (std::uint64_t i = 0; i < (case_count() + 1) / 2; ++i) {
+    NamedScene scene = cave();
+    const auto shift = [&] { return static_cast<double>(random.between(-8, 8)) / 8.0; };
+    const auto move = [&](Point& position) {
+      position.x = std::clamp(position.x + shift(), scene.domain.min.x, scene.domain.max.x);
+      position.y = std::clamp(position.y + shift(), scene.domain.min.y, scene.domain.max.y);
+    };
+    for (auto& [from, to] : scene.walls.segments) {
+      if (random.below(3) == 0) move(from);
+      if (random.below(3) == 0) move(to);
+    }
+    scene.radii = {1.3, 1.0 + static_cast<double>(random.below(1000)) / 2000.0, 0.7, 1.0};
+    move(scene.queries[0].first);
+    move(scene.queries[0].second);
+    check_scene(scene);
+    if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
+  }
+}
+
 class RandomWalls : public testing::TestWithParam<disc::SceneKind> {};
 
 TEST_P(RandomWalls, HaveTheShortestPathsOfDiscs) {
