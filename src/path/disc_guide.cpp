@@ -4,12 +4,6 @@ namespace waywright::path {
 
 using mesh::HalfEdge;
 
-bool GuideLabels::can_cross(HalfEdge exit) const {
-  if (dead_ends_.is_no_exit(mesh::face(exit), exit)) return false;
-  const Point edge = map_->position(map_->mesh().target(exit)) - map_->position(map_->mesh().origin(exit));
-  return !map_->is_closed(exit, squared_length(edge));
-}
-
 void DiscGuide::begin(const DiscMap& map, const DiscEnds& ends, const Point& start, const Point& goal) {
   const mesh::TriangleMesh& mesh = map.mesh();
   const HalfEdge at_goal = ends.goal_face();

@@ -70,6 +70,7 @@ class DiscMap {
     const exact::Geometry& geometry = walls.triangulation().geometry();
     const Point& from = geometry.rounded(number(mesh().origin(h)));
     const Point& to = geometry.rounded(number(mesh().target(h)));
+    if (squared_length(to - from) > surely_long) return false;
     return exact::compare_to_diameter({from, to, to}, exact_radius) < 0;
   }
 

@@ -31,7 +31,9 @@ class GuideLabels {
 
   /// Returns whether the guide may cross the edge: it is not closed (DiscMap::is_closed()), and it does not lead into a
   /// dead end without the start.
-  [[nodiscard]] bool can_cross(mesh::HalfEdge exit) const;
+  [[nodiscard]] bool can_cross(mesh::HalfEdge exit) const {
+    return !dead_ends_.is_no_exit(mesh::face(exit), exit) && !map_->is_closed(exit);
+  }
   /// Records that a path of this length leads from the goal to the vertex.
   void see(mesh::Vertex v, double length) {
     Length& known = lengths_[number(v)];

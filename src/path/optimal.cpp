@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/compiler.hpp"
 #include "nav/point_agent.hpp"
 #include "path/distance.hpp"
 #include "path/optimal_cone.hpp"
@@ -24,7 +25,6 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   start_ = start;
   labels_ = nullptr;
   looked_at_ = looked_at;
-  is_recorded_ = looked_at != nullptr;
   windows_ = nullptr;
   core_ = abstraction == nullptr ? nullptr : &abstraction->core();
   components_ = abstraction == nullptr ? nullptr : &abstraction->components();
@@ -189,15 +189,23 @@ void Optimal::follow(Node node) {
   }
 }
 
+// Not inline: few calls come here, but most functions of the search contain one.
+bool Optimal::can_guide_cross(mesh::HalfEdge h) const { return labels_->can_cross(h); }
+
 //        apex            The window has entered the face across `entry`, from below. Seen by the window, the left end
 //       /    \           of `entry` is its origin. If the apex lies outside the cone, the window continues across one
 //   origin - target      edge. If the apex lies inside the cone, it divides the window.
-void Optimal::follow_window(Node window) {
+template <bool kIsGuide>
+void Optimal::follow_window_as(Node window) {
   Cone cone(*this, window);
   for (int faces = 1;; ++faces) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
-    enter(f, window);
+    if constexpr (kIsGuide) {
+      labels_->cross(window.entry);
+    } else {
+      enter(f, window);
+    }
     if (may_have_goals(f)) reach_goals(window, cone);
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View position = geometry_->view(number(apex));
@@ -216,16 +224,16 @@ void Optimal::follow_window(Node window) {
       if (right == Sign::zero) narrow_right(window, cone, apex, window.right_root);
     } else {
       exit = mesh::next(window.entry);
-      if (is_excluded(f, exit)) {
+      if (is_excluded<kIsGuide>(f, exit)) {
         exit = mesh::previous(window.entry);
         narrow_right(window, cone, apex, root_that_sees(window, position));
-      } else if (is_excluded(f, mesh::previous(window.entry))) {
+      } else if (is_excluded<kIsGuide>(f, mesh::previous(window.entry))) {
         narrow_left(window, cone, apex, root_that_sees(window, position));
       } else {
         return divide(window, cone, apex);
       }
     }
-    if (is_excluded(f, exit)) return;
+    if (is_excluded<kIsGuide>(f, exit)) return;
     window.entry = mesh_->twin(exit);
     window.trace = traced(window.entry, window.trace);
     if (faces % kFacesBetweenBounds != 0) continue;
@@ -235,6 +243,7 @@ void Optimal::follow_window(Node window) {
   }
 }
 
+WAYWRIGHT_ALWAYS_INLINE
 void Optimal::narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
   see(apex, root);
   window.left_root = root;
@@ -242,6 +251,7 @@ void Optimal::narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint
   cone.set_left(Cone::bound(*this, root, apex));
 }
 
+WAYWRIGHT_ALWAYS_INLINE
 void Optimal::narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
   see(apex, root);
   window.right_root = root;

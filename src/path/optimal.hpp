@@ -62,10 +62,7 @@ class Optimal {
   /// Makes the search that has begun a guide: it crosses only edges for which labels.can_cross() is true, and it
   /// records in `labels` what it sees. A guide has one goal. When step() has found the shortest path, it returns true,
   /// but continue_to() can continue the search.
-  void guide(GuideLabels& labels) {
-    labels_ = &labels;
-    is_recorded_ = true;
-  }
+  void guide(GuideLabels& labels) { labels_ = &labels; }
   /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
   void continue_to(double limit) { longest_ = end_ = limit; }
   /// Makes the search that has begun append each window that it follows to `windows`: one or more for each triangle
@@ -193,9 +190,9 @@ class Optimal {
   void look(mesh::Face f) {
     if (looked_at_ != nullptr) looked_at_->look(f);
   }
-  /// Records, if the caller wants it, that the search has entered the face with this window.
+  /// Records, if the caller wants it, that the search has entered the face with this window. A guide records nothing.
   void enter(mesh::Face f, const Node& window) {
-    if (is_recorded_) record(f, window);
+    if (looked_at_ != nullptr) record(f, window);
   }
   /// Tells the labels of a guide that the root sees the vertex.
   void see(mesh::Vertex v, std::uint32_t root) const {
@@ -203,7 +200,11 @@ class Optimal {
   }
   void record(mesh::Face f, const Node& window);
   void follow(Node node);
-  void follow_window(Node window);
+  void follow_window(const Node& window) {
+    return labels_ == nullptr ? follow_window_as<false>(window) : follow_window_as<true>(window);
+  }
+  template <bool kIsGuide>
+  void follow_window_as(Node window);
   void narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const;
   void narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const;
   void divide(const Node& window, const Cone& cone, mesh::Vertex apex);
@@ -236,16 +237,21 @@ class Optimal {
   void limit_lengths();
 
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: the agent cannot cross it, or it
-  /// leads to no goal face.
+  /// leads to no goal face. A guide has no core, so it asks its labels.
+  template <bool kIsGuide>
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
-    if (core_ == nullptr) return !can_cross(exit);
+    if constexpr (kIsGuide) return !labels_->can_cross(exit);
+    if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
-  [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const { return is_excluded(mesh::face(exit), exit); }
-  /// Returns whether the agent can cross an edge. A guide has no core, so the search asks for each edge.
-  [[nodiscard]] bool can_cross(mesh::HalfEdge h) const {
-    return labels_ == nullptr ? nav::PointAgent::can_cross(*mesh_, h) : labels_->can_cross(h);
+  [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const {
+    return labels_ == nullptr ? is_excluded<false>(mesh::face(exit), exit) : !can_guide_cross(exit);
   }
+  /// Returns whether the agent can cross an edge.
+  [[nodiscard]] bool can_cross(mesh::HalfEdge h) const {
+    return labels_ == nullptr ? nav::PointAgent::can_cross(*mesh_, h) : can_guide_cross(h);
+  }
+  [[nodiscard]] bool can_guide_cross(mesh::HalfEdge h) const;
   [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const;
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
     const GoalsBelow& below = goals_below_[number(f)];
@@ -267,7 +273,6 @@ class Optimal {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
-  bool is_recorded_ = false;                      ///< whether `labels_` or `looked_at_` is not null
   GuideLabels* labels_ = nullptr;                 ///< of a guide; otherwise null
   LookedAt* looked_at_ = nullptr;                 ///< or null
   std::vector<SearchWindow>* windows_ = nullptr;  ///< or null; null if `looked_at_` is null

@@ -113,13 +113,8 @@ double Optimal::bound_of_bundle(const Node& window, const Point& left, const Poi
   return root.length + distance(root.point, q);
 }
 
-/// Records that a guide has crossed the edge of the window, if the face `f` lies beyond this edge. Or records that the
-/// search has looked at the face and, if the query wants the windows, records the windows.
+/// Records that the search has looked at the face and, if the query wants the windows, records the windows.
 void Optimal::record(mesh::Face f, const Node& window) {
-  if (labels_ != nullptr) {
-    if (f == mesh::face(window.entry)) labels_->cross(window.entry);
-    return;
-  }
   looked_at_->look(f);
   if (windows_ == nullptr) return;
   const bool turns_right = window.left_root < window.right_root;
