@@ -14,8 +14,8 @@ namespace waywright {
 
 /// A bridge: the straight connection between two pieces of wall at the gap between them. The closed disc whose diameter
 /// is the bridge touches walls only at the two ends of the bridge. A disc that passes between the two pieces of wall
-/// crosses the bridge, so the bridges decide which discs can move from one position to another. An element of
-/// BridgeList.
+/// crosses the bridge, so the bridges decide which discs can move from one position to another. World::bridges returns
+/// bridges in a BridgeList.
 ///
 /// A bridge starts at a corner of an item, or of the domain. It ends at another corner, or at a *foot*: a position
 /// strictly inside a wall, where the bridge meets the wall at a right angle.

@@ -86,7 +86,7 @@ struct ErrorWords {
   PointName point_name;  ///< the name of the refused point, if the error is about a point
   Point point;
   Box domain;
-  std::uint64_t limit = 0;  ///< the limit that the operation would have passed, if the error is about a limit
+  std::uint64_t limit = 0;  ///< the limit that the operation would have exceeded, if the error is about a limit
 };
 
 }  // namespace detail

@@ -14,7 +14,7 @@ namespace waywright {
 
 /// A copy of the mesh of a world, in the canonical order of World::dump. World::snapshot fills it.
 ///
-/// - Vertices are sorted by (x, y).
+/// - The vertices are in (x, y) order: they are sorted by x and, for equal x, by y.
 /// - Each triangle is counter-clockwise and starts with its smallest index. The triangles are sorted by their indices.
 /// - Each edge has its smaller index first. The edges are sorted by their indices.
 /// - Ids ascend.

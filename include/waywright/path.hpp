@@ -216,15 +216,16 @@ struct WAYWRIGHT_API Path {
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
-  /// straight lines that the search took from its open list. The search for a first channel counts only the triangles
-  /// at which it had a choice or paused.
+  /// straight lines that the search took from its open list. PathAlgorithm::tra and the search for a first channel of a
+  /// disc count only the triangles at which they had a choice or paused.
   std::size_t expansions = 0;
-  /// The time that the search took. 0 if PathQuery::wants_time is false.
+  /// The time that the search took. It is 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
-  /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0: all items that stop the
-  /// disc there, see DiscFit::items. The list is empty unless the status is start_blocked or goal_blocked.
+  /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0, the list contains all items
+  /// that stop the disc there: see DiscFit::items. The list is empty unless the status is start_blocked or
+  /// goal_blocked.
   std::vector<ItemId> blockers;
   /// The radius of the largest disc that can move from start to goal, and the gap that stops every larger disc. The
   /// search sets this member if the query has a radius above 0, the status is no_path, and a smaller disc can move from

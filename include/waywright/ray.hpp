@@ -37,7 +37,7 @@ struct RayHit {
   /// a side whose distance from `at` is at most the radius. The null id is the border of the domain.
   std::vector<ItemId> items;
   /// The touched position: of all positions on the touched walls, the one nearest to `at`, up to rounding errors. If
-  /// several positions are equally near: the first of them in (x, y) order. For a segment, it equals `at`.
+  /// several positions are equally near, it is the first of them in (x, y) order. For a segment, it equals `at`.
   Point contact;
 
   friend bool operator==(const RayHit&, const RayHit&) = default;

@@ -52,8 +52,8 @@ WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate,
   return may_touch(candidate, p, q);
 }
 
-/// Returns whether no wall in the face of `entry`, and in those to which the search continues, touches the closed disc.
-/// The disc touches the edge of `entry`.
+/// Returns whether no wall in the face of `entry`, and in the faces to which the search continues from there, touches
+/// the closed disc. Requires: the disc may touch the edge of `entry`.
 bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
   if (mesh_.is_fixed(entry)) return !is_blocked_by(candidate.gap, entry);
   auto& to_clear = scratch_.to_clear;
@@ -96,7 +96,7 @@ bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
   }
 }
 
-// The angle between two successive sides is acute if their dot product is negative.
+// The angle between two successive edges of the face is acute if the dot product of their vectors is negative.
 unsigned BridgeFinder::acute_angles(mesh::Face f) const {
   const HalfEdge h = mesh::first(f);
   const Point& a = position_of(mesh_.origin(h));
@@ -147,15 +147,16 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
 /// 1. f is a x + b y with a, b > 0. Because D . x = x^2 and D . y = y^2, f^2 = a f . x + b f . y is less than D . f.
 ///    So D lies strictly beyond the line of the wall, and the segment from w to D meets this line at a position g
 ///    before D.
-/// 2. The lines f . x = x^2 and f . y = y^2 meet at D, so f lies strictly inside C, as g does. So the triangle w f g,
-///    except for w, lies strictly inside C. It contains no other vertex: if the ray from w turns from f to g, the first
-///    vertex that it meets is visible from the face, but no visible vertex lies strictly inside the circle of a face.
+/// 2. The lines f . x = x^2 and f . y = y^2 meet at D, so f lies strictly inside C. The position g lies strictly inside
+///    C, too. So the triangle w f g, except for w, lies strictly inside C. It contains no other vertex: if a ray from w
+///    turned from f to g, the first vertex that it met would be visible from the face, but no visible vertex lies
+///    strictly inside the circle of a face.
 /// 3. So g lies on the wall, too, and the segment from w to g crosses the same edges as the bridge. The function
 ///    follows the segment from w to D to the first wall.
 ///
 /// The function also stops at an edge that no bridge meets. Seen from w, f lies on each edge that the bridge meets, or
-/// beyond it. So D lies beyond the line through the edge. And the angles at its ends between the edge and w are acute:
-/// otherwise f would not satisfy the inequality for this end.
+/// beyond it. So D lies beyond the line through the edge. At each end of the edge, the angle between the edge and the
+/// direction to w is acute: otherwise f would not satisfy the inequality f . v < v^2 for this end.
 HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   const Point from = position_of(mesh_.origin(corner));
   const auto seen = [&](Vertex v) { return Diameter::seen(position_of(v) - from, errors_); };
@@ -193,8 +194,9 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   }
 }
 
-/// Says on which side of the diameter at the corner the apex of `entry` lies. In a rectangle, the apex often lies at
-/// the end of the diameter.
+/// Says exactly whether the apex of `entry` lies left or right of the diameter at the corner: positive if left,
+/// negative if right, zero if it lies on the line of the diameter. In a rectangle, the apex often lies at the end of
+/// the diameter.
 Sign BridgeFinder::side_of_diameter(HalfEdge corner, HalfEdge entry) const {
   const Vertex x = mesh_.target(corner);
   const Vertex y = mesh_.apex(corner);

@@ -38,11 +38,12 @@ struct BridgeScratch {
 /// bridge. A disc whose diameter is larger than the bridge cannot have its centre on the bridge.
 ///
 /// Requires: each vertex of the mesh is the end of a wall. Then
-/// - a bridge between two vertices is an edge of the mesh, because the empty disc proves that it is Delaunay, and
-/// - at each corner of a face starts at most one bridge that ends inside a wall.
+/// - a bridge between two vertices is an edge of the mesh, because its disc contains no other vertex, and
+/// - at most one bridge that ends inside a wall starts at each corner of a face.
 ///
 /// All decisions are exact. Only explicit vertices are ends of bridges: where two sides cross, the angles between them
-/// are less than 180 degrees, and a bridge needs 90 degrees on its left and on its right.
+/// are less than 180 degrees. But at each end of a bridge, the angles between the bridge and the nearest walls on its
+/// left and on its right are at least 90 degrees.
 ///
 /// Source: the bridges are the Gabriel edges (Gabriel and Sokal 1969) of the walls. Edelsbrunner, *The union of balls
 /// and its dual shape*, 1995, explains what the bridges say about discs.
@@ -60,8 +61,8 @@ class BridgeFinder {
     scratch.visited.grow_to(mesh_.face_slots());
   }
 
-  /// Says for each angle of a face whether it is acute: bit i is 0 only if the angle at the origin of half-edge i of
-  /// the face is at least 90 degrees.
+  /// Returns one bit for each angle of a face. Bit i is 0 only if the angle at the origin of half-edge i of the face is
+  /// at least 90 degrees.
   [[nodiscard]] unsigned acute_angles(mesh::Face f) const;
   /// Returns false only if no foot bridge starts at corner `i` of a face, 0, 1 or 2, and runs into the face. `acute` is
   /// acute_angles() of the face.
@@ -104,12 +105,12 @@ class BridgeFinder {
     return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return may_touch(disc, box); });
   }
 
-  /// The first function returns the gap of a bridge along an edge. The second one returns the gap of a bridge from the
-  /// origin of `corner` to its foot inside `wall`.
+  /// Returns the gap of a bridge along an edge.
   [[nodiscard]] exact::Gap gap_along(mesh::HalfEdge h) const {
     const Point& to = position_of(mesh_.target(h));
     return {position_of(mesh_.origin(h)), to, to};
   }
+  /// Returns the gap of a bridge from the origin of `corner` to its foot inside `wall`.
   [[nodiscard]] exact::Gap gap_to_wall(mesh::HalfEdge corner, mesh::HalfEdge wall) const;
 
  private:
@@ -163,9 +164,9 @@ class BridgeFinder {
     return {offset, offset.x * offset.x + offset.y * offset.y, v, v == candidate.from || v == candidate.to};
   }
   /// Returns false only if no point of the segment from `p` to `q` lies in the closed exact disc. The distance of the
-  /// segment is wrong by at most 2^-48 of the distances of `p` and `q` and of the radius, plus 4 * rounding_. (r +
-  /// 2^-48 d)^2 is less than (1 + 2^-21) r^2 + 2^-74 d^2, so the limit of the candidate and the term below cover this
-  /// error.
+  /// segment from the centre is wrong by at most 4 * rounding_, plus 2^-48 of the distances of `p` and `q` and of the
+  /// radius. The number (r + 2^-48 d)^2 is less than (1 + 2^-21) r^2 + 2^-74 d^2. So the limit of the candidate and the
+  /// last term of `limit` below cover this error.
   [[nodiscard]] static bool may_touch(const Candidate& candidate, const Around& p, const Around& q) {
     const Point along = q.offset - p.offset;
     const double at_p = p.offset.x * along.x + p.offset.y * along.y;

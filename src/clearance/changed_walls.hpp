@@ -16,7 +16,7 @@ namespace waywright::clearance {
 /// the object has no boxes, and then any wall may have changed.
 class ChangedWalls {
  public:
-  /// Removes all boxes: no wall has changed.
+  /// Removes all boxes. Afterwards no wall counts as changed.
   void clear() {
     boxes_.clear();
     widest_ = 0.0;
@@ -32,8 +32,8 @@ class ChangedWalls {
     are_all_ = true;
     boxes_.clear();
   }
-  /// Sorts the boxes from left to right. If two of them are nearly the same, for example because an item has moved a
-  /// little, one box replaces the two. Call it before the next functions. Cost: n log n in the boxes.
+  /// Sorts the boxes from left to right. If two successive boxes are nearly the same, for example because an item has
+  /// moved a little, one box replaces the two. Call this function before boxes_between(). Cost: n log n in the boxes.
   void sort() {
     std::sort(boxes_.begin(), boxes_.end(), [](const Box& p, const Box& q) { return p.min.x < q.min.x; });
     std::size_t count = 0;
@@ -46,7 +46,7 @@ class ChangedWalls {
 
   /// Whether any wall may have changed. Then the boxes say nothing.
   [[nodiscard]] bool are_all() const { return are_all_; }
-  /// Returns the boxes that may have a position with an x coordinate between the two values, perhaps also others.
+  /// Returns all boxes that contain a position with an x coordinate between the two values, and perhaps other boxes.
   [[nodiscard]] std::span<const Box> boxes_between(double low, double high) const {
     if (boxes_.size() <= kFew) return boxes_;
     const auto is_left = [](const Box& box, double x) { return box.min.x < x; };
@@ -57,7 +57,7 @@ class ChangedWalls {
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, boxes_); }
-  /// Frees all memory. Afterwards no wall has changed.
+  /// Frees all memory. Afterwards no wall counts as changed.
   void release() {
     clear();
     memory::release(boxes_);
@@ -65,7 +65,7 @@ class ChangedWalls {
 
  private:
   static constexpr std::size_t kMost = std::size_t{1} << 14;  ///< the largest number of boxes
-  static constexpr std::size_t kFew = 4;                      ///< a search among so few boxes is not worth its cost
+  static constexpr std::size_t kFew = 4;                      ///< boxes_between() returns all boxes if there are so few
 
   [[nodiscard]] static double size_of(const Box& box) { return box.width() + box.height(); }
   /// Makes `into` contain the other box, if the two are nearly the same. Returns whether they are.

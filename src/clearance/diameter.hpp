@@ -11,20 +11,21 @@
 namespace waywright::clearance {
 
 /// A diameter of the circle through three vertices w, x and y, counter-clockwise: from w to the opposite position D of
-/// the circle. In doubles, with error bounds. All vectors start at w, which is exact.
+/// the circle. The class computes in doubles with error bounds. All vectors start at w, whose coordinates are exact.
 ///
-/// For a vector v, let s(v) = x^2 (y . v) - y^2 (x . v) = n . v. This is positive exactly if v lies left of the ray
-/// from w through D: because D . x = x^2 and D . y = y^2, the product n . D is 0. And D = (n.y, -n.x) / (x x y).
+/// For a vector v, let s(v) = x^2 (y . v) - y^2 (x . v) = n . v. The number s(v) is positive exactly if v lies left of
+/// the ray from w through D: because D . x = x^2 and D . y = y^2, the product n . D is 0. It follows that
+/// D = (n.y, -n.x) / cross(x, y).
 class Diameter {
  public:
   /// The vector from w to another vertex.
   struct Seen {
     Point offset;
-    double square;  ///< of the length
-    double extent;  ///< bounds the magnitudes of the coordinates, and their errors: see Errors
-    double error;   ///< two such errors bound the error of may_cross()
-    double s = 0.0;
-    double s_error = 0.0;
+    double square;         ///< the square of the length
+    double extent;         ///< bounds the magnitudes of the coordinates, and their errors: see Errors
+    double error;          ///< the sum of this number for two vectors bounds the error of may_cross()
+    double s = 0.0;        ///< s(v): place() sets it
+    double s_error = 0.0;  ///< a bound of the error of `s`
   };
   /// How exact the vectors are. Each coordinate may be wrong by 2 `rounding`, and by half an ulp. A product consists of
   /// at most four coordinates, and the functions below add or subtract at most four products. So if `rounding` is 0, a
@@ -42,7 +43,8 @@ class Diameter {
     return {offset, dot(offset, offset), extent, errors.relative * extent * extent};
   }
 
-  /// If x or y is so near to w that the rounding may be large compared with it, the error has no bound.
+  /// If x or y is so near to w that the rounding may be large compared with the distance from w, the error has no
+  /// bound.
   Diameter(const Seen& x, const Seen& y, const Errors& errors)
       : normal_(x.square * y.offset - y.square * x.offset), area_(cross(x.offset, y.offset)) {
     const bool is_bounded = std::min(x.extent, y.extent) >= 16.0 * errors.least_extent;
@@ -55,21 +57,23 @@ class Diameter {
     v.s = dot(normal_, v.offset);
     v.s_error = normal_error_ * v.extent;
   }
-  /// Says on which side of the ray from w through D a vertex lies: positive if it surely lies left of it, negative if
-  /// it surely lies right of it, zero if the doubles do not decide. Requires: place() was called for the vertex, as for
-  /// the next function.
+  /// Says whether a vertex lies left or right of the ray from w through D: positive if it surely lies left of the ray,
+  /// negative if it surely lies right of the ray, zero if the doubles do not decide. Requires: the caller has called
+  /// place() for the vertex.
   [[nodiscard]] exact::Sign sure_side_of(const Seen& v) const {
     if (!(std::abs(v.s) > v.s_error)) return exact::Sign::zero;
     return v.s > 0.0 ? exact::Sign::positive : exact::Sign::negative;
   }
   /// Returns false only if D does not lie strictly beyond the line through two vertices, as seen from w. If D lies
-  /// beyond this line, then right x left < D x (left - right).
+  /// beyond this line, then cross(right, left) < cross(D, left - right). Requires: the caller has called place() for
+  /// both vertices.
   [[nodiscard]] bool may_end_beyond(const Seen& right, const Seen& left) const {
     const double difference = area_ * cross(right.offset, left.offset) - (left.s - right.s);
     return !(difference >= right.s_error + left.s_error + area_error_ * right.extent * left.extent);
   }
   /// Returns false only if the angle between w and `q` at `p`, or the angle between w and `p` at `q`, is at least 90
-  /// degrees. If w is at 0, then -p . (q - p) = p^2 - p . q.
+  /// degrees. The angle at p is less than 90 degrees if the product of the vectors from p to w and from p to q is
+  /// positive: -p . (q - p) = p^2 - p . q.
   [[nodiscard]] static bool may_cross(const Seen& p, const Seen& q) {
     const double difference = dot(p.offset, q.offset) - std::min(p.square, q.square);
     return !(difference >= p.error + q.error);
@@ -80,9 +84,9 @@ class Diameter {
   [[nodiscard]] static double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
 
   Point normal_;         ///< n
-  double area_;          ///< x x y
+  double area_;          ///< cross(x, y)
   double normal_error_;  ///< s(v) is wrong by at most this times the extent of v
-  double area_error_;    ///< (x x y) (p x q) is wrong by at most this times the extents of p and q
+  double area_error_;    ///< cross(x, y) cross(p, q) is wrong by at most this times the extents of p and q
 };
 
 }  // namespace waywright::clearance

@@ -18,23 +18,24 @@
 
 namespace waywright::nav {
 
-/// The two-core of the graph whose nodes are the faces and whose edges are the passages between them: the faces that
-/// are left if faces with at most one passage are removed again and again. The other faces (*tree faces*) form trees
-/// that hang on the core. For each tree face, the class stores the passage that leads towards the core. In a component
-/// without a core, it stores the passage that leads towards one face, the root. Every face of such a component could be
-/// its root.
+/// The two-core of the graph whose nodes are the faces and whose edges are the passages between them. To find it,
+/// remove all faces with at most one passage, and repeat this until no such face is left. The remaining faces are the
+/// two-core. The other faces (*tree faces*) form trees that hang on the core. For each tree face, the class stores the
+/// passage that leads towards the core. In a component without a core, it stores the passage that leads towards one
+/// face, the root. Every face of such a component could be its root.
 ///
 /// The functions is_passage(), passages() and degree() count only passages from one face of the core to another.
 ///
 /// update() updates the core after a change of the mesh. Its cost depends on the number of faces that have changed and
 /// of faces whose state changes. Memory: one byte per face.
 ///
-/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the abstraction; degree 1 is a
-/// tree, 2 a corridor, 3 a junction). Difference: they rebuild the abstraction after each change.
+/// Source: Demyen and Buro, *Efficient triangulation-based pathfinding*, AAAI 2006 (the abstraction). In the paper, a
+/// face of a tree has the degree 1, a face of a corridor has the degree 2, and a junction has the degree 3. Difference:
+/// the authors rebuild the abstraction after each change.
 class TwoCore {
  public:
-  /// Finds the two-core of the faces in the domain. Cost: linear. Needs scratch memory only for the undo log of the
-  /// longest dead end.
+  /// Finds the two-core of the faces in the domain. Cost: linear. The scratch memory is only the undo log of one chain
+  /// of faces that leave the core one after the other.
   explicit TwoCore(const constraint::ExactTriangulation& triangulation);
 
   /// Prefetches the memory with the state of a face.
@@ -126,8 +127,8 @@ class TwoCore {
   /// Facts about the old faces that are adjacent to the new faces, and about the removed faces.
   struct Surroundings {
     std::size_t trees = 0;  ///< the number of adjacent tree faces that do not hang on a new face
-    bool has_core = false;
-    bool had_top = false;  ///< whether a root or a face of the core was removed
+    bool has_core = false;  ///< whether a face of the old core has got a passage to a new face
+    bool had_top = false;   ///< whether a removed face was a root or a face of the core
   };
   void join(const mesh::TriangleMesh& mesh, mesh::Face f, Surroundings& around);
   void climb_trees(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> new_faces);

@@ -8,13 +8,14 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// For the number of a half-edge in its face: the numbers of the next and of the previous one. Costs less than
-/// mesh::next(), which divides.
+/// If i is the number of a half-edge in its face, kNext[i] is the number of the next half-edge, and kPrevious[i] is the
+/// number of the previous one. These tables cost less than mesh::next(), which divides.
 constexpr std::uint32_t kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kPrevious[3] = {2, 0, 1};
 
-/// Of channels of about the same length, the search prefers those that are nearer to the goal. Where a channel pauses,
-/// the bound has no such term, so that the search takes the nodes in the same order as if no channel paused.
+/// The search adds this share of the distance to the goal to a bound. So of channels of about the same length, it takes
+/// the channel that is nearer to the goal first. If a channel pauses, its bound has no such term, so that the search
+/// takes the nodes in the same order as if no channel paused.
 constexpr double kTieBreakWeight = 1.0 / 128;
 
 }  // namespace
@@ -89,13 +90,13 @@ bool DiscChannel::step(std::size_t limit, std::size_t& expansions) {
   return is_found_;
 }
 
-//          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
-//        /   \           the right end its target. It leaves to the left across c - origin, to the right across
-//      /       \         target - c. A foot bridge that starts at the origin separates the left edge from the entry.
-//  origin --> target
+//          c             The channel has entered a face across `entry`, from below. The left end of this edge is its
+//        /   \           origin, and the right end is its target. The channel leaves to the left across the edge from c
+//      /       \         to the origin, and to the right across the edge from the target to c. A foot bridge that
+//  origin --> target     starts at the origin separates the left edge from `entry`.
 //
-/// Returns whether the channel can leave a face across an edge. A foot bridge that separates this edge from the entry
-/// starts at the origin of `corner`. Decides exactly.
+/// Returns whether the channel can leave a face across an edge. Only a foot bridge that starts at the origin of
+/// `corner` can separate this edge from the edge of entry. The decision is exact.
 bool DiscChannel::decide_is_open(HalfEdge exit, double squared, HalfEdge corner) {
   if (!can_cross(exit, squared)) return false;
   if (!map_->has_narrow_bridge_foot(corner)) return true;
@@ -134,10 +135,10 @@ void DiscChannel::leave(const Node& node, std::uint32_t index) {
   }
 }
 
-/// Follows the channel for as long as there is no choice. Pauses where another channel has a smaller bound. So the
-/// search does not follow a long corridor that leads away from the goal.
+/// Follows the channel as long as there is no choice. Pauses (opens a node) where another channel has a smaller bound.
+/// So the search does not follow a long corridor that leads away from the goal.
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
-  constexpr unsigned kFacesPerPause = 16;  // The bound costs about as much as to enter a face.
+  constexpr unsigned kFacesPerPause = 16;  // To compute a bound costs about as much as to enter a face.
   const mesh::TriangleMesh& mesh = map_->mesh();
   const DeadEnds& dead_ends = ends_->dead_ends();
   const HalfEdge exit = channel.out;

@@ -16,9 +16,10 @@
 namespace waywright::path {
 
 /// Finds a channel for a disc by A* over the faces, like TraStar for points. The channel crosses no edge that is
-/// shorter than the disc is wide, because no centre of a disc lies on this edge. It passes no narrow foot bridge that
-/// starts at a vertex of one of its faces and separates the edges of entry and exit. But it may cross a narrow foot
-/// bridge that starts in another face, so perhaps no path leads through the channel.
+/// shorter than the disc is wide, because no centre of a disc lies on this edge. In each of its faces, no narrow foot
+/// bridge that starts at a vertex of this face separates the edge through which the channel enters the face from the
+/// edge through which it leaves the face. But the channel may cross a narrow foot bridge that starts in another face,
+/// so perhaps no path leads through the channel.
 ///
 /// The search orders the channels by an approximate length. If it finds no channel, there is no path.
 ///
@@ -30,16 +31,17 @@ class DiscChannel {
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   [[nodiscard]] bool is_found() const { return is_found_; }
-  /// The edges that the channel crosses, in the faces that it leaves. Requires: is_found().
+  /// The edges that the channel crosses. Each one is a half-edge of the face that the channel leaves. Requires:
+  /// is_found().
   [[nodiscard]] std::span<const mesh::HalfEdge> exits() const { return exits_; }
   /// A half-edge of the face in which the channel ends. Requires: is_found().
   [[nodiscard]] mesh::HalfEdge goal_face() const { return goal_face_; }
 
  private:
   // Marks of a face in this search.
-  static constexpr std::uint32_t kLeft = 1;       ///< a channel has left the face to the left without a choice
-  static constexpr std::uint32_t kRight = 2;      ///< or to the right
-  static constexpr std::uint32_t kEntered = 4;    ///< a channel has entered the face and gone on
+  static constexpr std::uint32_t kLeft = 1;       ///< a channel has left the face to the left, and had no choice
+  static constexpr std::uint32_t kRight = 2;      ///< a channel has left the face to the right, and had no choice
+  static constexpr std::uint32_t kEntered = 4;    ///< a channel has entered the face and has continued from there
   static constexpr std::uint32_t kAboveGoal = 8;  ///< DeadEnds::for_each_above_goal() visits the face
   static constexpr std::uint32_t kMarks = 16;
 
@@ -63,7 +65,7 @@ class DiscChannel {
   void follow(Channel channel, std::uint32_t before);
   void leave(const Node& node, std::uint32_t index);
   void collect(std::uint32_t node);
-  /// The mark of a face or, if marks_faces_ is false, of the entry.
+  /// Returns the marks of the face or, if marks_faces_ is false, the marks of its edge `entry`.
   [[nodiscard]] std::uint32_t& mark_of(mesh::Face f, mesh::HalfEdge entry) {
     return marks_[marks_faces_ ? number(f) : number(entry)];
   }
@@ -77,7 +79,7 @@ class DiscChannel {
     return (passages >> (number(exit) - 3 * number(f)) & 1U) != 0;
   }
   /// Returns whether the channel can leave a face across the passage `exit`. `squared` is the squared length of this
-  /// edge. Only a foot bridge that starts at the origin of `corner` can separate it from the entry.
+  /// edge. Only a foot bridge that starts at the origin of `corner` can separate this edge from the edge of entry.
   [[nodiscard]] bool is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner) {
     if (squared > map_->surely_long && map_->bridges.foot_at(corner) == clearance::Bridges::kNone) return true;
     return squared >= map_->surely_short && decide_is_open(exit, squared, corner);

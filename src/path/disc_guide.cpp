@@ -32,7 +32,7 @@ std::span<const HalfEdge> DiscGuide::collect_exits() {
 }
 
 void DiscGuide::continue_to(double length) {
-  // The last terms allow for rounding.
+  // The terms with a power of 2 allow for rounding.
   const double limit = length * (1.0 + 0x1p-32) + (2.0 + 0x1p-4) * radius_;
   search_.continue_to(limit);
   labels_.set_limit(limit);

@@ -12,11 +12,12 @@ using mesh::Vertex;
 
 namespace {
 
-/// If a line comes as near to touching a vertex as this many times the slack of the map, the test decides exactly
-/// whether the gaps at the vertex are wide enough.
+/// If the distance of a vertex from the line is at most the radius plus this many times DiscMap::slack, the test also
+/// looks at the foot bridges that start at the vertex. It decides exactly whether they are wide enough.
 constexpr double kTouching = 16.0;
 
-/// If the line leaves a face before this share of its length, it does not end in the face, in spite of rounding.
+/// The walk follows the line from its end. If it leaves a face before this share of the length of the line, the line
+/// surely continues beyond the face, in spite of rounding.
 constexpr double kSurelyBefore = 0.875;
 
 }  // namespace
@@ -87,7 +88,7 @@ void DiscLine::walk(HalfEdge face) {
     const HalfEdge after = mesh::next(entry);
     const Offset apex = offset(mesh.origin(before));
     look_at_vertex(before, apex);
-    // The edge that the line does not cross lies on one side of the line.
+    // The line crosses one of the two other edges of the face. The other one lies left or right of the line.
     if (apex.across > 0.0) {
       if (std::min(apex.across, left.across) <= map_->radius) visit_beside(before, apex, left);
       exit = after;
@@ -143,8 +144,9 @@ void DiscLine::visit_beside(HalfEdge h, const Offset& origin, const Offset& targ
   }
 }
 
-/// Returns whether the visit enters the face beyond the edge: it is near the line, and the visit has not been there. If
-/// the edge is a wall, the function looks at it.
+/// Returns whether the visit enters the face beyond the edge. It does so if a position on the edge is near the line,
+/// the edge is no wall and no bridge, and the test has not visited the face yet. If the edge is a wall near the line,
+/// the function looks at the wall.
 bool DiscLine::enter_beside(HalfEdge at, const Offset& origin, const Offset& target) {
   if (is_aside(origin, target)) return false;
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -158,8 +160,9 @@ bool DiscLine::enter_beside(HalfEdge at, const Offset& origin, const Offset& tar
   return true;
 }
 
-// The line does not cross the wall. If a position strictly inside the wall is nearer to the line than both ends of the
-// wall are, it is the position nearest to an end of the line. So the function looks only at the ends of the line.
+// The line does not cross the wall. Suppose that a position strictly inside the wall is nearer to the line than both
+// ends of the wall are. Then an end of the line is the nearest position of the line. So the function looks only at the
+// ends of the line.
 void DiscLine::look_at_wall(const Point& a, const Point& b) {
   const auto is_near = [&](const Point& p) {
     const Point along = b - a;
@@ -199,7 +202,7 @@ void DiscLine::note_obstacle(HalfEdge corner) {
   }
 }
 
-/// Tests the bridges from the vertex to feet that the line crosses.
+/// Fails the test if the line crosses a narrow foot bridge that starts at the vertex.
 void DiscLine::look_at_feet(Vertex v) {
   map_->mesh().for_each_outgoing(v, [&](HalfEdge h) {
     if (crosses_foot(h)) is_blocked_ = true;

@@ -13,10 +13,10 @@
 
 namespace waywright::path {
 
-/// Tests whether a disc can move along a straight line from one contact to another, or from or to a point. The test
-/// visits the faces that the line crosses, and the faces beside them that are nearer to the line than the radius. It
-/// does not look beyond bridges: if both ends of a bridge are at least as far from the line as the radius, no wall
-/// beyond the bridge is nearer than the radius.
+/// Tests whether a disc can move along a straight line. Each end of the line is a contact or a point. The test visits
+/// the faces that the line crosses, and the faces beside them that are nearer to the line than the radius. It does not
+/// look beyond bridges: if both ends of a bridge are at least as far from the line as the radius, no wall beyond the
+/// bridge is nearer than the radius.
 class DiscLine {
  public:
   /// An end of the line: a contact at a vertex, or a point.
@@ -34,9 +34,11 @@ class DiscLine {
 
   /// Tests the line from `from` to `to` in a direction. `face` is a half-edge of the face that contains the position at
   /// which the line ends. Returns whether no wall is nearer to the line than the radius and the line crosses only gaps
-  /// that are wide enough. If the result is false, left() and right() are obstacles, if the test has found any. left()
-  /// is an obstacle left of the line: the obstacle whose tangent from `from` points farthest to the right. right() is
-  /// an obstacle right of the line: the obstacle whose tangent from `from` points farthest to the left.
+  /// that are wide enough. If the result is false, left() and right() are the obstacles that the test has found, if
+  /// there are any. Consider the straight line between the centres of the two contacts. Of the obstacles on its left,
+  /// left() is the one whose tangent from `from` points farthest to the right. Of the obstacles on its right, right()
+  /// is the one whose tangent from `from` points farthest to the left. An obstacle on this line counts as left and as
+  /// right of it.
   [[nodiscard]] bool is_clear(const DiscMap& map, const End& from, const End& to, const Tangent& line,
                               mesh::HalfEdge face);
   [[nodiscard]] const Obstacle& left() const { return obstacles_[1]; }
@@ -44,8 +46,8 @@ class DiscLine {
 
   /// The result of face_at().
   struct FaceAt {
-    mesh::HalfEdge h;     ///< a half-edge of the face that contains the position, or the wall before the position
-    bool is_behind_wall;  ///< whether a wall lies between the vertex and the position; then `h` is this wall
+    mesh::HalfEdge h;     ///< a half-edge of the face that contains the position; if `is_behind_wall`, the wall
+    bool is_behind_wall;  ///< whether a wall lies between the vertex and the position
   };
   /// Finds the face that contains `touching`, the position at which a line touches a contact. `vertex` is the position
   /// of the contact's vertex, and `corner` starts at this vertex. The function follows the straight line from the
@@ -107,10 +109,10 @@ class DiscLine {
   Point direction_;  ///< the direction of the line, from `start_` to `end_`
   Point back_;       ///< the opposite direction
   double length_ = 0.0;
-  double least_squared_ = 0.0;  ///< the square of DiscMap::least_distance(): no wall may be nearer to the line
-  double reach_ = 0.0;          ///< the test looks at the feet of vertices that are not farther from the line
+  double least_squared_ = 0.0;  ///< the square of DiscMap::least_distance(), the least distance of a wall from the line
+  double reach_ = 0.0;          ///< the test looks at the foot bridges of vertices not farther from the line
   bool is_blocked_ = false;     ///< whether the test has failed
-  Obstacle obstacles_[2];       ///< right(), left()
+  Obstacle obstacles_[2];       ///< obstacles_[0] is right(), obstacles_[1] is left()
   std::vector<Entered> entered_;
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by face: the number of the last test that visited it
   memory::Stamp stamp_;

@@ -17,9 +17,9 @@ namespace {
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenBounds = 8;
 
-/// If a vertex is farther than this many radii from the line on which the path arrives, and the circle and the vertex
-/// are not both left or both right of this line, the next line of the path does not lead to the vertex. The exact
-/// factor is 2; the rest allows for rounding.
+/// Consider the line on which the path arrives at a root. Suppose that the circle around the root lies left of this
+/// line and a vertex lies right of it, or the reverse. If the vertex is farther than this many radii from the line, the
+/// next line of the path does not lead to the vertex. The exact factor is 2. The rest allows for rounding.
 constexpr double kOutside = 2.125;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
@@ -51,9 +51,9 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, 
   leave_start(ends.at_start());
 }
 
-/// Returns whether the edge `exit` is too short for a line from a contact. Requires: the edge is not surely long. If
-/// the edge is shorter than the disc is wide, the disc fits at no position on it. But if the edge is near the vertex of
-/// a contact, a line may begin beyond the edge.
+/// Returns whether the edge `exit` is too short for a line from a contact. Requires: the edge is not surely long
+/// (DiscMap::surely_long). If the edge is shorter than the disc is wide, the disc fits at no position on it. But if the
+/// edge is near the vertex of a contact, a line may begin beyond the edge.
 bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
@@ -61,11 +61,12 @@ bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& e
          squared_distance_to_segment(from.centre, edge.right, edge.left) > map_->radius * map_->radius;
 }
 
-/// Returns whether the search does not follow a window with the bounds `left` and `right` across the edge `exit`, whose
-/// ends are `edge`. These are the edges of is_excluded(), and edges that are too far from the line on which the path
-/// arrives at the root: the circle around the root lies left of this line and the part of the edge that the window sees
-/// lies right of it, or the reverse. A line from the root to a vertex that the window sees beyond this edge would turn
-/// back, because the distance of the vertex from the line is larger than the diameter of the disc.
+/// Returns whether the search does not follow a window between the rays `left` and `right` across the edge `exit`,
+/// whose ends are `edge`. There are two reasons. First, is_excluded() is true. Second, the piece of the edge that the
+/// window sees is too far from the line on which the path arrives at the root. This is so if the circle around the root
+/// lies left of this line and the piece lies right of it, or the reverse, and if the distance of the piece from the
+/// line is larger than the diameter of the disc. A line from the root to a vertex that the window sees beyond this
+/// piece would turn back.
 WAYWRIGHT_ALWAYS_INLINE
 bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& right, HalfEdge exit,
                              const Edge& edge) const {
@@ -77,8 +78,8 @@ bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& r
   return is_far_behind(root, nearer_bound, edge) && is_far_behind(root, is_left ? right : left, edge);
 }
 
-/// Returns whether the point where a bound of a window meets the edge is too far from the line on which the path
-/// arrives at the root.
+/// Returns whether the point where a ray of a window meets the edge is too far from the line on which the path arrives
+/// at the root: see is_outside().
 bool DiscOptimal::is_far_behind(const Root& root, const Point& bound, const Edge& edge) const {
   const Contact& from = root.end.contact;
   const std::optional<Point> end = meeting({0.0, 0.0}, bound, edge.right - from.centre, edge.left - edge.right);
@@ -113,7 +114,8 @@ bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
   return is_found_ || open_.empty();
 }
 
-/// Returns whether a path that leaves the root in this direction turns back there. Allows for rounding.
+/// Returns whether a path that leaves the root in this direction turns back there: it would turn right at the root of a
+/// left turn, or left at the root of a right turn. Allows for rounding.
 bool DiscOptimal::turns_back(const Root& root, const Point& direction) const {
   return root.end.contact.turn * cross(root.direction, direction) < -kTurnsBack;
 }
@@ -169,8 +171,8 @@ void DiscOptimal::follow(Window window) {
   }
 }
 
-/// Continues a window, whose edge has the ends `edge`, in a face whose apex lies between the bounds of the window. If
-/// the search follows the window across only one of the two other edges of the face, the function changes `window` and
+/// Continues a window, whose edge has the ends `edge`, in a face whose apex lies between the rays of the window. If the
+/// search follows the window across only one of the two other edges of the face, the function changes `window` and
 /// `edge` and returns true.
 bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -194,11 +196,11 @@ bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
 }
 
 /// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is
-/// kTurnRight. Requires: the window's bound passes through this end. Does nothing if no path can continue after the
+/// kTurnRight. Requires: a ray of the window passes through this end. Does nothing if no path can continue after the
 /// turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the window's edge.
-/// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on the bound. Then a
-/// path that turns at the root in the same direction does not cross the far edge: it continues along the bound to the
-/// apex.
+/// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on this ray. Then a
+/// path that turns at the root in the same direction does not cross the far edge (the edge of the face that does not
+/// contain this end of the window's edge): it continues along the ray to the apex.
 void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
@@ -218,7 +220,7 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
 }
 
 /// Adds a turn node, unless the path would have to turn back at the root to reach this contact: a path that turns back
-/// is not the shortest. Also leaves out a contact that is not useful for the guide.
+/// is not the shortest. Also leaves out a contact whose vertex is not useful (GuideLabels::is_useful()).
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
@@ -241,7 +243,8 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   open_.push(least, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
 }
 
-/// Returns whether the search tries the same contacts after two turn nodes, in the same order.
+/// Returns whether the two chains of turn nodes that start at `a` and at `b` (TurnNode::then) have the same contacts in
+/// the same order.
 bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
   while (a != b) {
     if (a == kNone || b == kNone || turn_nodes_[a].vertex != turn_nodes_[b].vertex ||
@@ -303,7 +306,7 @@ double DiscOptimal::bound(const Window& window, const Edge& edge) const {
   return root.length + rest;
 }
 
-/// A lower bound of the rest of the paths through the window, from the root on.
+/// A lower bound of the length of the paths through the window, from the root to the goal.
 ///
 /// For each position x of the edge, the guide's path from x to the goal is not shorter than the path from one end of
 /// the edge to the goal minus the distance from x to this end. The distance from the root to x is not shorter than the
@@ -410,8 +413,8 @@ void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t then) {
   if (line && next.vertex != roots_[root].end.vertex) push_turn(root, next.corner, next.turn, *line, next.then);
 }
 
-/// Returns a root at the same contact whose path, continued along the circle in either direction, is not longer; or
-/// kNone.
+/// Returns a root at the same contact from which the disc can reach the end of the line along the circle, in one of the
+/// two directions, by a path that is not longer. Returns kNone if there is none.
 std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
     const Root& root = roots_[i];
@@ -426,9 +429,9 @@ std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner
   return kNone;
 }
 
-/// Returns whether a path that turns around the same vertex in the other direction reaches the end of the line and is
-/// not longer there, if it continues along the circle. Then no shortest path contains this line: the other path and the
-/// rest of this path form an angle at the point where they meet, so a shorter path exists.
+/// Consider a path that turns around the same vertex in the other direction, and continues along the circle. Returns
+/// whether such a path reaches the end of the line and is not longer. If one does, no shortest path contains this line:
+/// the other path and the rest of this path form an angle at the point where they meet, so a shorter path exists.
 bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corner) {
   // At a start that touches the vertex, both turns have the length 0, and neither path has a direction of arrival.
   if (node.length == 0.0) return false;

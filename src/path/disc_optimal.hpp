@@ -28,11 +28,12 @@ namespace waywright::path {
 /// each other. Before a path uses a line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the
 /// search adds a turn node for this vertex. From this vertex, the search then tries a line to the end of the old line.
 ///
-/// The search decides exactly whether a disc passes a gap: windows and tested lines cross no gap that is too narrow.
-/// All other numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
+/// The search decides exactly whether a disc passes a gap: a line that has passed its test crosses no gap that is too
+/// narrow. (A window crosses no narrow bridge that is an edge of the mesh, but it may cross narrow foot bridges.) All
+/// other numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
 ///
-/// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya), for a
-/// point on a convex mesh.
+/// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya, which
+/// finds paths of points on convex meshes).
 class DiscOptimal {
  public:
   /// Starts a search for a path that is not longer than `limit`. `labels` are the labels of a guide for this map, these
@@ -62,12 +63,13 @@ class DiscOptimal {
     double length = 0.0;    ///< the length of the path from the start to `position`
     std::uint32_t before = kNone;  ///< the root before this one on the path
     TurnLimit limit{};             ///< how far the path can turn around the vertex
-    std::uint32_t next = kNone;    ///< the root that the search has made before this one for the same contact
+    std::uint32_t next = kNone;    ///< the root that the search has made before for the same contact, or kNone
     Point position{};              ///< the position of the disc's centre when the path arrives at the contact
     double distance = 0.0;         ///< the distance from `position` to the goal
   };
 
-  /// A bound of a window: a ray from the vertex of its root, or from the start.
+  /// One of the two rays that bound a window. It starts at the vertex of the window's root, or at the start of the
+  /// path.
   struct Bound {
     Point direction;
     mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
@@ -124,8 +126,8 @@ class DiscOptimal {
 
   /// Returns the entry of a contact. Clears it if an earlier query wrote it.
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
-  /// Returns a number that is positive if the position lies left of a bound of a window of this root, negative if it
-  /// lies right of the bound, and 0 if it lies on the bound.
+  /// Returns a number that is positive if the position lies left of a ray of a window of this root, negative if it lies
+  /// right of the ray, and 0 if it lies on the ray.
   [[nodiscard]] static double orientation(const Root& root, const Bound& bound, const Point& position) {
     return cross(bound.direction, position - root.end.contact.centre);
   }
@@ -158,7 +160,7 @@ class DiscOptimal {
   void note_turn(const Window& window, int turn, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
-  /// Adds a turn node for the goal if the goal lies between the bounds of the window.
+  /// Adds a turn node for the goal if the goal lies between the two rays of the window.
   void reach_goal(const Window& window);
   /// Adds a turn node for a line from a root to the goal, unless the path would have to turn back at the root.
   void push_goal(std::uint32_t root, const Tangent& line);

@@ -10,10 +10,10 @@ using mesh::HalfEdge;
 
 namespace {
 
-/// To add this number to an index subtracts 1 from the index, because unsigned numbers wrap around.
+/// If the code adds this number to an index, the index becomes smaller by 1, because unsigned numbers wrap around.
 constexpr std::size_t kBackwards = static_cast<std::size_t>(-1);
 
-/// The diameter, in radii, and a margin for rounding.
+/// The diameter of the disc is 2 radii. The rest of this number allows for rounding.
 constexpr double kSurelyInside = 2.125;
 
 double coordinate_sum(const Point& v) { return std::abs(v.x) + std::abs(v.y); }
@@ -60,13 +60,13 @@ void DiscString::run_funnel(std::span<const HalfEdge> exits) {
   end_at_goal();
 }
 
-/// Returns whether a string from the bend with the index `before` over `at` to `after` turns at `at` in the direction
-/// `turn`, in which it also turns at `after`.
+/// Returns whether the string from the bend with the index `before` over `at` to `after` turns at `at` in the direction
+/// `turn`. At `after`, the string turns in this direction, too.
 bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, int turn) {
   const Point to = at.centre - row_[before].centre;
   const Point on = after.centre - at.centre;
   if (before != apex_ || apex_turn_ == turn) return turn * cross(to, on) > 0.0;
-  // The direction of tangent(), times a positive number.
+  // The last line computes the cross product of the direction of tangent() and `on`, times a positive number.
   const double across = (turn - apex_turn_) * map_->radius;
   const double square = squared_distance_minus(row_[before].centre, at.centre, across);
   if (!(square >= kLeastSquare * squared_length(to))) is_funnel_open_ = false;
@@ -74,12 +74,15 @@ bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, in
 }
 
 /// Returns whether the string from the apex to `end` has to turn around `other`, the next contact on the opposite
-/// string of the funnel: `end` lies beyond the line from the apex to `other`, and farther away.
+/// string of the funnel. This is so if `end` lies beyond the tangent from the apex to `other`, and its own tangent is
+/// longer.
 ///
-/// A tangent to a circle in the other direction differs from the line between the centres by the angle whose sine is
-/// the diameter, divided by the distance. The sum of two sines is at least the sine of the sum. So if the sine of the
-/// angle between the two lines between the centres is larger than the sum of these two sines, the two tangents do not
-/// cross either. (The sum of the two coordinates of a vector is at least its length.)
+/// Consider the angle between the tangent of two contacts and the line between their centres. If the path turns in
+/// opposite directions at the contacts, the sine of this angle is the diameter divided by the distance between the
+/// centres. In all other cases, the angle is smaller. The sum of two sines is at least the sine of the sum. So if the
+/// sine of the angle between the two lines between the centres is larger than the sum of these two sines, a turn from
+/// one tangent to the other has the same direction as a turn from one of these lines to the other. (The sum of the
+/// magnitudes of the two coordinates of a vector is at least the length of the vector.)
 bool DiscString::is_across(const Contact& end, const Contact& other) {
   const Point to_end_centre = end.centre - row_[apex_].centre;
   const Point to_other_centre = other.centre - row_[apex_].centre;
@@ -184,8 +187,9 @@ DiscString::Step DiscString::test(std::size_t i) {
   return insert_obstacle(i);
 }
 
-/// Replaces a stop at which the path cannot touch the circle, because `wall` lies between the vertex and the touching
-/// position. The new stop is one of the two ends of the wall: the end around which the path has to turn farther.
+/// Replaces a stop. The path cannot touch the circle of the old stop, because `wall` lies between the vertex and the
+/// touching position. The new stop is one of the two ends of the wall: the end around which the path has to turn
+/// farther.
 DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   const Stop& before = stops_[i - 1];
   const int turn = stops_[i].end.contact.turn;
@@ -221,7 +225,8 @@ DiscString::Step DiscString::insert_obstacle(std::size_t i) {
   return obstacle == nullptr ? Step::failed : insert(i + 1, stop_at(obstacle->corner, turn));
 }
 
-/// Inserts a stop. If the string turns at this vertex already, the insertion does not help.
+/// Inserts a stop. Fails if the string already has a stop at this vertex, because then another stop there does not
+/// help.
 DiscString::Step DiscString::insert(std::size_t i, const Stop& stop) {
   const auto has_vertex = [&](const Stop& other) { return other.end.vertex == stop.end.vertex; };
   if (std::any_of(stops_.begin(), stops_.end(), has_vertex)) return Step::failed;
@@ -229,8 +234,8 @@ DiscString::Step DiscString::insert(std::size_t i, const Stop& stop) {
   return Step::again;
 }
 
-/// Tests the arc at a stop. If a gap that is too narrow ends the turn, the string also turns around the vertex at the
-/// other end of the gap.
+/// Tests the arc at a stop. If a wall or a gap that is too narrow ends the turn, inserts a stop at the vertex at the
+/// other end of this wall or gap.
 DiscString::Step DiscString::test_arc(std::size_t i) {
   const Stop& stop = stops_[i];
   const Point& arrival = stops_[i - 1].line.direction;

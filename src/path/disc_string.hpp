@@ -23,7 +23,8 @@ namespace waywright::path {
 class DiscString {
  public:
   /// Computes the string. `exits` are the edges that the channel crosses, and `goal_face` is a half-edge of the face in
-  /// which it ends. Returns false if it finds no string: there may still be a path. A string that it finds is a path.
+  /// which it ends. Returns whether it has found a string. The string is then a path of the disc. If it has found none,
+  /// there may still be a path.
   [[nodiscard]] bool find(const DiscMap& map, const DiscEnds& ends, std::span<const mesh::HalfEdge> exits,
                           mesh::HalfEdge goal_face);
   /// The length of the path. Requires: the last call of find() returned true.
@@ -35,14 +36,14 @@ class DiscString {
   /// A contact of the string, or one of its ends.
   struct Stop {
     DiscLine::End end;
-    mesh::HalfEdge corner;  ///< starts at the vertex
-    Tangent line;           ///< to the next stop
+    mesh::HalfEdge corner;  ///< starts at the vertex; kNoHalfEdge at the start and at the goal
+    Tangent line;           ///< the line to the next stop
   };
 
   /// A vertex on a string of the funnel, or the start.
   struct Bend {
     Point centre;
-    mesh::HalfEdge corner;  ///< starts at the vertex, or kNoHalfEdge at the start
+    mesh::HalfEdge corner;  ///< starts at the vertex; kNoHalfEdge at the start
   };
 
   void run_funnel(std::span<const mesh::HalfEdge> exits);
@@ -73,9 +74,9 @@ class DiscString {
   // Both strings of the funnel: first the left one from its end to the apex, then the right one from the apex to its
   // end. The left string turns left around each of its vertices, the right one turns right.
   std::vector<Bend> row_;
-  std::size_t left_ = 0;  ///< indices in `row_`: of the left end, of the apex, of the right end
-  std::size_t apex_ = 0;
-  std::size_t right_ = 0;
+  std::size_t left_ = 0;   ///< the index of the left end in `row_`
+  std::size_t apex_ = 0;   ///< the index of the apex in `row_`
+  std::size_t right_ = 0;  ///< the index of the right end in `row_`
   int apex_turn_ = kNoTurn;
   std::vector<Stop> stops_;
   std::vector<DiscStop> path_;

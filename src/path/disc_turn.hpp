@@ -34,9 +34,9 @@ inline constexpr double kTurnsBack = 0x1p-23;
 
 /// Visits the corners of faces around the vertex of a contact, one after the other, in the direction of the turn: up to
 /// a wall or a gap that is too narrow, or until the path has turned by 180 degrees. Calls visit(corner, spoke, order)
-/// for each corner: the turn leaves the corner across the edge `spoke`, after it has turned up to `order`. Returns how
-/// far the path can turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the corner
-/// that contains the position of the disc at this time.
+/// for each corner: the turn leaves the corner across the edge `spoke`, whose direction has the order `order`. Returns
+/// how far the path can turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the
+/// corner that contains the position of the disc at this time.
 ///
 /// The *order* of a direction is a number that says how far the path has turned when it has this direction: 0 for the
 /// direction of arrival, 1 after 90 degrees, and 2 after 180 degrees. The direction from the vertex to the position of
@@ -51,7 +51,7 @@ template <class Visit>
   do {
     // `spoke` is the edge at the vertex to which the turn comes next.
     const mesh::HalfEdge spoke = turn == kTurnLeft ? mesh.next_around(at) : at;
-    // The orders of the spokes grow. If the first one is the direction to the position of arrival, its order is -1, but
+    // The orders of the spokes grow. If the first spoke points to the position of arrival, its order is -1, but
     // rounding may make it a little smaller.
     const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - contact.centre, turn);
     order = end_order - 4.0 >= order - kTurnsBack ? std::max(order, end_order - 4.0) : end_order;

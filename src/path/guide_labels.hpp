@@ -17,8 +17,8 @@ namespace waywright::path {
 /// use if it is not longer than a limit, and lower bounds of the length from a vertex to the goal.
 class GuideLabels {
  public:
-  /// Forgets the labels of the last search. `start` is where the disc starts, relative to the origin of the map, and
-  /// `start_faces` are the faces there.
+  /// Forgets the labels of the last search. `start` is the point at which the disc starts, relative to the origin of
+  /// the map. `start_faces` are the faces that contain this point.
   void begin(const DiscMap& map, const Point& start, std::span<const mesh::Face> start_faces) {
     map_ = &map;
     dead_ends_.begin(map.mesh(), map.core, start_faces);
@@ -50,7 +50,8 @@ class GuideLabels {
   /// Returns whether the guide has followed a window across the edge.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }
   /// Returns whether one of the two faces of the edge lies in a dead end into which the guide does not look. Then the
-  /// labels and marks say nothing about the edge, or about a contact at one of its ends that is reached there.
+  /// labels and marks say nothing about the edge, and nothing about a contact at one of its ends that a path reaches in
+  /// these two faces.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
     return dead_ends_.is_in_dead_end(mesh::face(h)) || dead_ends_.is_in_dead_end(mesh::face(map_->mesh().twin(h)));
   }
@@ -68,7 +69,8 @@ class GuideLabels {
   }
 
  private:
-  /// The length of the shortest path to a vertex that the guide has found. Valid only in query number `query`.
+  /// The length of the shortest path from the goal to a vertex that the guide has found. It is valid only in query
+  /// number `query`.
   struct Length {
     double length;
     std::uint32_t query;

@@ -62,15 +62,17 @@ class EllipseBucket {
     slots_.pop_back();
   }
 
-  /// Calls visit(slot) for each ellipse that the box meets, and for a few that the box misses. Requires: whoever
-  /// added an ellipse has multiplied its length by at least 1 + 2^-40. This covers the rounding errors of the test.
+  /// Calls visit(slot) for each ellipse that the box meets, and for a few that the box misses. Requires: the caller of
+  /// add() has multiplied the length of each ellipse by at least 1 + 2^-40. This factor covers the rounding errors of
+  /// the test.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     const Box relative = frame_.relative(box);
     const Point middle = 0.5 * (relative.min + relative.max);
     const auto x = static_cast<float>(middle.x);
     const auto y = static_cast<float>(middle.y);
-    // For a position of the box, the sum of the distances to two foci is at most this much less than for the centre.
+    // Let p be a position of the box. The sum of the distances to the foci is less at p than at the centre of the box
+    // by at most this number.
     const auto nearer = static_cast<float>(distance(relative.min, relative.max) + FloatFrame::kError);
     // The loop collects the bits of several blocks before it visits their lanes, because the processor rarely predicts
     // the end of a loop over the set bits.
@@ -117,7 +119,8 @@ class EllipseBucket {
   static float distance(float dx, float dy) { return std::sqrt(dx * dx + dy * dy); }
   static double distance(const Point& a, const Point& b) { return waywright::distance(a, b); }
 
-  /// The errors of the coordinates make the sum wrong by at most FloatFrame::kError, because a box lies in the domain.
+  /// Returns the floats of an ellipse. The errors of the coordinates make the sum of the distances wrong by at most
+  /// FloatFrame::kError, because a box lies in the domain.
   [[nodiscard]] Floats::Row row_of(const Ellipse& ellipse) const {
     const Point start = frame_.relative(ellipse.start);
     const Point goal = frame_.relative(ellipse.goal);
@@ -143,8 +146,8 @@ class EllipseBucket {
     return dx * dx + dy * dy;
   }
   /// Returns whether the box, larger by the reach in each of the four directions, may contain a position of the
-  /// ellipse. Let a and b be the distances of the larger box from the foci. Then a + b <= length if and only if the
-  /// square of 2 a b is at most the square of the rest, and the rest is not negative: the rest is length^2 - a^2 - b^2.
+  /// ellipse. Let a and b be the distances of the larger box from the foci. Let the rest be length^2 - a^2 - b^2. Then
+  /// a + b <= length if and only if the rest is not negative and the square of 2 a b is at most the square of the rest.
   /// The products of four coordinates neither overflow nor underflow.
   static bool may_meet(const Entry& entry, const Box& box) {
     const Ellipse& ellipse = entry.ellipse;

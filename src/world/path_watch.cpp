@@ -56,8 +56,9 @@ void for_each_box_of_line(const Point& a, const Point& b, double reach, const Bo
   }
 }
 
-/// Returns true only if the two segments surely cross, also if each coordinate of their ends is wrong by `slack`: the
-/// ends of each one lie on different sides of the line of the other.
+/// Returns true only if the two segments surely cross, also if each coordinate of their ends is wrong by `slack`. Two
+/// segments cross if one end of each segment lies left of the line through the other segment, and the other end lies
+/// right of this line.
 bool surely_cross(const Point& a, const Point& b, const Point& c, const Point& d, double slack) {
   const auto extent = [](const Point& p) { return std::abs(p.x) + std::abs(p.y); };
   const auto are_apart = [&](const Point& from, const Point& along, const Point& p, const Point& q) {
@@ -86,9 +87,9 @@ std::array<Point, 2> ends_of(const Box& box, Diagonal diagonal) {
   return {Point{box.min.x, rises ? box.min.y : box.max.y}, Point{box.max.x, rises ? box.max.y : box.min.y}};
 }
 
-/// Returns false only if the box misses the diagonal of `around`, and all positions whose coordinates differ from it by
-/// at most 2 `slack`. Requires: the boxes overlap. A watch calls it for hundreds of boxes of an update, because it
-/// reads no path: the paths are rarely in the cache.
+/// Returns false only if the box contains no position whose coordinates differ by at most 2 `slack` from a position of
+/// the diagonal of `around`. Requires: the boxes overlap. An update calls this function for hundreds of boxes. The
+/// function reads no path, because the paths are rarely in the cache.
 bool may_touch_diagonal(const Box& around, Diagonal diagonal, const Box& box, double slack) {
   if (diagonal == Diagonal::none) return true;
   const auto [from, to] = ends_of(around, diagonal);
@@ -177,7 +178,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
 
   /// What an update reads of each path near a change. Thousands of these fit into the cache.
   struct State {
-    std::uint64_t seen_by = 0;  ///< the last update that has found a change on the path
+    std::uint64_t seen_by = 0;  ///< the number of the last update that has checked or reported the path
     bool is_for_disc = false;
     bool is_blocked = false;  ///< whether the last check found it blocked; only for a point agent
   };
@@ -185,8 +186,8 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
     std::vector<Point> points;
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
-    std::vector<Pieces::Handle> boxes;  ///< handles in `pieces`
-    Reaches::Handle reach = 0;          ///< a handle in `reaches`
+    std::vector<Pieces::Handle> boxes;  ///< handles in Impl::pieces
+    Reaches::Handle reach = 0;          ///< a handle in Impl::reaches
     bool has_reach = false;
     bool is_in_domain = false;  ///< whether all points are points of the domain
   };
@@ -208,7 +209,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
    public:
     explicit Addition(Impl& impl) : impl_(impl) {
       if (impl_.free_slots.empty()) {
-        // Room for all slots, so that drop() allocates nothing.
+        // Reserves room for all slots, so that drop() allocates nothing.
         const std::size_t needed = impl_.watched.size() + 1;
         if (impl_.free_slots.capacity() < needed) impl_.free_slots.reserve(2 * needed);
         if (impl_.states.size() < needed) impl_.states.resize(needed);
@@ -253,8 +254,8 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   void check_all(const World& world, PathChanges& changes);
 
   Box domain;
-  std::uint64_t version;  ///< of the world at the last update
-  bool had_crossings;     ///< whether the world had crossings at the last update, or before it
+  std::uint64_t version;  ///< the version of the world at the last update
+  bool had_crossings;     ///< whether the world had crossings at the last update
   std::uint64_t updates = 0;
   Pieces pieces;
   Reaches reaches;  ///< by the bounding boxes of the ellipses
@@ -318,10 +319,10 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   free_slots.push_back(slot);
 }
 
-/// Checks a path of a point agent, if a changed box may lie near this piece of the path, in the box `around`. Adds the
-/// slot of the path to `changes` if the path is blocked. `boxes` are all boxes that have changed, or empty if they are
-/// not known. A path that surely crosses a wall is blocked. This is true of most blocked paths, and costs less than a
-/// walk along the path.
+/// Checks the path of a point agent, because a changed box may touch `piece`, a piece of this path. Does nothing if
+/// this update has already checked the path. `around` is the box of the piece. Adds the slot of the path to `changes`
+/// if the path is blocked. `boxes` are all boxes that have changed, or empty if they are not known. If the piece surely
+/// crosses a wall, the path is blocked. This test finds most blocked paths, and costs less than a walk along the path.
 void PathWatch::Impl::check(const Piece& piece, const Box& around, const World& world, Boxes boxes,
                             PathChanges& changes) {
   State& state = states[piece.slot];
@@ -332,7 +333,8 @@ void PathWatch::Impl::check(const Piece& piece, const Box& around, const World& 
   if (is_blocked) changes.blocked.push_back(piece.slot);
 }
 
-/// Sets `walls` to walls that meet the box, apart from rounding errors: to all of them, if the box meets few faces.
+/// Sets `walls` to the walls that meet the box, apart from rounding errors. If the box meets many faces, `walls`
+/// contains only some of these walls.
 void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, const Box& box) {
   constexpr std::size_t kMostFaces = 64;
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -358,8 +360,8 @@ void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, con
   }
 }
 
-/// Returns true only if the piece on a diagonal of the box surely crosses one of `walls`. Its ends differ from the ends
-/// of the diagonal by at most two rounding errors.
+/// Returns true only if the piece on a diagonal of the box surely crosses one of `walls`. The ends of the piece differ
+/// from the ends of the diagonal by at most two rounding errors.
 bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
   if (!has_walls || diagonal == Diagonal::none) return false;
   const std::array<Point, 2> ends = ends_of(around, diagonal);
@@ -369,8 +371,8 @@ bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
 }
 
 /// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. It
-/// cannot decide if an operation has removed an item where the path turns, because the turn may have been at a crossing
-/// that no longer exists.
+/// cannot decide if the path was blocked, or if an operation has removed an item where the path turns: the turn may
+/// have been at a crossing that no longer exists. If there are many boxes, the result is false, too.
 bool PathWatch::Impl::has_easy_pieces(std::uint32_t slot, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
   const Watched& path = watched[slot];
@@ -380,9 +382,9 @@ bool PathWatch::Impl::has_easy_pieces(std::uint32_t slot, Boxes boxes) const {
   });
 }
 
-/// Returns whether a removed item may have been a side of a crossing for which a point of a path stands. The world
-/// had no such crossing if it had none at the last update, and no item inserted since then meets the box of the removed
-/// item.
+/// Returns whether a side of a removed item may have gone through a crossing at which a path turns. This is impossible
+/// if the world had no crossing at the last update, and no box of an item inserted since then overlaps the box of the
+/// removed item.
 bool PathWatch::Impl::may_lose_crossing(const ChangedBox& changed, Boxes boxes) const {
   const auto may_cross = [&](const ChangedBox& other) { return other.is_insertion && other.box.overlaps(changed.box); };
   return changed.is_removal && (had_crossings || std::any_of(boxes.begin(), boxes.end(), may_cross));
@@ -425,7 +427,8 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
 }
 
 // A removal blocks the path of a point agent only if the path turns at the rounded coordinates of a crossing that no
-// longer exists. The removal of an item never blocks a disc. Most paths near a change need no look at their points.
+// longer exists. The removal of an item never blocks a disc. For most paths near a change, the function does not read
+// the points.
 void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes) {
   has_walls = false;
   const double slack = slack_of(domain.min, domain.max);
