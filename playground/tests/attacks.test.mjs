@@ -1,8 +1,8 @@
 // Disturbs the page as people and machines do: something else happens during a drag, the worker dies, the storage is
 // missing, the window has no size, the zoom has no end. Page and world must live on.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { drag, hashes, launch, openPage, pixel, serve, settle } from './support.mjs';
+import { after, before } from 'node:test';
+import { drag, hashes, launch, openPage, pixel, serve, settle, test } from './support.mjs';
 
 let server, base, browser, page, first;
 

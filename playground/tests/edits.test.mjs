@@ -4,8 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
-import { hashes, launch, openPage, serve, settle } from './support.mjs';
+import { hashes, launch, openPage, serve, settle, test } from './support.mjs';
 
 const COMMAND = process.env.WAYWRIGHT_COMMAND;
 const EDITS = Number(process.env.WAYWRIGHT_EDITS ?? 10_000);

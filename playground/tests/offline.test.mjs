@@ -1,7 +1,6 @@
 // Opens the page, stops its server, and opens the page again.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { hashes, launch, openPage, serve, settle } from './support.mjs';
+import { hashes, launch, openPage, serve, settle, test } from './support.mjs';
 
 test('after the first visit the page works without a network', { timeout: 120_000 }, async () => {
   const { server, base } = await serve();

@@ -1,7 +1,7 @@
 // Uses the built page as people do: draws, drags, searches, undoes, shares, opens files, and types.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { drag, hashes, launch, openPage, pixel, serve, settle } from './support.mjs';
+import { after, before } from 'node:test';
+import { drag, hashes, launch, openPage, pixel, serve, settle, test } from './support.mjs';
 
 let server, base, browser, page;
 

@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
+import { test as plainTest } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -9,6 +10,15 @@ import { chromium } from 'playwright-core';
 export const ROOT = process.env.WAYWRIGHT_PAGE ?? fileURLToPath(new URL('../dist', import.meta.url));
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 const CHROMIUM = process.env.WAYWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
+
+/** Most tests take 2 to 7 seconds. Without a limit, a test waits for ever if Chromium does not answer. */
+const TEST_MILLISECONDS = 120_000;
+
+/** Defines a test. `options` can contain another `timeout`. */
+export function test(name, options, body) {
+  if (body === undefined) return plainTest(name, { timeout: TEST_MILLISECONDS }, options);
+  return plainTest(name, { timeout: TEST_MILLISECONDS, ...options }, body);
+}
 
 /** Serves a folder. Returns the server and its address. */
 export async function serve(root = ROOT) {
