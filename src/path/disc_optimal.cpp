@@ -228,7 +228,7 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   const bool has_label = labels_ != nullptr && !labels_->is_unknown(corner);
   if (has_label && !labels_->is_useful(v, centre)) return;
   Reached& reached = reached_at(v, turn);
-  for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].before) {
+  for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].older) {
     if (noted_[i].root == root && is_same_chain(noted_[i].then, then)) return;
   }
   noted_.push_back({root, then, reached.noted});
@@ -389,7 +389,7 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
 /// the other vertex need not find the end of the line.
 void DiscOptimal::push_limit(std::uint32_t index) {
   const Root& root = roots_[turn_nodes_[index].root];
-  const HalfEdge corner = root.limit.limit;
+  const HalfEdge corner = root.limit.corner;
   if (corner == mesh::kNoHalfEdge) return;
   const int turn = root.end.contact.turn;
   const Vertex v = map_->mesh().origin(corner);
@@ -416,7 +416,7 @@ void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t then) {
 /// Returns a root at the same contact from which the disc can reach the end of the line along the circle, in one of the
 /// two directions, by a path that is not longer. Returns kNone if there is none.
 std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner, std::uint32_t first) const {
-  for (std::uint32_t i = first; i != kNone; i = roots_[i].next) {
+  for (std::uint32_t i = first; i != kNone; i = roots_[i].older) {
     const Root& root = roots_[i];
     if (root.length > node.length) continue;
     const bool is_before = node.turn * cross(root.direction, node.line.direction) >= 0.0;
@@ -435,7 +435,7 @@ std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner
 bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corner) {
   // At a start that touches the vertex, both turns have the length 0, and neither path has a direction of arrival.
   if (node.length == 0.0) return false;
-  for (std::uint32_t i = reached_at(node.vertex, -node.turn).root; i != kNone; i = roots_[i].next) {
+  for (std::uint32_t i = reached_at(node.vertex, -node.turn).root; i != kNone; i = roots_[i].older) {
     const Root& root = roots_[i];
     if (root.length > node.length) continue;
     // A path in the opposite direction with the other turn touches the circle at the same position.
@@ -450,7 +450,7 @@ bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corn
 
 /// Returns the entry in `failed_` of the line from the same root to the same contact, or kNone.
 std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t first) const {
-  for (std::uint32_t i = first; i != kNone; i = failed_[i].next) {
+  for (std::uint32_t i = first; i != kNone; i = failed_[i].older) {
     if (failed_[i].root == node.root) return i;
   }
   return kNone;

@@ -63,7 +63,7 @@ class DiscOptimal {
     double length = 0.0;    ///< the length of the path from the start to `position`
     std::uint32_t before = kNone;  ///< the root before this one on the path
     TurnLimit limit{};             ///< how far the path can turn around the vertex
-    std::uint32_t next = kNone;    ///< the root that the search has made before for the same contact, or kNone
+    std::uint32_t older = kNone;   ///< the root that the search has made before for the same contact, or kNone
     Point position{};              ///< the position of the disc's centre when the path arrives at the contact
     double distance = 0.0;         ///< the distance from `position` to the goal
   };
@@ -102,16 +102,16 @@ class DiscOptimal {
   /// A record of a turn node that push_turn() has handled, so that the search does not add this turn node again. The
   /// records of one contact form a linked list, which starts at Reached::noted.
   struct Noted {
-    std::uint32_t root;    ///< TurnNode::root
-    std::uint32_t then;    ///< TurnNode::then
-    std::uint32_t before;  ///< the next record of the list: an older one
+    std::uint32_t root;   ///< TurnNode::root
+    std::uint32_t then;   ///< TurnNode::then
+    std::uint32_t older;  ///< the record of this list that the search has made before, or kNone
   };
 
   /// A record of a line that failed its test, with the obstacles that the test found. The records of one contact form a
   /// linked list, which starts at Reached::failed.
   struct Failed {
-    std::uint32_t root;  ///< the root at which the line starts
-    std::uint32_t next;  ///< the next record of the list: an older one
+    std::uint32_t root;   ///< the root at which the line starts
+    std::uint32_t older;  ///< the record of this list that the search has made before, or kNone
     DiscLine::Obstacle left;
     DiscLine::Obstacle right;
   };

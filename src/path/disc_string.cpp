@@ -243,8 +243,8 @@ DiscString::Step DiscString::test_arc(std::size_t i) {
   const auto ignore = [](HalfEdge, HalfEdge, double) {};
   const TurnLimit limit = turn_around(*map_, contact, arrival, stop.corner, ignore);
   if (!is_beyond(limit, contact, arrival, stop.line.direction)) return Step::forward;
-  if (limit.limit == mesh::kNoHalfEdge) return Step::failed;
-  return insert(i + 1, stop_at(limit.limit, contact.turn));
+  if (limit.corner == mesh::kNoHalfEdge) return Step::failed;
+  return insert(i + 1, stop_at(limit.corner, contact.turn));
 }
 
 double DiscString::length() const {

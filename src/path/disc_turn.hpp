@@ -13,7 +13,7 @@ struct TurnLimit {
   double order = 2.0;  ///< turning_order() from the direction of arrival to the last possible direction
   /// A half-edge that starts at the other end of the wall or of the narrow gap that limits the turn. kNoHalfEdge if no
   /// vertex limits the turn.
-  mesh::HalfEdge limit = mesh::kNoHalfEdge;
+  mesh::HalfEdge corner = mesh::kNoHalfEdge;
 };
 
 /// If the order of a direction exceeds a limit by more than this, the path cannot turn so far. Allows for rounding.
