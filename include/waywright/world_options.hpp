@@ -25,7 +25,7 @@ struct WorldOptions {
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
   /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
-  /// them. An operation then takes 2 to 2.5 times as long, because it also updates the bridges near its changes. A
+  /// them. An operation then takes two to three times as long, because it also updates the bridges near its changes. A
   /// world takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one corner, the
   /// world also keeps a second mesh, which contains only the walls, and each operation changes both meshes.
   /// World::shrink_to_fit() drops the second mesh if no item needs it any more.
