@@ -48,7 +48,7 @@ ROOMS = {
     "src/constraint": room(TRIANGULATION | {"text"}, VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"}),
     "src/clearance": room(NAVIGATION, VALUES | {"item.hpp", "bridges.hpp"}),
     "src/nav": room(NAVIGATION, VALUES | {"item.hpp"}),
-    "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "path.hpp", "search_window.hpp"}, BOOST),
+    "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "path.hpp", "search_window.hpp"}),
     "src/world": room(WORLD, ALL),
     "src/io": room(["base", "text"], ALL),
     "bindings/python": room([], ALL, ("pybind11/",)),

@@ -17,7 +17,7 @@ struct AssertionFailure {
 
 /// A function that the library calls when a precondition is broken, on the thread that broke it. The handler may log
 /// the failure, show it or stop in a debugger. When the handler returns, the library aborts the process.
-/// Exceptions: the handler must not throw.
+/// Exceptions: your handler must not throw.
 using AssertionHandler = void (*)(const AssertionFailure& failure);
 
 /// Sets the assertion handler of the whole process and returns the previous one. Null stands for the default handler,

@@ -53,8 +53,8 @@ struct PathChanges {
 /// ellipse. There is one exception, which the watch does not report: an insertion that blocks an end of a path that was
 /// not found can make a path possible, because the next query moves this end to a free position
 /// (PathQuery::end_tolerance). A replacement counts as a removal and an insertion. A path that was not found counts as
-/// infinitely long: the watch reports it after each removal of a wall. If the search moved an end of the path, the
-/// ellipse is larger, and also contains the point at which the query wanted this end.
+/// infinitely long: the watch reports it after each removal of a segment, polyline or polygon. If the search moved an
+/// end of the path, the ellipse is larger, and also contains the point at which the query wanted this end.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it.

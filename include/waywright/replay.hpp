@@ -103,7 +103,7 @@ struct ReplayResult {
 /// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at
 /// the first difference. Ignores queries. `progress` may be empty. It counts lines of the log.
 /// Errors: the errors of World::create(), for the domain.
-/// Cost: the cost of the changes. The changes of one tick are one operation.
+/// Cost: the cost of the changes. The changes between two lines `tick`, `mark` or `rewind` are one operation.
 [[nodiscard]] WAYWRIGHT_API Result<ReplayResult> replay(
     const Script& log, const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 

@@ -257,8 +257,8 @@ class WAYWRIGHT_API World {
   /// changes. WorldSnapshot describes the copies of the world. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
   /// Cost: for each item that has changed since a free copy was last equal to this world, at most one removal and one
-  /// insertion, however often the item has changed. If no copy is free, or if more than a 32nd of all items, and more
-  /// than 64, have changed: the cost of clone().
+  /// insertion, however often the item has changed. If no copy is free, or if more items have changed than 64 plus a
+  /// 32nd of all items: the cost of clone().
   [[nodiscard]] WorldSnapshot publish();
 
   /// @}

@@ -48,10 +48,10 @@ inline constexpr char kEmptySnapshot[] =
 /// Each snapshot that readers hold takes as much memory as a clone(). World::shrink_to_fit() frees the copies that no
 /// reader holds.
 ///
-/// When the last copy of the handle is released or destroyed, World::publish() may use the memory again. If the world
-/// does not keep this memory, or has been destroyed, the thread with the last copy frees it. A snapshot can exist
-/// longer than its world. Do not use a reference to the immutable world, or a PathSearch in it, after you have released
-/// the snapshot.
+/// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
+/// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can
+/// exist longer than its world. Do not use a reference to the immutable world, or a PathSearch in it, after you have
+/// released the snapshot.
 ///
 /// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
 /// thread at a time, like a std::shared_ptr: give each thread a copy of its own. Threads may copy, release and destroy

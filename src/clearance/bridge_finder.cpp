@@ -147,10 +147,11 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
 /// 1. f is a x + b y with a, b > 0. Because D . x = x^2 and D . y = y^2, f^2 = a f . x + b f . y is less than D . f.
 ///    So D lies strictly beyond the line of the wall, and the segment from w to D meets this line at a position g
 ///    before D.
-/// 2. The lines f . x = x^2 and f . y = y^2 meet at D, so f lies strictly inside C. The position g lies strictly inside
-///    C, too. So the triangle w f g, except for w, lies strictly inside C. It contains no other vertex: if a ray from w
-///    turned from f to g, the first vertex that it met would be visible from the face, but no visible vertex lies
-///    strictly inside the circle of a face.
+/// 2. The line of all positions p with p . x = x^2 passes through x, the line with p . y = y^2 passes through y, and
+///    they meet at D. So f lies strictly inside C. The position g lies strictly inside C, too. So the triangle w f g,
+///    except for w, lies strictly inside C. It contains no other vertex: if a ray from w turned from f to g, the first
+///    vertex that it met would be visible from the face, but no visible vertex lies strictly inside the circle of a
+///    face.
 /// 3. So g lies on the wall, too, and the segment from w to g crosses the same edges as the bridge. The function
 ///    follows the segment from w to D to the first wall.
 ///

@@ -64,8 +64,8 @@ class BridgeFinder {
   /// Returns one bit for each angle of a face. Bit i is 0 only if the angle at the origin of half-edge i of the face is
   /// at least 90 degrees.
   [[nodiscard]] unsigned acute_angles(mesh::Face f) const;
-  /// Returns false only if no foot bridge starts at corner `i` of a face, 0, 1 or 2, and runs into the face. `acute` is
-  /// acute_angles() of the face.
+  /// Returns false only if no foot bridge starts at corner `i` (0, 1 or 2) of a face and runs into this face. `acute`
+  /// is acute_angles() of the face.
   [[nodiscard]] static bool may_have_foot(unsigned acute, unsigned i) { return (acute | 1U << i) == 7U; }
 
   /// Returns whether the free edge of `h` is a bridge. Requires: `h` and its twin belong to faces of the domain.
@@ -165,8 +165,8 @@ class BridgeFinder {
   }
   /// Returns false only if no point of the segment from `p` to `q` lies in the closed exact disc. The distance of the
   /// segment from the centre is wrong by at most 4 * rounding_, plus 2^-48 of the distances of `p` and `q` and of the
-  /// radius. The number (r + 2^-48 d)^2 is less than (1 + 2^-21) r^2 + 2^-74 d^2. So the limit of the candidate and the
-  /// last term of `limit` below cover this error.
+  /// radius. Let r be the radius and d the sum of the two distances. Then (r + 2^-48 d)^2 is less than (1 + 2^-21) r^2
+  /// + 2^-74 d^2. So the limit of the candidate and the last term of `limit` below cover this error.
   [[nodiscard]] static bool may_touch(const Candidate& candidate, const Around& p, const Around& q) {
     const Point along = q.offset - p.offset;
     const double at_p = p.offset.x * along.x + p.offset.y * along.y;

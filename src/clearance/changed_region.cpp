@@ -35,11 +35,11 @@ using mesh::HalfEdge;
 // 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from t. D contains none
 //    of the vertices xi, except xk if b is the edge from w to xk. The edge from w to xi divides D into two pieces. The
 //    piece that contains q and t lies in the disc whose diameter is this edge: the circle of D meets the edge at a
-//    position p before xi or at xi. At the other end of the diameter of D from w, the angle between w and p is acute.
-//    So the angle between w and p at t is not acute, and at q it is obtuse. If b is the edge from w to xk, its disc is
-//    D. No edge between G and F is a wall, because walls do not meet D. So the search, when it leaves a face through an
-//    edge whose disc meets `border` and touches a changed wall, continues around both ends of the edge, as long as this
-//    is true of the edges' discs.
+//    position p before xi or at xi. Let e be the end, other than w, of the diameter of D through w. It lies in the
+//    other piece, and the angle at e between w and p is acute. So the angle between w and p at t is not acute, and at q
+//    it is obtuse. If b is the edge from w to xk, its disc is D. No edge between G and F is a wall, because walls do
+//    not meet D. So the search, when it leaves a face through an edge whose disc meets `border` and touches a changed
+//    wall, continues around both ends of the edge, as long as this is true of the edges' discs.
 // 3. If touched faces lie at w from the direction of t to F, let `border` be the edge at w of the last one that is
 //    nearer to F, and q a position of this edge near w. The face beyond `border` is the first face of the search. The
 //    disc whose diameter is `border` contains t, as in 2, and the search continues around w as in 2.

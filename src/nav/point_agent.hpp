@@ -5,7 +5,7 @@
 namespace waywright::nav {
 
 /// Says which edges of a mesh an agent without extent can cross. The searches and the abstraction use only this class
-/// to decide this. They do not call TriangleMesh::is_fixed, which says which edges the mesh must keep. An agent of
+/// to decide this. TriangleMesh::is_fixed is another question: it says which edges the mesh must keep. An agent of
 /// another kind may be able to cross some fixed edges, or may be too large for some free edges.
 ///
 /// For a point agent every constrained edge is a wall. An agent of another kind needs a class like this one. That class

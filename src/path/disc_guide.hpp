@@ -18,30 +18,30 @@ namespace waywright::path {
 /// Let P be a path of the disc that is not longer than a length l, and r the radius. Then:
 /// - The centre of the disc crosses no closed edge. So P is a path of the guide, too.
 /// - Let v be a vertex of a contact of P, and x the position of the disc when it reaches this contact. The segment from
-///   x to v has the length r. It crosses no wall, because no wall is nearer to x than r. It crosses no closed bridge:
-///   the centre lies left or right of the bridge, and the piece of the disc beyond the bridge lies in the disc whose
+///   x to v has the length r. It crosses no wall, because no wall is nearer to x than r. It crosses no closed bridge.
+///   If it crossed one, v would lie in the piece of the disc beyond the bridge. This piece lies in the disc whose
 ///   diameter is the bridge, because the bridge is shorter than the disc is wide and its ends do not lie inside the
-///   disc. So v would lie in the disc whose diameter is the bridge, but walls touch that disc only at the two ends of
-///   the bridge. Therefore a path of the guide leads from the start over x to v, and another path of the guide leads
-///   from v over x to the goal. The sum of their lengths is at most l + 2 r. So if the guide has followed all windows
-///   whose bound is below l + 2 r, then v has a label, and this label is at most r longer than the rest of P.
+///   disc. But walls touch the disc of the bridge only at the two ends of the bridge. Therefore a path of the guide
+///   leads from the start over x to v, and another path of the guide leads from v over x to the goal. The sum of their
+///   lengths is at most l + 2 r. So if the guide has followed all windows whose bound is below l + 2 r, then v has a
+///   label, and this label is at most r longer than the rest of P.
 /// - A straight line of P leads from one contact or end to the next. The segment between their vertices lies in the
 ///   strip that the disc sweeps, so no wall meets it, and for the reason above no closed bridge meets it. Consider a
-///   point of this segment. The nearest position on the line of P is at most r away. The segment to this position
-///   crosses no closed edge. A closed edge that crosses it would end in the strip, or would cross P, the segment
-///   between the vertices, or a segment from a vertex to a position of P. All of these are impossible. So a path of the
-///   guide that is not longer than l + 2 r leads through each point of the segment between the vertices, and the guide
-///   has followed a window across each edge that this segment crosses.
+///   point of this segment. The nearest position on the line of P is at most r away. The segment from the point to this
+///   position crosses no closed edge: a closed edge that crosses this segment would end in the strip, or would cross P,
+///   the segment between the vertices, or a segment from a vertex to a position of P. All of these are impossible. So a
+///   path of the guide that is not longer than l + 2 r leads through each point of the segment between the vertices,
+///   and the guide has followed a window across each edge that this segment crosses.
 ///
 /// The guide enters no dead end without the start, but a vertex of P may lie there: the disc may touch it while its
 /// centre is outside of the dead end. GuideLabels::is_unknown() recognises these vertices and the edges in dead ends,
 /// and DiscOptimal uses no labels and no marks for them. For a vertex elsewhere, the proof above holds. The segment
-/// from x to the vertex, or P itself, may enter a dead end. It then also leaves the dead end across the same edge, and
-/// the straight line along this edge is not longer.
+/// from x to the vertex, or P itself, may enter a dead end. Then it enters and leaves the dead end across the same
+/// edge. The straight piece of this edge between the two crossings is not longer than the detour through the dead end.
 ///
 /// If a path that is shorter than the limit leads through a point, Optimal keeps a shortest path to this point, not
-/// only to the goal. The reason is that Optimal leaves out a window or a root only in two cases: another path is at
-/// most as long at each point of the window or at the root, or the bound of the window is not below the limit.
+/// only to the goal. The reason is that Optimal leaves out a window or a root only in two cases: another path to each
+/// point of the window, or to the root, is at most as long, or the bound of the window is not below the limit.
 class DiscGuide {
  public:
   /// Starts the search. Requires: `ends` belongs to `map`, and no face contains both ends; `start` and `goal` are the

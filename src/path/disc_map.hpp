@@ -62,8 +62,8 @@ class DiscMap {
   double explicit_slack;  ///< like `slack`, but only for walls between explicit vertices
   [[nodiscard]] double least_distance() const { return radius - slack; }
 
-  /// Returns whether no disc passes between the two ends of the edge: the edge is a wall, or a bridge that is shorter
-  /// than the disc is wide. The decision is exact.
+  /// Returns whether this disc cannot pass between the two ends of the edge: the edge is a wall, or a bridge that is
+  /// shorter than the disc is wide. The decision is exact.
   [[nodiscard]] bool is_closed(mesh::HalfEdge h) const {
     if (mesh().is_fixed(h)) return true;
     if (!bridges.is_bridge(h)) return false;
@@ -80,8 +80,8 @@ class DiscMap {
     return mesh().is_fixed(h) || (squared <= surely_long && is_closed(h));
   }
 
-  /// Returns the foot of the bridge that starts at the origin of `corner`, runs into the face of `corner` and is
-  /// shorter than the disc is wide, relative to `origin`. Returns nothing if there is no such bridge.
+  /// Returns the foot, relative to `origin`, of the bridge that starts at the origin of `corner`, runs into its face
+  /// and is shorter than the disc is wide. Returns nothing if there is no such bridge.
   [[nodiscard]] std::optional<Point> narrow_bridge_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
     if (foot == clearance::Bridges::kNone) return std::nullopt;

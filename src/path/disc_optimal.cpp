@@ -17,9 +17,10 @@ namespace {
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
 constexpr int kFacesBetweenBounds = 8;
 
-/// Consider the line on which the path arrives at a root. Suppose that the circle around the root lies left of this
-/// line and a vertex lies right of it, or the reverse. If the vertex is farther than this many radii from the line, the
-/// next line of the path does not lead to the vertex. The exact factor is 2. The rest allows for rounding.
+/// Consider the line through the vertex of a root, in the direction in which the path arrives there. Suppose that the
+/// path turns left at the root and another vertex lies right of this line, or the reverse. If this vertex is farther
+/// than this many radii from the line, the next line of the path does not lead to the vertex. The exact factor is 2.
+/// The rest allows for rounding.
 constexpr double kOutside = 2.125;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
@@ -63,10 +64,10 @@ bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& e
 
 /// Returns whether the search does not follow a window between the rays `left` and `right` across the edge `exit`,
 /// whose ends are `edge`. There are two reasons. First, is_excluded() is true. Second, the piece of the edge that the
-/// window sees is too far from the line on which the path arrives at the root. This is so if the circle around the root
-/// lies left of this line and the piece lies right of it, or the reverse, and if the distance of the piece from the
-/// line is larger than the diameter of the disc. A line from the root to a vertex that the window sees beyond this
-/// piece would turn back.
+/// window sees is too far from the line through the vertex of the root, in the direction in which the path arrives
+/// there: the path turns left at the root and the piece lies right of this line, or the reverse, and the distance of
+/// the piece from the line is larger than the diameter of the disc. A line from the root to a vertex that the window
+/// sees beyond this piece would turn back.
 WAYWRIGHT_ALWAYS_INLINE
 bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& right, HalfEdge exit,
                              const Edge& edge) const {
@@ -78,8 +79,8 @@ bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& r
   return is_far_behind(root, nearer_bound, edge) && is_far_behind(root, is_left ? right : left, edge);
 }
 
-/// Returns whether the point where a ray of a window meets the edge is too far from the line on which the path arrives
-/// at the root: see is_outside().
+/// Returns whether the point where a ray of a window meets the edge is too far from the line through the vertex of the
+/// root: see is_outside().
 bool DiscOptimal::is_far_behind(const Root& root, const Point& bound, const Edge& edge) const {
   const Contact& from = root.end.contact;
   const std::optional<Point> end = meeting({0.0, 0.0}, bound, edge.right - from.centre, edge.left - edge.right);
@@ -199,8 +200,8 @@ bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
 /// kTurnRight. Requires: a ray of the window passes through this end. Does nothing if no path can continue after the
 /// turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the window's edge.
 /// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on this ray. Then a
-/// path that turns at the root in the same direction does not cross the far edge (the edge of the face that does not
-/// contain this end of the window's edge): it continues along the ray to the apex.
+/// path that turns in the direction `turn` at the root, too, does not cross the far edge (the edge of the face that
+/// does not contain this end of the window's edge): it continues along the ray to the apex.
 void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
@@ -385,8 +386,8 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
 }
 
 /// Adds a turn node for the vertex that limits the turn around the root of a line. After the turn around that vertex,
-/// the path continues to the end of the line. This is necessary also if a window has suggested the line: the windows of
-/// the other vertex need not find the end of the line.
+/// the path continues to the end of the line. This is necessary even if a window has found the end of the line: the
+/// windows of the vertex that limits the turn need not find it.
 void DiscOptimal::push_limit(std::uint32_t index) {
   const Root& root = roots_[turn_nodes_[index].root];
   const HalfEdge corner = root.limit.corner;
@@ -438,10 +439,11 @@ bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corn
   for (std::uint32_t i = reached_at(node.vertex, -node.turn).root; i != kNone; i = roots_[i].older) {
     const Root& root = roots_[i];
     if (root.length > node.length) continue;
-    // A path in the opposite direction with the other turn touches the circle at the same position.
-    const Point position = opposite(root.direction);
-    const int orientation = cross(position, node.line.direction) >= 0.0 ? 1 : -1;
-    const double angle = turning_angle(position, node.line.direction, orientation);
+    // This is the direction in which a path with the turn of `node` touches the circle where the path of `root` touches
+    // it.
+    const Point arrival = opposite(root.direction);
+    const int orientation = cross(arrival, node.line.direction) >= 0.0 ? 1 : -1;
+    const double angle = turning_angle(arrival, node.line.direction, orientation);
     if (root.length + map_->radius * angle > node.length) continue;
     if (are_on_one_arc(root.corner, corner, orientation)) return true;
   }

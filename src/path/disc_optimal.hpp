@@ -19,9 +19,9 @@ namespace waywright::path {
 
 /// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
 /// each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which the path turns
-/// around it: left or right. The *root* of a line is the contact that it leaves, or the start. A *turn node* is
-/// a line from a root to a contact, or to the goal. A *window* is an edge of the mesh together with two rays from the
-/// vertex of a root.
+/// around it: left or right. A *root* is the start, or a contact together with a path to it. A line leaves its root. A
+/// *turn node* is a line from a root to a contact, or to the goal. A *window* is an edge of the mesh together with two
+/// rays from the vertex of a root.
 ///
 /// With windows, the search finds the vertices that are visible from the vertex of a root. Windows move from face to
 /// face, as in Optimal. If a disc can move along a straight line from one contact to another, then the two vertices see

@@ -28,7 +28,8 @@ class Finder {
   /// frees a face that shares a vertex with f, or if it changes the entry of f in the abstraction.
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
              Path& path, LookedAt* looked_at = nullptr);
-  /// Makes the search that has begun append each window that it follows to `windows`, if its algorithm is `optimal`.
+  /// Call this after begin(): if the algorithm is `optimal`, the search appends each window that it follows to
+  /// `windows`.
   /// Requires: the search records the faces at which it looks.
   void record_windows(std::vector<SearchWindow>& windows) {
     if (!is_done_ && query_.algorithm == PathAlgorithm::optimal) optimal_.record_windows(windows);

@@ -13,8 +13,8 @@
 
 namespace waywright::path {
 
-/// What the search of a guide (DiscGuide) tells a search for the path of a disc: which vertices and edges a path may
-/// use if it is not longer than a limit, and lower bounds of the length from a vertex to the goal.
+/// The results of a guide (DiscGuide) for the search for the path of a disc: which vertices and edges a path may use if
+/// it is not longer than a limit, and lower bounds of the length from a vertex to the goal.
 class GuideLabels {
  public:
   /// Forgets the labels of the last search. `start` is the point at which the disc starts, relative to the origin of
@@ -50,8 +50,8 @@ class GuideLabels {
   /// Returns whether the guide has followed a window across the edge.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }
   /// Returns whether one of the two faces of the edge lies in a dead end into which the guide does not look. Then the
-  /// labels and marks say nothing about the edge, and nothing about a contact at one of its ends that a path reaches in
-  /// these two faces.
+  /// labels and marks say nothing about the edge. If `h` is the corner of a contact, the label of its vertex says
+  /// nothing about this contact.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
     return dead_ends_.is_in_dead_end(mesh::face(h)) || dead_ends_.is_in_dead_end(mesh::face(map_->mesh().twin(h)));
   }

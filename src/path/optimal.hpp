@@ -59,14 +59,14 @@ class Optimal {
   /// not change before start().
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// Makes the search that has begun a guide: it crosses only edges for which labels.can_cross() is true, and it
-  /// records in `labels` what it sees. A guide has one goal. When step() has found the shortest path, it returns true,
-  /// but continue_to() can continue the search.
+  /// Call this after begin(): the search becomes a guide. It crosses only edges for which labels.can_cross() is true,
+  /// and it records in `labels` what it sees. A guide has one goal. When step() has found the shortest path, it returns
+  /// true, but continue_to() can continue the search.
   void guide(GuideLabels& labels) { labels_ = &labels; }
   /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
   void continue_to(double limit) { longest_ = end_ = limit; }
-  /// Makes the search that has begun append each window that it follows to `windows`: one or more for each triangle
-  /// that it enters. Requires: begin() was called with `looked_at`.
+  /// Call this after begin(): the search then appends each window that it follows to `windows`: one or more for each
+  /// triangle that it enters. Requires: begin() was called with `looked_at`.
   void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
   /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: the goal does not lie at
   /// a face of the start.

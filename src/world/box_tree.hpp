@@ -39,8 +39,8 @@ class BoxTree {
   /// Removes a box. Allocates nothing. Cost: the depth of the tree.
   void remove(Handle handle);
 
-  /// Calls Bucket::for_each_overlapping(box, visit) for each node that has a box that overlaps `box`. Boxes overlap if
-  /// they have a point in common. Allocates nothing. `visit` must not change the set.
+  /// Calls Bucket::for_each_overlapping(box, visit) for the root, and for each node below it whose bounds overlap
+  /// `box`. Boxes overlap if they have a point in common. Allocates nothing. `visit` must not change the set.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     if (!nodes_.empty()) visit_below(0, box, visit);

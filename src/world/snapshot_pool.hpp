@@ -109,10 +109,10 @@ class SnapshotPool {
   /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
   static constexpr std::size_t kMost = 16;
 
-  /// If at most this number of items have changed, a replica follows the world, even if the world is small.
+  /// A replica follows the world if at most this number of items have changed, plus one in kItemsForEachChange of all
+  /// items. If more have changed, a copy of the world costs less.
   static constexpr std::size_t kFewChanges = 64;
-  /// If at most one in this number of items has changed, a replica follows the world, too. If more have changed, a
-  /// copy of the world costs less.
+  /// See kFewChanges.
   static constexpr std::size_t kItemsForEachChange = 32;
 
   /// Removes from the pool each replica that readers hold and that cannot follow the world any more. Then removes the
