@@ -74,8 +74,8 @@ class DiscMap {
     return exact::compare_to_diameter({from, to, to}, exact_radius) < 0;
   }
 
-  /// Returns is_closed(h). `squared` is the squared length of the edge. With this length, the function avoids most of
-  /// the exact decisions.
+  /// Returns is_closed(h). `squared` is the squared length of the edge. For most edges, this length is enough for the
+  /// decision, and the function does not ask whether the edge is a bridge.
   [[nodiscard]] bool is_closed(mesh::HalfEdge h, double squared) const {
     return mesh().is_fixed(h) || (squared <= surely_long && is_closed(h));
   }

@@ -27,6 +27,7 @@ namespace waywright::path {
 /// face, as in Optimal. If a disc can move along a straight line from one contact to another, then the two vertices see
 /// each other. Before a path uses a line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the
 /// search adds a turn node for this vertex. From this vertex, the search then tries a line to the end of the old line.
+/// It does the same with the vertex that limits the turn before the line, if the path cannot turn far enough for it.
 ///
 /// The search decides exactly whether a disc passes a gap: a line that has passed its test crosses no gap that is too
 /// narrow. (A window crosses no narrow bridge that is an edge of the mesh, but it may cross narrow foot bridges.) All

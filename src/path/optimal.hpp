@@ -190,7 +190,8 @@ class Optimal {
   void look(mesh::Face f) {
     if (looked_at_ != nullptr) looked_at_->look(f);
   }
-  /// Records, if the caller wants it, that the search has entered the face with this window. A guide records nothing.
+  /// Records, if the caller wants it, that the search has entered the face with this window. A guide marks the edges
+  /// that it crosses instead.
   void enter(mesh::Face f, const Node& window) {
     if (looked_at_ != nullptr) record(f, window);
   }
