@@ -235,9 +235,8 @@ class WAYWRIGHT_API World {
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent can move from one
   /// point to another if find_path() finds a path with the PathQuery::end_tolerance 0. With a radius above 0, a point
   /// is blocked if the disc does not fit there (fit_disc()), and a disc can move to another point only through gaps
-  /// that are wide enough. The function ignores the points that are blocked now, and the pairs of points that are not
-  /// connected now. Change has an example. Error::index is the index of the refused point in `points`, or of the
-  /// refused change in `changes`.
+  /// that are wide enough. Points that are blocked now, and pairs that are not connected now, do not matter. Change has
+  /// an example. Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
   /// bridges.
@@ -548,8 +547,7 @@ class WAYWRIGHT_API World {
   /// @copydoc snapshot() const
   void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
   /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
-  /// have equal dumps.
-  /// Cost: O(n log n), with exact arithmetic.
+  /// have equal dumps. Cost: O(n log n), with exact arithmetic.
   [[nodiscard]] std::string dump() const;
   /// Returns the hash of the domain and the live items. Every operation updates the hash.
   /// Cost: O(1).

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { hashes, launch, openPage, serve, settle, test } from './support.mjs';
 
-test('after the first visit the page works without a network', { timeout: 120_000 }, async () => {
+test('after the first visit the page works without a network', async () => {
   const { server, base } = await serve();
   const browser = await launch();
   try {

@@ -11,7 +11,7 @@ export const ROOT = process.env.WAYWRIGHT_PAGE ?? fileURLToPath(new URL('../dist
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 const CHROMIUM = process.env.WAYWRIGHT_CHROMIUM ?? '/usr/bin/chromium';
 
-/** Most tests take 2 to 7 seconds. Without a limit, a test waits for ever if Chromium does not answer. */
+/** Most tests take 2 to 7 seconds. Without a limit, a test waits forever if Chromium does not answer. */
 const TEST_MILLISECONDS = 120_000;
 
 /** Defines a test. `options` can contain another `timeout`. */

@@ -243,6 +243,8 @@ void Optimal::follow_window_as(Node window) {
   }
 }
 
+// Inline in both versions of follow_window_as(): otherwise a search for a point agent takes about 1 % more
+// instructions.
 WAYWRIGHT_ALWAYS_INLINE
 void Optimal::narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint32_t root) const {
   see(apex, root);

@@ -5,7 +5,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,8 +22,8 @@ using mesh::HalfEdge;
 
 constexpr std::size_t kAllExpansions = std::numeric_limits<std::size_t>::max();
 
-/// Checks that the exits lead from a face at the start, face by face, to the end of the channel at the goal, and that
-/// the disc fits on each of them.
+/// Checks that the exits lead from a face at the start, face by face, to the end of the channel at the goal, that the
+/// disc fits on each of them, and that no narrow foot bridge separates one from the next.
 void check_exits(const path::DiscMap& map, const path::DiscEnds& ends, const path::DiscChannel& channel) {
   const mesh::TriangleMesh& mesh = map.mesh();
   const std::span<const HalfEdge> exits = channel.exits();
@@ -45,7 +44,7 @@ void check_exits(const path::DiscMap& map, const path::DiscEnds& ends, const pat
     ASSERT_EQ(mesh::face(is_last ? channel.goal_face() : exits[i + 1]), beyond) << "exit " << i;
     ASSERT_TRUE(is_last || exits[i + 1] != mesh.twin(exits[i])) << "exit " << i;
     if (i == 0) continue;
-    // A foot bridge at the vertex of the entry and the exit would separate them.
+    // A narrow foot bridge at the vertex of the entry and the exit would separate them.
     const HalfEdge entry = mesh.twin(exits[i - 1]);
     const HalfEdge corner = exits[i] == mesh::previous(entry) ? entry : exits[i];
     ASSERT_FALSE(map.has_narrow_bridge_foot(corner)) << "exit " << i;
