@@ -11,7 +11,7 @@
 #if !defined(FMT_HEADER_ONLY)
 #define FMT_HEADER_ONLY
 #endif
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
 namespace waywright::base {
 
@@ -25,7 +25,7 @@ struct ShortestDigits {
 /// Requires: `value` is finite and positive.
 inline ShortestDigits shortest_digits(double value) {
   std::array<char, 40> buffer{};
-  const char* const end = fmt::format_to(buffer.data(), FMT_STRING("{}"), value);
+  const char* const end = fmt::format_to(buffer.data(), FMT_COMPILE("{}"), value);
   const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
   const std::size_t mantissa_size = std::min(text.find('e'), text.size());
   const std::size_t point = std::min(text.find('.'), mantissa_size);
@@ -45,7 +45,7 @@ inline ShortestDigits shortest_digits(double value) {
 /// scientific notation, and fixed notation if both have the same length. A whole number in fixed notation has all its
 /// digits. Returns the end of the text.
 inline char* write_shortest_by_fmt(char* first, char* last, double value) {
-  if (!std::isfinite(value) || value == 0.0) return fmt::format_to(first, FMT_STRING("{}"), value);
+  if (!std::isfinite(value) || value == 0.0) return fmt::format_to(first, FMT_COMPILE("{}"), value);
   if (value < 0.0) *first++ = '-';
   const ShortestDigits shortest = shortest_digits(std::abs(value));
   const std::ptrdiff_t count = shortest.count;
@@ -63,7 +63,7 @@ inline char* write_shortest_by_fmt(char* first, char* last, double value) {
     if (std::abs(exponent) < 10) *first++ = '0';
     return std::to_chars(first, last, std::abs(exponent)).ptr;
   }
-  if (point >= count) return fmt::format_to(first, FMT_STRING("{:.0f}"), std::abs(value));
+  if (point >= count) return fmt::format_to(first, FMT_COMPILE("{:.0f}"), std::abs(value));
   if (point > 0) {
     first = std::copy(digits, digits + point, first);
     *first++ = '.';
@@ -77,7 +77,7 @@ inline char* write_shortest_by_fmt(char* first, char* last, double value) {
 
 /// Does what std::to_chars(first, last, value, std::chars_format::general, digits) does, with the library fmt.
 inline char* write_rounded_by_fmt(char* first, char* /*last*/, double value, int digits) {
-  return fmt::format_to(first, FMT_STRING("{:.{}g}"), value, digits);
+  return fmt::format_to(first, FMT_COMPILE("{:.{}g}"), value, digits);
 }
 
 }  // namespace waywright::base
