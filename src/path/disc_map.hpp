@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "clearance/bridges.hpp"
@@ -10,6 +11,13 @@
 #include "nav/two_core.hpp"
 
 namespace waywright::path {
+
+/// Returns a lower bound of the magnitude of cross(u, v): the function subtracts more than the rounding errors.
+[[nodiscard]] inline double least_cross(const Point& u, const Point& v) {
+  const double left = u.x * v.y;
+  const double right = u.y * v.x;
+  return std::max(0.0, std::abs(left - right) - 0x1p-48 * (std::abs(left) + std::abs(right)));
+}
 
 /// The input of a search for the path of a disc: the walls of a world, their bridges, and the radius of the disc.
 class DiscMap {
@@ -78,6 +86,17 @@ class DiscMap {
   /// decision, and the function does not ask whether the edge is a bridge.
   [[nodiscard]] bool is_closed(mesh::HalfEdge h, double squared) const {
     return mesh().is_fixed(h) || (squared <= surely_long && is_closed(h));
+  }
+
+  /// Consider the bridges from a vertex that run into a face of this vertex and end inside a wall. Returns true only if
+  /// none of them is shorter than the disc is wide. `least_cross` is least_cross() of two edges of the face, and
+  /// `squared` is the squared length of the edge that is opposite to the vertex.
+  ///
+  /// Such a bridge crosses the opposite edge or ends on it. So it is at least as long as the distance from the vertex
+  /// to the line of this edge, which is the cross product divided by the length of the edge. `surely_long` allows for
+  /// the rounding of positions: a bridge starts at an explicit vertex, so only the ends of the edge may be rounded.
+  [[nodiscard]] bool is_foot_surely_long(double least_cross, double squared) const {
+    return least_cross * least_cross > surely_long * squared;
   }
 
   /// Returns the foot, relative to `origin`, of the bridge that starts at the origin of `corner`, runs into its face
