@@ -7,12 +7,6 @@
 
 namespace waywright {
 
-namespace detail {
-
-struct LoadedPoints;  // of load_world()
-
-}  // namespace detail
-
 /// @addtogroup world
 /// @{
 

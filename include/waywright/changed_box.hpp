@@ -42,9 +42,9 @@ namespace waywright {
 /// Path path = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
 /// const std::uint64_t before = yard.version();
 /// yard.insert_segment({40, 56}, {60, 56}).value();
-/// const bool is_far = yard.is_affected(path, before);  // == false
+/// const bool is_affected_by_far = yard.is_affected(path, before);  // == false
 /// yard.insert_segment({40, 54}, {60, 54}).value();
-/// const bool is_near = yard.is_affected(path, before);  // == true
+/// const bool is_affected_by_near = yard.is_affected(path, before);  // == true
 /// @endcode
 struct ChangedBox {
   std::uint64_t version = 0;  ///< the version of the world after the operation

@@ -149,7 +149,7 @@ namespace detail {
 [[noreturn]] WAYWRIGHT_API void raise(const Error& error);
 /// Calls the assertion handler and aborts. Result calls this function if you use `*` or `->` on a result that has an
 /// error.
-[[noreturn]] WAYWRIGHT_API void fail_value_of(const Error& error);
+[[noreturn]] WAYWRIGHT_API void fail_value_access(const Error& error);
 }  // namespace detail
 
 /// @addtogroup errors
@@ -207,13 +207,13 @@ class [[nodiscard]] Result {
   /// Gives access to the members of the value.
   /// Requires: ok(). The library checks this in every build.
   [[nodiscard]] const T* operator->() const {
-    if (!ok()) detail::fail_value_of(error());
+    if (!ok()) detail::fail_value_access(error());
     return std::get_if<0>(&state_);
   }
   /// Gives access to the members of the value.
   /// Requires: ok().
   [[nodiscard]] T* operator->() {
-    if (!ok()) detail::fail_value_of(error());
+    if (!ok()) detail::fail_value_access(error());
     return std::get_if<0>(&state_);
   }
 

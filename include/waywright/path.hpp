@@ -216,8 +216,9 @@ struct WAYWRIGHT_API Path {
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
-  /// straight lines that the search took from its open list. PathAlgorithm::tra and the search for a first channel of a
-  /// disc count only the triangles at which they had a choice or paused.
+  /// straight lines that the search took from its open list. PathAlgorithm::tra counts only the triangles at which it
+  /// had a choice. For a disc, it also counts the triangles at which it left a long corridor, for the moment, because
+  /// another triangle promised a shorter path.
   std::size_t expansions = 0;
   /// The time that the search took. It is 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};

@@ -214,7 +214,7 @@ class WAYWRIGHT_API World {
   /// and neither begins nor continues a PathSearch of this world.
   /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
   /// change in `changes`.
-  /// Cost: the cost of apply() and of the question. To take the changes back allocates nothing and costs less.
+  /// Cost: as apply(), and the question. To take the changes back allocates nothing and costs less than apply().
   /// Threads: the call is an operation, also while the question runs: no other thread may call any member.
   template <class Question>
   auto attempt(std::span<const Change> changes, Question&& question) -> detail::ResultOfAttempt<Question> {
@@ -580,7 +580,7 @@ class WAYWRIGHT_API World {
   friend class PathSearch;
   friend class PathWatch;
   friend class detail::AttemptGuard<World>;
-  friend struct detail::LoadedPoints;
+  friend struct LoadedPoints;    // of load_world()
   friend struct WorldInternals;  // of the tests
   struct Impl;
   class Operation;

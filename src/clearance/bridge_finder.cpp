@@ -45,8 +45,8 @@ bool BridgeFinder::may_disc_meet(HalfEdge h, HalfEdge border) const {
 /// Returns false only if the edge from `p` to `q` contains no position of the closed disc, except an end of the
 /// candidate. An edge at an end of the candidate contains a position strictly inside the disc, or no position of the
 /// disc except the end.
-WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate, const Around& p,
-                                                     const Around& q) const {
+WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate, const NearVertex& p,
+                                                     const NearVertex& q) const {
   if (p.is_end) return candidate.may_enter_from(p.vertex, position_of(q.vertex), rounding_);
   if (q.is_end) return candidate.may_enter_from(q.vertex, position_of(p.vertex), rounding_);
   return may_touch(candidate, p, q);
@@ -56,16 +56,16 @@ WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate,
 /// the closed disc. Requires: the disc may touch the edge of `entry`.
 bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
   if (mesh_.is_fixed(entry)) return !is_blocked_by(candidate.gap, entry);
-  auto& to_clear = scratch_.to_clear;
-  to_clear.clear();
-  Around origin = around(candidate, mesh_.origin(entry));
-  Around target = around(candidate, mesh_.target(entry));
+  auto& to_test = scratch_.to_test;
+  to_test.clear();
+  NearVertex origin = near_vertex(candidate, mesh_.origin(entry));
+  NearVertex target = near_vertex(candidate, mesh_.target(entry));
   for (;;) {
     bool goes_left = false;
     bool goes_right = false;
     const HalfEdge left = mesh::previous(entry);
     const HalfEdge right = mesh::next(entry);
-    const Around apex = around(candidate, mesh_.origin(left));
+    const NearVertex apex = near_vertex(candidate, mesh_.origin(left));
     if (scratch_.visit(mesh::face(entry))) {
       if (!(apex.square > candidate.limit) && is_blocked_by(candidate, apex.vertex)) return false;
       goes_left = may_enter(candidate, apex, origin);
@@ -80,18 +80,18 @@ bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
       goes_right = false;
     }
     if (goes_right) {
-      if (goes_left) to_clear.push_back(mesh_.twin(left));
+      if (goes_left) to_test.push_back(mesh_.twin(left));
       entry = mesh_.twin(right);
       origin = apex;
     } else if (goes_left) {
       entry = mesh_.twin(left);
       target = apex;
     } else {
-      if (to_clear.empty()) return true;
-      entry = to_clear.back();
-      to_clear.pop_back();
-      origin = around(candidate, mesh_.origin(entry));
-      target = around(candidate, mesh_.target(entry));
+      if (to_test.empty()) return true;
+      entry = to_test.back();
+      to_test.pop_back();
+      origin = near_vertex(candidate, mesh_.origin(entry));
+      target = near_vertex(candidate, mesh_.target(entry));
     }
   }
 }
@@ -160,26 +160,27 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
 /// direction to w is acute: otherwise f would not satisfy the inequality f . v < v^2 for this end.
 HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   const Point from = position_of(mesh_.origin(corner));
-  const auto seen = [&](Vertex v) { return Diameter::seen(position_of(v) - from, errors_); };
+  const auto vector_to = [&](Vertex v) { return Diameter::vector(position_of(v) - from, errors_); };
   HalfEdge exit = mesh::next(corner);
   HalfEdge entry = mesh_.twin(exit);
-  std::array<Diameter::Seen, 3> vertices{seen(mesh_.origin(exit)), seen(mesh_.target(exit)), seen(mesh_.apex(entry))};
-  Diameter::Seen* right = &vertices[0];  // the ends of `exit`
-  Diameter::Seen* left = &vertices[1];
-  Diameter::Seen* apex = &vertices[2];
+  std::array<Diameter::Vector, 3> vertices{vector_to(mesh_.origin(exit)), vector_to(mesh_.target(exit)),
+                                           vector_to(mesh_.apex(entry))};
+  Diameter::Vector* right = &vertices[0];  // the ends of `exit`
+  Diameter::Vector* left = &vertices[1];
+  Diameter::Vector* apex = &vertices[2];
   const bool may_cross_right = Diameter::may_cross(*right, *apex);
   const bool may_cross_left = Diameter::may_cross(*apex, *left);
   if (!(may_cross_right | may_cross_left)) return mesh::kNoHalfEdge;
   const Diameter diameter(*right, *left, errors_);
-  const auto may_meet = [&](const Diameter::Seen& p, const Diameter::Seen& q) {
+  const auto may_meet = [&](const Diameter::Vector& p, const Diameter::Vector& q) {
     const bool may_cross = Diameter::may_cross(p, q);
     const bool may_end_beyond = diameter.may_end_beyond(p, q);
     return may_cross & may_end_beyond;
   };
-  diameter.place(*right);
-  diameter.place(*left);
+  diameter.compute_s(*right);
+  diameter.compute_s(*left);
   for (;;) {
-    diameter.place(*apex);
+    diameter.compute_s(*apex);
     Sign side = diameter.sure_side_of(*apex);
     if (side == Sign::zero) {
       if (may_meet(*right, *apex) | may_meet(*apex, *left)) side = side_of_diameter(corner, entry);
@@ -191,7 +192,7 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
     if (!may_meet(*right, *left)) return mesh::kNoHalfEdge;
     if (mesh_.is_fixed(exit)) return exit;
     entry = mesh_.twin(exit);
-    *apex = seen(mesh_.apex(entry));
+    *apex = vector_to(mesh_.apex(entry));
   }
 }
 
@@ -221,10 +222,12 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
   if (is_blocked_by(candidate, x) || is_blocked_by(candidate, y)) return false;
   scratch_.begin();
   (void)scratch_.visit(mesh::face(corner));
-  const Around at_w = around(candidate, w);
-  if (may_enter(candidate, at_w, around(candidate, x)) && !is_clear_beyond(candidate, mesh_.twin(corner))) return false;
+  const NearVertex at_w = near_vertex(candidate, w);
+  if (may_enter(candidate, at_w, near_vertex(candidate, x)) && !is_clear_beyond(candidate, mesh_.twin(corner)))
+    return false;
   const HalfEdge other = mesh::previous(corner);
-  if (may_enter(candidate, around(candidate, y), at_w) && !is_clear_beyond(candidate, mesh_.twin(other))) return false;
+  if (may_enter(candidate, near_vertex(candidate, y), at_w) && !is_clear_beyond(candidate, mesh_.twin(other)))
+    return false;
   return is_clear_beyond(candidate, mesh_.twin(mesh::next(corner)));
 }
 
@@ -241,8 +244,8 @@ Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
 }
 
 /// Returns whether the foot lies strictly inside the wall, and the gap leaves the face of `corner` through the edge
-/// from x to y that is opposite to the corner's origin w. The wall has w on its left. Consider the line of the gap: the
-/// wall's origin and x lie left of it, and the wall's target and y right of it, or the reverse.
+/// from x to y that is opposite to the corner's origin w. This is true exactly if the line of the gap separates the
+/// wall's origin and x from the wall's target and y. The wall has w on its left.
 bool BridgeFinder::has_foot_on(const Gap& gap, HalfEdge corner, HalfEdge wall) const {
   const Sign sign = side_of_foot(gap, mesh_.origin(wall));
   return sign != Sign::zero && side_of_foot(gap, mesh_.target(wall)) == -sign &&

@@ -20,7 +20,7 @@ namespace waywright::clearance {
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
   std::vector<mesh::HalfEdge> to_enter;        ///< half-edges through which a search enters faces
-  std::vector<mesh::HalfEdge> to_clear;        ///< half-edges through which the search for walls in a disc enters faces
+  std::vector<mesh::HalfEdge> to_test;         ///< half-edges through which the search for walls in a disc enters faces
   memory::ZeroedArray<std::uint32_t> visited;  ///< by face: the number of the last search that visited it
   memory::Stamp stamp;
 
@@ -132,7 +132,7 @@ class BridgeFinder {
   };
 
   /// A vertex near the disc of a candidate.
-  struct Around {
+  struct NearVertex {
     Point offset;   ///< the vector from the centre of the disc to the vertex
     double square;  ///< the square of the vertex's distance from the centre
     mesh::Vertex vertex;
@@ -159,7 +159,7 @@ class BridgeFinder {
     const double t = 4.0 * disc.error + 8.0 * rounding_;
     return {gap, from, to, disc, square * (1.0 + 0x1p-18) + 0x1p21 * t * t};
   }
-  [[nodiscard]] Around around(const Candidate& candidate, mesh::Vertex v) const {
+  [[nodiscard]] NearVertex near_vertex(const Candidate& candidate, mesh::Vertex v) const {
     const Point offset = position_of(v) - candidate.disc.origin - candidate.disc.centre;
     return {offset, offset.x * offset.x + offset.y * offset.y, v, v == candidate.from || v == candidate.to};
   }
@@ -167,7 +167,7 @@ class BridgeFinder {
   /// segment from the centre is wrong by at most 4 * rounding_, plus 2^-48 of the distances of `p` and `q` and of the
   /// radius. Let r be the radius and d the sum of the two distances. Then (r + 2^-48 d)^2 is less than (1 + 2^-21) r^2
   /// + 2^-74 d^2. So the limit of the candidate and the last term of `limit` below cover this error.
-  [[nodiscard]] static bool may_touch(const Candidate& candidate, const Around& p, const Around& q) {
+  [[nodiscard]] static bool may_touch(const Candidate& candidate, const NearVertex& p, const NearVertex& q) {
     const Point along = q.offset - p.offset;
     const double at_p = p.offset.x * along.x + p.offset.y * along.y;
     const double at_q = q.offset.x * along.x + q.offset.y * along.y;
@@ -180,7 +180,7 @@ class BridgeFinder {
     const bool is_far = (is_between & is_line_far) | (!is_between & are_ends_far);
     return !is_far;
   }
-  [[nodiscard]] bool may_enter(const Candidate& candidate, const Around& p, const Around& q) const;
+  [[nodiscard]] bool may_enter(const Candidate& candidate, const NearVertex& p, const NearVertex& q) const;
   [[nodiscard]] bool is_clear_beyond(const Candidate& candidate, mesh::HalfEdge entry);
   /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {

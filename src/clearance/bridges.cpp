@@ -299,7 +299,7 @@ void Bridges::count_memory(MemoryUse& use) const {
   walls_.count_memory(use, &MemoryUse::bridges);
   feet_.count_memory(use, &MemoryUse::bridges);
   region_.count_memory(use);
-  memory::count_spare(use, scratch_.to_enter, scratch_.to_clear);
+  memory::count_spare(use, scratch_.to_enter, scratch_.to_test);
   use.spare += acute_.size() + scratch_.visited.size() * sizeof(std::uint32_t);
 }
 

@@ -9,13 +9,14 @@ namespace waywright::clearance {
 using mesh::Face;
 using mesh::HalfEdge;
 
-// Which bridges can change. The region R is the union of the touched faces. Let b be a bridge before the operation or
-// after it, but not both, and let its corner or its edge belong to untouched faces only. The walls decide alone what a
-// bridge is. So the closed disc D of b touches a wall that the operation has inserted or removed, at a position t that
-// is no vertex at which b ends: this wall blocks b in the other state, or b ends on this wall. In the state in which b
-// is a bridge, D touches no wall except at the ends of b. Each vertex is the end of a wall. So D contains no vertex of
-// an untouched face except the ends of b. Both faces of a changed wall are touched, so t lies in the interior of R, or
-// R contains the face between b and t.
+// Which bridges can change. A face is *touched* if the operation has made, changed or freed it. A disc or a
+// circle touches a wall if they have a position in common. The region R is the union of the touched faces. Let b be a
+// bridge before the operation or after it, but not both, and let its corner or its edge belong to untouched faces only.
+// The walls decide alone what a bridge is. So the closed disc D of b touches a wall that the operation has inserted or
+// removed, at a position t that is no vertex at which b ends: this wall blocks b in the other state, or b ends on this
+// wall. In the state in which b is a bridge, D touches no wall except at the ends of b. Each vertex is the end of a
+// wall. So D contains no vertex of an untouched face except the ends of b. Both faces of a changed wall are touched, so
+// t lies in the interior of R or, if this wall lies on the border of the domain, on the border of R.
 //
 // Let w be an end of b that is a vertex, and F the face at w into which b runs or, if b is an edge, the one of its two
 // faces that is nearer to t. The segment from w to t lies in D, so it touches no wall before t. Let G be the face at w
@@ -30,8 +31,8 @@ using mesh::HalfEdge;
 //    it would meet the circle of D' at least three times: twice on the left and twice on the right or, if one of the
 //    two positions is w, at w, once on the left and once on the right. But two circles have at most two common
 //    positions. As t and a position before q are inside the circle, q is, too. So a search finds G: it begins with the
-//    face beyond `border`, crosses free edges, and enters an untouched face if its circle meets `border` strictly
-//    inside and touches a changed wall.
+//    face beyond `border`, crosses free edges, and enters an untouched face if a position of `border`, other
+//    than its ends, lies strictly inside the circle of the face, and this circle touches a changed wall.
 // 2. If G is not F, consider the edges from w to x1, x2, ..., xk between G and F, in this order from t. D contains none
 //    of the vertices xi, except xk if b is the edge from w to xk. The edge from w to xi divides D into two pieces. The
 //    piece that contains q and t lies in the disc whose diameter is this edge: the circle of D meets the edge at a
@@ -39,16 +40,19 @@ using mesh::HalfEdge;
 //    other piece, and the angle at e between w and p is acute. So the angle between w and p at t is not acute, and at q
 //    it is obtuse. If b is the edge from w to xk, its disc is D. No edge between G and F is a wall, because walls do
 //    not meet D. So the search, when it leaves a face through an edge whose disc meets `border` and touches a changed
-//    wall, continues around both ends of the edge, as long as this is true of the edges' discs.
-// 3. If touched faces lie at w from the direction of t to F, let `border` be the edge at w of the last one that is
-//    nearer to F, and q a position of this edge near w. The face beyond `border` is the first face of the search. The
-//    disc whose diameter is `border` contains t, as in 2, and the search continues around w as in 2.
+//    wall, goes around both ends of this edge, from one edge to the next, as long as the disc of the next edge also
+//    meets `border` and touches a changed wall.
+// 3. Suppose that a face at w between the direction of t and F is touched (perhaps G). Go around w from the direction
+//    of t to F, and take the last touched face. Let `border` be the one of its two edges at w that is nearer to F, and
+//    q a position of this edge near w. The face beyond `border` is the first face of the search. The disc whose
+//    diameter is `border` contains t, as in 2, and the search continues around w as in 2.
 //
-// So the search notes all corners of a face whose circle may touch the box of a changed item, and the corners and the
-// edges around which it continues. Around a face with the radius r, the disc of an edge of the length 2 s lies in the
-// disc with the same centre whose radius is the sum of s and of the square root of r^2 - s^2. This sum is at most
-// sqrt(2) r. If this disc does not touch the boxes either, the search stops. The code in bridges.cpp adds the corners
-// of the bridges that it has removed because they end at touched faces.
+// So the search notes all corners of each face whose circle may touch the box of a changed item, each edge whose disc
+// may meet `border` and touch such a box, and the corners and edges that it passes when it goes around an end of an
+// edge. Let r be the radius of the circle of a face, and 2 s the length of one of its edges. The disc of this edge lies
+// in the disc that has the centre of the circle and whose radius is the sum of s and of the square root of r^2 - s^2.
+// This sum is at most sqrt(2) r. If this disc does not touch the boxes either, the search stops. The code in
+// bridges.cpp adds the corners of the bridges that it has removed because they end at touched faces.
 
 void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   mesh_ = &triangulation.topology();

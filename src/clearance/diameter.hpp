@@ -19,12 +19,12 @@ namespace waywright::clearance {
 class Diameter {
  public:
   /// The vector from w to another vertex.
-  struct Seen {
+  struct Vector {
     Point offset;
     double square;         ///< the square of the length
     double extent;         ///< bounds the magnitudes of the coordinates, and their errors: see Errors
     double error;          ///< the sum of this number for two vectors bounds the error of may_cross()
-    double s = 0.0;        ///< s(v): place() sets it
+    double s = 0.0;        ///< s(v): compute_s() sets it
     double s_error = 0.0;  ///< a bound of the error of `s`
   };
   /// How exact the vectors are. Each coordinate may be wrong by 2 `rounding`, and by half an ulp. A product consists of
@@ -38,14 +38,14 @@ class Diameter {
     double least_extent;
   };
 
-  [[nodiscard]] static Seen seen(const Point& offset, const Errors& errors) {
+  [[nodiscard]] static Vector vector(const Point& offset, const Errors& errors) {
     const double extent = std::abs(offset.x) + std::abs(offset.y) + errors.least_extent;
     return {offset, dot(offset, offset), extent, errors.relative * extent * extent};
   }
 
   /// If x or y is so near to w that the rounding may be large compared with the distance from w, the error has no
   /// bound.
-  Diameter(const Seen& x, const Seen& y, const Errors& errors)
+  Diameter(const Vector& x, const Vector& y, const Errors& errors)
       : normal_(x.square * y.offset - y.square * x.offset), area_(cross(x.offset, y.offset)) {
     const bool is_bounded = std::min(x.extent, y.extent) >= 16.0 * errors.least_extent;
     area_error_ = errors.relative * x.extent * y.extent;
@@ -53,28 +53,28 @@ class Diameter {
   }
 
   /// Sets s(v) and its error.
-  void place(Seen& v) const {
+  void compute_s(Vector& v) const {
     v.s = dot(normal_, v.offset);
     v.s_error = normal_error_ * v.extent;
   }
   /// Says whether a vertex lies left or right of the ray from w through D: positive if it surely lies left of the ray,
   /// negative if it surely lies right of the ray, zero if the doubles do not decide. Requires: the caller has called
-  /// place() for the vertex.
-  [[nodiscard]] exact::Sign sure_side_of(const Seen& v) const {
+  /// compute_s() for the vertex.
+  [[nodiscard]] exact::Sign sure_side_of(const Vector& v) const {
     if (!(std::abs(v.s) > v.s_error)) return exact::Sign::zero;
     return v.s > 0.0 ? exact::Sign::positive : exact::Sign::negative;
   }
   /// Returns false only if D does not lie strictly beyond the line through two vertices, as seen from w. If D lies
-  /// beyond this line, then cross(right, left) < cross(D, left - right). Requires: the caller has called place() for
-  /// both vertices.
-  [[nodiscard]] bool may_end_beyond(const Seen& right, const Seen& left) const {
+  /// beyond this line, then cross(right, left) < cross(D, left - right). Requires: the caller has called compute_s()
+  /// for both vertices.
+  [[nodiscard]] bool may_end_beyond(const Vector& right, const Vector& left) const {
     const double difference = area_ * cross(right.offset, left.offset) - (left.s - right.s);
     return !(difference >= right.s_error + left.s_error + area_error_ * right.extent * left.extent);
   }
   /// Returns false only if the angle between w and `q` at `p`, or the angle between w and `p` at `q`, is at least 90
   /// degrees. The angle at p is less than 90 degrees if the product of the vectors from p to w and from p to q is
   /// positive: -p . (q - p) = p^2 - p . q.
-  [[nodiscard]] static bool may_cross(const Seen& p, const Seen& q) {
+  [[nodiscard]] static bool may_cross(const Vector& p, const Vector& q) {
     const double difference = dot(p.offset, q.offset) - std::min(p.square, q.square);
     return !(difference >= p.error + q.error);
   }

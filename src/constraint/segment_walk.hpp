@@ -14,9 +14,9 @@ class SegmentVisitor {
   /// The segment runs through the vertex, or starts or ends there.
   bool at_vertex(mesh::Vertex) { return true; }
   /// The segment crosses the edge and comes from the face of `h`, or it starts or ends on the edge.
-  bool at_edge(mesh::HalfEdge, bool /*ends_here*/) { return true; }
+  bool at_edge(mesh::HalfEdge /*h*/, bool /*ends_here*/) { return true; }
   /// The segment runs through the inside of the face of `h`.
-  bool through_face(mesh::HalfEdge) { return true; }
+  bool through_face(mesh::HalfEdge /*h*/) { return true; }
 };
 
 /// Follows a straight segment through the mesh from `from` to `to`. It reports, in order, every vertex on the segment,
@@ -78,7 +78,7 @@ class SegmentWalk {
   const Delaunay& delaunay_;
   const mesh::TriangleMesh& mesh_;
   exact::Geometry::Line line_;
-  bool ascends_;
+  bool ascends_;  ///< whether from() comes before to() in the order of x, then y
   locate::Located start_;
 };
 

@@ -72,8 +72,10 @@ class CavityFiller {
   mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainCorner& b, const ChainCorner& r);
   template <class Mesh>
   bool legalise_cavity(const Geometry& geometry, Mesh& mesh);
+  /// Links `inner`, the new half-edge of the chain's edge at `position`, to its twin. If the edge is dangling, waits
+  /// until both of its half-edges are new.
   template <class Mesh>
-  static void close(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
+  static void link_chain_edge(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
 
   // Scratch.
   Chain left_chain_, right_chain_;
@@ -162,7 +164,8 @@ void CavityFiller<Geometry>::pair_dangling_edges(const Mesh& mesh, Chain& chain)
 //     /         \     the triangle through b - r: b - r is an edge of the chain, or only ears lie beyond it. These
 //    u - - - - - w    ears lie between b - r and edges of the chain, which the edge of z does not cross. So this edge
 //                     leaves the triangle through a - r and meets the base before the crossed edge of r does. But the
-//                     crossed edges meet the base in the order of the chain.
+//                     crossed edges meet the base in the order of the chain. If z comes before a, the same is true with
+//                     a - b and a instead of b - r and r.
 //
 // Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay.
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
@@ -200,7 +203,7 @@ mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::V
   const mesh::HalfEdge base = mesh::first(f);
   mesh.set_vertices(f, a, r.vertex, b.vertex);
   const auto join = [&](mesh::HalfEdge inner, const ChainCorner& corner) {
-    if (corner.base == mesh::kNoHalfEdge) return close(mesh, chain, corner.position, inner);
+    if (corner.base == mesh::kNoHalfEdge) return link_chain_edge(mesh, chain, corner.position, inner);
     mesh.link(inner, corner.base, 0);
     inner_edges_.push_back(inner);
   };
@@ -212,9 +215,10 @@ mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::V
 /// Flips the illegal edges in `inner_edges_`. Returns whether it had to flip an edge.
 ///
 /// The edges of the chains themselves are always legal, so the faces beyond them stay as they are. Callers of
-/// force_edge() may rely on this. Proof: a triangle on an edge of the chain lies in the cavity, where no edge was
-/// fixed. Hence the face beyond that edge sees the triangle's apex, and the circle of a Delaunay face contains no
-/// vertex that the face sees.
+/// force_edge() may rely on this. Proof: a triangle on an edge of the chain lies in the cavity. No fixed edge
+/// crossed it: the crossed edges were free, and any other edge in the cavity lies on the border of a polygon. Hence the
+/// face beyond that edge sees the triangle's apex, and the circle of a Delaunay face contains no vertex that the face
+/// sees.
 template <class Geometry>
 template <class Mesh>
 bool CavityFiller<Geometry>::legalise_cavity(const Geometry& geometry, Mesh& mesh) {
@@ -226,7 +230,7 @@ bool CavityFiller<Geometry>::legalise_cavity(const Geometry& geometry, Mesh& mes
 
 template <class Geometry>
 template <class Mesh>
-void CavityFiller<Geometry>::close(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner) {
+void CavityFiller<Geometry>::link_chain_edge(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner) {
   ChainEdge& edge = chain[position];
   edge.inner = inner;
   edge.is_rebuilt = true;

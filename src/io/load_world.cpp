@@ -20,7 +20,7 @@
 namespace waywright {
 
 /// Points and their ids, which ascend. As long as the ids count up, the object contains only the first of them.
-struct detail::LoadedPoints {
+struct LoadedPoints {
   std::vector<Point> points;
   ItemId first;             ///< the id of the first point
   std::vector<ItemId> ids;  ///< empty as long as the ids count up
@@ -61,7 +61,7 @@ Point point_at(const char* bytes) {
 
 /// The items of a file. As long as all items are points, only `points` contains them, which takes less memory.
 struct LoadedItems {
-  detail::LoadedPoints points;
+  LoadedPoints points;
   std::vector<Item> items;
 
   /// Adds an item to `items`.

@@ -23,10 +23,10 @@ namespace waywright::locate {
 /// removed in the meantime.
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
-/// world of any size. If a sector contains many vertices, an operation divides it into four quarters, and may later
-/// divide these again. So walks are short on unevenly distributed vertices, too. If a sector is as small as a cell of
-/// the curve, it gets a finer curve of its own (a *zoom*). The division depends on the history of the world, but the
-/// result of a search does not.
+/// world of any size. These sectors are the *whole sectors*: equal squares, divided or not. If a sector contains many
+/// vertices, an operation divides it into four quarters, and may later divide these again. So walks are short on
+/// unevenly distributed vertices, too. If a sector is as small as a cell of the curve, it gets a finer curve of its own
+/// (a *zoom*). The division depends on the history of the world, but the result of a search does not.
 ///
 /// Source: Chen 2009, section 3.2.1 (sector-based location). Differences: only operations write to the sectors, queries
 /// do not; and the number of sectors is not constant.

@@ -53,8 +53,8 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, 
 }
 
 /// Returns whether the edge `exit` is too short for a line from a contact. Requires: the edge is not surely long
-/// (DiscMap::surely_long). If the edge is shorter than the disc is wide, the disc fits at no position on it. But if the
-/// edge is near the vertex of a contact, a line may begin beyond the edge.
+/// (DiscMap::surely_long); `squared` is its squared length. If the edge is shorter than the disc is wide, the disc fits
+/// at no position on it. But if the edge is near the vertex of a contact, a line may begin beyond the edge.
 bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
@@ -222,7 +222,7 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
 
 /// Adds a turn node, unless the path would have to turn back at the root to reach this contact: a path that turns back
 /// is not the shortest. Also leaves out a contact whose vertex is not useful (GuideLabels::is_useful()).
-void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t then) {
+void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t earlier) {
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
   const Point centre = map_->position(v);
@@ -230,9 +230,9 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   if (has_label && !labels_->is_useful(v, centre)) return;
   Reached& reached = reached_at(v, turn);
   for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].older) {
-    if (noted_[i].root == root && is_same_chain(noted_[i].then, then)) return;
+    if (noted_[i].root == root && is_same_chain(noted_[i].earlier, earlier)) return;
   }
-  noted_.push_back({root, then, reached.noted});
+  noted_.push_back({root, earlier, reached.noted});
   reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
   const Point touching = touching_point({centre, turn}, line.direction, map_->radius);
@@ -240,20 +240,20 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   if (has_label) rest = std::max(rest, labels_->least_length(v, centre) - map_->radius);
   const double least = length + rest;
   if (least > limit_) return;
-  turn_nodes_.push_back({corner, root, v, turn, line, length, then});
+  turn_nodes_.push_back({corner, root, v, turn, line, length, earlier});
   open_.push(least, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
 }
 
-/// Returns whether the two chains of turn nodes that start at `a` and at `b` (TurnNode::then) have the same contacts in
-/// the same order.
+/// Returns whether the two chains of turn nodes that start at `a` and at `b` (TurnNode::earlier) have the same contacts
+/// in the same order.
 bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
   while (a != b) {
     if (a == kNone || b == kNone || turn_nodes_[a].vertex != turn_nodes_[b].vertex ||
         turn_nodes_[a].turn != turn_nodes_[b].turn) {
       return false;
     }
-    a = turn_nodes_[a].then;
-    b = turn_nodes_[b].then;
+    a = turn_nodes_[a].earlier;
+    b = turn_nodes_[b].earlier;
   }
   return true;
 }
@@ -343,7 +343,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   const HalfEdge corner = corner_towards(*map_, node.corner, touching - end.contact.centre, node.turn);
   if (corner == mesh::kNoHalfEdge) return;
   if (const std::uint32_t better = dominating_root(node, corner, reached.root); better != kNone) {
-    return push_next_line(better, node.then);
+    return push_next_line(better, node.earlier);
   }
   if (is_shorter_with_other_turn(node, corner)) return;
   const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
@@ -355,7 +355,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   }
   reached.root = add_root({end, corner, node.line.direction, node.length, node.root, {}, reached.root});
   leave_root(reached.root, corner);
-  push_next_line(static_cast<std::uint32_t>(roots_.size() - 1), node.then);
+  push_next_line(static_cast<std::uint32_t>(roots_.size() - 1), node.earlier);
 }
 
 void DiscOptimal::try_goal(std::uint32_t index) {
@@ -378,7 +378,7 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
     const DiscLine::Obstacle obstacle = turn == kTurnLeft ? left : right;
     if (obstacle.vertex == mesh::kNoVertex) continue;
     bool is_repeated = false;
-    for (std::uint32_t i = index; i != kNone; i = turn_nodes_[i].then) {
+    for (std::uint32_t i = index; i != kNone; i = turn_nodes_[i].earlier) {
       is_repeated = is_repeated || (turn_nodes_[i].vertex == obstacle.vertex && turn_nodes_[i].turn == turn);
     }
     if (!is_repeated) push_turn(turn_nodes_[index].root, obstacle.corner, turn, obstacle.line, index);
@@ -402,16 +402,16 @@ void DiscOptimal::push_limit(std::uint32_t index) {
 }
 
 /// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
-void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t then) {
-  if (then == kNone) return;
-  const TurnNode next = turn_nodes_[then];
+void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t earlier) {
+  if (earlier == kNone) return;
+  const TurnNode next = turn_nodes_[earlier];
   if (next.vertex == mesh::kNoVertex) {
     if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), kNoTurn}, map_->radius))
       push_goal(root, *line);
     return;
   }
   const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
-  if (line && next.vertex != roots_[root].end.vertex) push_turn(root, next.corner, next.turn, *line, next.then);
+  if (line && next.vertex != roots_[root].end.vertex) push_turn(root, next.corner, next.turn, *line, next.earlier);
 }
 
 /// Returns a root at the same contact from which the disc can reach the end of the line along the circle, in one of the
@@ -482,6 +482,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
   const auto visit = [&](HalfEdge at, HalfEdge spoke, double order) {
     const Vertex end = mesh.target(spoke);
     Bound last{map_->position(end) - contact.centre, end};
+    // The spoke lies beyond a turn of 180 degrees (turn_around()).
     if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
     if (ends_->is_goal_face(mesh::face(at))) {
       if (const auto line = tangent(contact, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);

@@ -97,15 +97,15 @@ class DiscOptimal {
     double length;  ///< the length of the path from the start to the end of the line
     /// An earlier turn node, if this contact is an obstacle of the earlier line, or limits the turn before that line.
     /// After the turn around this contact, the search tries a line to the end of the earlier line.
-    std::uint32_t then;
+    std::uint32_t earlier;
   };
 
   /// A record of a turn node that push_turn() has handled, so that the search does not add this turn node again. The
   /// records of one contact form a linked list, which starts at Reached::noted.
   struct Noted {
-    std::uint32_t root;   ///< TurnNode::root
-    std::uint32_t then;   ///< TurnNode::then
-    std::uint32_t older;  ///< the record of this list that the search has made before, or kNone
+    std::uint32_t root;     ///< TurnNode::root
+    std::uint32_t earlier;  ///< TurnNode::earlier
+    std::uint32_t older;    ///< the record of this list that the search has made before, or kNone
   };
 
   /// A record of a line that failed its test, with the obstacles that the test found. The records of one contact form a
@@ -159,7 +159,7 @@ class DiscOptimal {
   void follow(Window window);
   [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
   void note_turn(const Window& window, int turn, bool sees_apex);
-  void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t then);
+  void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t earlier);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   /// Adds a turn node for the goal if the goal lies between the two rays of the window.
   void reach_goal(const Window& window);
@@ -176,7 +176,7 @@ class DiscOptimal {
   void try_goal(std::uint32_t index);
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
   void push_limit(std::uint32_t index);
-  void push_next_line(std::uint32_t root, std::uint32_t then);
+  void push_next_line(std::uint32_t root, std::uint32_t earlier);
   [[nodiscard]] std::uint32_t dominating_root(const TurnNode& node, mesh::HalfEdge corner, std::uint32_t first) const;
   [[nodiscard]] bool is_shorter_with_other_turn(const TurnNode& node, mesh::HalfEdge corner);
   [[nodiscard]] std::uint32_t failed_line(const TurnNode& node, std::uint32_t first) const;

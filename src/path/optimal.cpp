@@ -69,11 +69,12 @@ void Optimal::start(double known_length) {
   std::sort(goal_faces_.begin(), goal_faces_.end(),
             [](const GoalFace& p, const GoalFace& q) { return p.face != q.face ? p.face < q.face : p.goal < q.goal; });
   known_length_ = known_length;
-  limit_lengths();
+  update_longest();
   leave_start();
 }
 
-void Optimal::limit_lengths() {
+/// Computes `longest_`, `longest_count_` and `end_` from the paths to the goals that the search has found so far.
+void Optimal::update_longest() {
   longest_ = 0.0;
   longest_count_ = 0;
   for (const Goal& goal : goals_) {
@@ -189,7 +190,7 @@ void Optimal::follow(Node node) {
   }
 }
 
-// Not inline: few calls come here, but most functions of the search contain one.
+// Not inline: most functions of the search contain a call of this function, but only a guide makes the call.
 bool Optimal::can_guide_cross(mesh::HalfEdge h) const { return labels_->can_cross(h); }
 
 //        apex            The window has entered the face across `entry`, from below. Seen by the window, the left end
@@ -210,13 +211,13 @@ void Optimal::follow_window_as(Node window) {
     const mesh::Vertex apex = mesh_->apex(window.entry);
     const Geometry::View position = geometry_->view(number(apex));
     mesh::HalfEdge exit{};
-    if (const Sign left = cone.from_left(position); left != Sign::negative) {
+    if (const Sign left = cone.orientation_to_left(position); left != Sign::negative) {
       const bool turn_sees_apex = left == Sign::positive;
       if (window.left == mesh_->origin(window.entry) && note_turn(window, cone, Kind::left_turn, turn_sees_apex))
         return;
       exit = mesh::next(window.entry);
       if (left == Sign::zero) narrow_left(window, cone, apex, window.left_root);
-    } else if (const Sign right = cone.from_right(position); right != Sign::positive) {
+    } else if (const Sign right = cone.orientation_to_right(position); right != Sign::positive) {
       const bool turn_sees_apex = right == Sign::negative;
       if (window.right == mesh_->target(window.entry) && note_turn(window, cone, Kind::right_turn, turn_sees_apex))
         return;
@@ -282,7 +283,8 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
 void Optimal::reach_goals(const Node& window, const Cone& cone) {
   for_each_goal(mesh::face(window.entry), [&](std::uint32_t goal) {
     const Geometry::View position = Geometry::view(goals_[goal].point);
-    if (cone.from_left(position) == Sign::positive || cone.from_right(position) == Sign::negative) return;
+    if (cone.orientation_to_left(position) == Sign::positive || cone.orientation_to_right(position) == Sign::negative)
+      return;
     end_at(goal, root_that_sees(window, position), window.trace);
   });
 }
@@ -299,7 +301,7 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
     if (longest_ == kInfinity) end_ = length;
     return;
   }
-  if (was_longest && --longest_count_ == 0) limit_lengths();
+  if (was_longest && --longest_count_ == 0) update_longest();
 }
 
 //          apex          The picture shows a left turn: the cone's left bound touches v, the entry's left end. The
@@ -410,7 +412,7 @@ void Optimal::make_turn(const Node& turn) {
   enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
   const auto from_continuation = [&](const Geometry::View& position) {
-    return kIsLeft ? cone.from_right(position) : cone.from_left(position);
+    return kIsLeft ? cone.orientation_to_right(position) : cone.orientation_to_left(position);
   };
   const Sign side_of_apex = from_continuation(geometry_->view(number(apex)));
   const bool turn_sees_apex = side_of_apex == kInwards;

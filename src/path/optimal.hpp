@@ -235,7 +235,7 @@ class Optimal {
   template <class Visit>
   void for_each_goal(mesh::Face f, Visit&& visit) const;
   void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
-  void limit_lengths();
+  void update_longest();
 
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: the agent cannot cross it, or it
   /// leads to no goal face. A guide has no core, so it asks its labels.

@@ -15,9 +15,13 @@ class Optimal::Cone {
         right_(bound(search, window.right_root, window.right)) {}
 
   /// The orientation of `p`: positive if it lies left of the cone's left bound, negative if right of it.
-  [[nodiscard]] exact::Sign from_left(const Geometry::View& p) const { return geometry_.orientation(left_, p); }
+  [[nodiscard]] exact::Sign orientation_to_left(const Geometry::View& p) const {
+    return geometry_.orientation(left_, p);
+  }
   /// The orientation of `p`: positive if it lies left of the cone's right bound, negative if right of it.
-  [[nodiscard]] exact::Sign from_right(const Geometry::View& p) const { return geometry_.orientation(right_, p); }
+  [[nodiscard]] exact::Sign orientation_to_right(const Geometry::View& p) const {
+    return geometry_.orientation(right_, p);
+  }
 
   void set_left(const Geometry::Line& line) { left_ = line; }
   void set_right(const Geometry::Line& line) { right_ = line; }

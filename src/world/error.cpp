@@ -143,11 +143,11 @@ void raise(const Error& error) {
 #if defined(__cpp_exceptions)
   throw BadResult(error);
 #else
-  fail_value_of(error);
+  fail_value_access(error);
 #endif
 }
 
-void fail_value_of(const Error& error) {
+void fail_value_access(const Error& error) {
   const std::string message = "the program took the value of a Result that has an error: " + error.message();
   fail_assertion({message.c_str(), "Result::ok()", __FILE__, __LINE__});
 }

@@ -63,7 +63,7 @@ bool is_most_removed(const ChangesBack& changes, const Triangulation& triangulat
   return 2 * corners > triangulation.topology().vertex_count();
 }
 
-/// Adds all items of the triangulation that are not removed to the inserted items.
+/// Adds to the inserted items each item of the triangulation that `changes.removed` does not contain.
 void add_items_that_stay(ChangesBack& changes, const Triangulation& triangulation) {
   std::size_t next_removed = 0;  // both lists ascend
   for (const ItemId id : triangulation.items().ids()) {
