@@ -155,17 +155,10 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
     const Point apex = map_->position(mesh.origin(left_exit));
     const unsigned passages = is_above_goal ? dead_ends.passages(f) : dead_ends.passages_without_goal(f);
     unsigned exits = 0;
-    const Point to_left = apex - channel.left;
-    const Point to_right = apex - channel.right;
-    const double squared_left = squared_length(to_left);
-    const double squared_right = squared_length(to_right);
-    const double cross = least_cross(to_left, to_right);
-    if ((passages >> kPrevious[i] & 1U) != 0 &&
-        is_open(left_exit, squared_left, entry, map_->is_foot_surely_long(cross, squared_right))) {
+    if ((passages >> kPrevious[i] & 1U) != 0 && is_open(left_exit, squared_length(apex - channel.left), entry)) {
       exits |= kLeft;
     }
-    if ((passages >> kNext[i] & 1U) != 0 &&
-        is_open(right_exit, squared_right, right_exit, map_->is_foot_surely_long(cross, squared_left))) {
+    if ((passages >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
       exits |= kRight;
     }
     const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f));

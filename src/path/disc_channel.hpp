@@ -80,11 +80,8 @@ class DiscChannel {
   }
   /// Returns whether the channel can leave a face across the passage `exit`. `squared` is the squared length of this
   /// edge. Only a foot bridge that starts at the origin of `corner` can separate this edge from the edge of entry.
-  /// `is_foot_long` is true only if such a bridge is surely not shorter than the disc is wide.
-  [[nodiscard]] bool is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner, bool is_foot_long) {
-    if (squared > map_->surely_long && (is_foot_long || map_->bridges.foot_at(corner) == clearance::Bridges::kNone)) {
-      return true;
-    }
+  [[nodiscard]] bool is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner) {
+    if (squared > map_->surely_long && map_->bridges.foot_at(corner) == clearance::Bridges::kNone) return true;
     return squared >= map_->surely_short && decide_is_open(exit, squared, corner);
   }
   [[nodiscard]] bool decide_is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner);

@@ -88,15 +88,17 @@ class DiscMap {
     return mesh().is_fixed(h) || (squared <= surely_long && is_closed(h));
   }
 
-  /// Consider the bridges from a vertex that run into a face of this vertex and end inside a wall. Returns true only if
-  /// none of them is shorter than the disc is wide. `least_cross` is least_cross() of two edges of the face, and
-  /// `squared` is the squared length of the edge that is opposite to the vertex.
-  ///
-  /// Such a bridge crosses the opposite edge or ends on it. So it is at least as long as the distance from the vertex
-  /// to the line of this edge, which is the cross product divided by the length of the edge. `surely_long` allows for
-  /// the rounding of positions: a bridge starts at an explicit vertex, so only the ends of the edge may be rounded.
-  [[nodiscard]] bool is_foot_surely_long(double least_cross, double squared) const {
-    return least_cross * least_cross > surely_long * squared;
+  /// Returns true only if no foot bridge that starts at the origin of `corner` and runs into its face is shorter than
+  /// the disc is wide. Such a bridge crosses the opposite edge of the face or ends on it. So it is at least as long as
+  /// the distance from the origin to the line of this edge: the cross product of the other two edges, divided by the
+  /// length of this edge. `surely_long` allows for the rounding of positions: a bridge starts at an explicit vertex, so
+  /// only the ends of the edge may be rounded.
+  [[nodiscard]] bool is_foot_surely_long(mesh::HalfEdge corner) const {
+    const Point from = position(mesh().origin(corner));
+    const Point to_target = position(mesh().target(corner)) - from;
+    const Point to_apex = position(mesh().apex(corner)) - from;
+    const double cross = least_cross(to_target, to_apex);
+    return cross * cross > surely_long * squared_length(to_apex - to_target);
   }
 
   /// Returns the foot, relative to `origin`, of the bridge that starts at the origin of `corner`, runs into its face
@@ -111,7 +113,8 @@ class DiscMap {
   /// Returns whether narrow_bridge_foot() returns a foot.
   [[nodiscard]] bool has_narrow_bridge_foot(mesh::HalfEdge corner) const {
     const std::uint32_t foot = bridges.foot_at(corner);
-    return foot != clearance::Bridges::kNone && exact::compare_to_diameter(foot_gap(corner, foot), exact_radius) < 0;
+    return foot != clearance::Bridges::kNone && !is_foot_surely_long(corner) &&
+           exact::compare_to_diameter(foot_gap(corner, foot), exact_radius) < 0;
   }
 
  private:
