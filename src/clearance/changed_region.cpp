@@ -51,8 +51,9 @@ using mesh::HalfEdge;
 // may meet `border` and touch such a box, and the corners and edges that it passes when it goes around an end of an
 // edge. Let r be the radius of the circle of a face, and 2 s the length of one of its edges. The disc of this edge lies
 // in the disc that has the centre of the circle and whose radius is the sum of s and of the square root of r^2 - s^2.
-// This sum is at most sqrt(2) r. If this disc does not touch the boxes either, the search stops. The code in
-// bridges.cpp adds the corners of the bridges that it has removed because they end at touched faces.
+// This sum is at most sqrt(2) r. So before the search enters the first face beyond `border`, it tests the disc of the
+// radius sqrt(2) r. If this disc touches no box, there is no search beyond `border`. The code in bridges.cpp adds the
+// corners of the bridges that it has removed because they end at touched faces.
 
 void ChangedRegion::collect_faces(const Triangulation& triangulation) {
   mesh_ = &triangulation.topology();

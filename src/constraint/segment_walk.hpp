@@ -20,8 +20,8 @@ class SegmentVisitor {
 };
 
 /// Follows a straight segment through the mesh from `from` to `to`. It reports, in order, every vertex on the segment,
-/// every edge that the segment crosses or on which it starts or ends, and every face that it runs through, both ends
-/// included. All decisions are exact.
+/// every edge that the segment crosses or on which it starts, every edge on which it ends (unless it reaches its end
+/// along this edge), and every face that it runs through, both ends included. All decisions are exact.
 class SegmentWalk {
  public:
   using Delaunay = ExactTriangulation::Triangulation;

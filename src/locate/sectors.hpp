@@ -52,8 +52,9 @@ class Sectors {
     const Curve& curve = sector.zoom == kNoZoom ? curve_ : zooms_[sector.zoom].curve;
     return curve.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
   }
-  /// Calls visit(vertex) for each vertex that the block of the sector remembers. The block of a whole sector is a
-  /// square of 4 x 4 whole sectors, and the block of a quarter is its group of four quarters.
+  /// For each sector in the block of this sector, calls visit(vertex) for at most one vertex that the sector, or a part
+  /// of it, remembers. The block of a whole sector is a square of 4 x 4 whole sectors, and the block of a quarter is
+  /// its group of four quarters.
   template <class Visit>
   void for_each_around(const Sector& sector, Visit&& visit) const {
     const bool is_whole = sector.zoom == kNoZoom && sector.shift == whole_shift_;

@@ -33,7 +33,8 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // - the old core,
 // - every new face, and
 // - for each old tree face that is adjacent to a new face: the faces from there up to the core. There is one exception:
-//   if the tree face hangs on a new face, then its tree is connected only to that new face. So it stays a tree.
+//   the passage through which a tree face hangs on a new face does not count. If its tree has no other passage to a new
+//   face, it stays a tree.
 //
 // All faces outside the set are then in trees that hang on the set.
 //

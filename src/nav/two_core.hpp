@@ -126,7 +126,7 @@ class TwoCore {
   void add_passage(mesh::HalfEdge h);
   /// Facts about the old faces that are adjacent to the new faces, and about the removed faces.
   struct Surroundings {
-    std::size_t trees = 0;  ///< the number of adjacent tree faces that do not hang on a new face
+    std::size_t trees = 0;  ///< the number of passages from new faces to tree faces that do not hang on them
     bool has_core = false;  ///< whether a face of the old core has got a passage to a new face
     bool had_top = false;   ///< whether a removed face was a root or a face of the core
   };

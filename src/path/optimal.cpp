@@ -340,7 +340,8 @@ bool Optimal::note_turn(const Node& window, const Cone& cone, Kind kind, bool tu
 }
 
 /// Returns whether the window may wait for the turn whose bound is `least`: the window's own bound at the far edge is
-/// not smaller, and its roots and the new root are turns in one direction.
+/// not smaller and, if the window is a bundle, its roots after the first are turns in the same direction as the new
+/// root.
 bool Optimal::can_wait(const Node& window, const Cone& cone, Kind kind, double least) const {
   const bool is_left = kind == Kind::left_turn;
   if (is_left ? window.left_root < window.right_root : window.right_root < window.left_root) return false;

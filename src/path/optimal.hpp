@@ -40,7 +40,8 @@ namespace waywright::path {
 ///   once, without the open list.
 /// - It drops a window if a known path through an end of its edge reaches all positions of the window sooner (Xin and
 ///   Wang, *Improving Chen and Han's algorithm on the discrete geodesic problem*, ACM TOG 2009).
-/// - Windows that lie beside each other on one edge, with roots along one convex chain of turns, move as one *bundle*.
+/// - Windows that lie beside each other on one edge, and whose roots follow each other on one path and form a convex
+///   chain, move as one *bundle*.
 class Optimal {
  public:
   using Triangulation = constraint::ExactTriangulation;
@@ -121,10 +122,10 @@ class Optimal {
 
   /// A window, a bundle of windows, or a turn whose windows have not been made yet.
   ///
-  /// A bundle consists of the windows of two or more roots on one edge. Its roots are consecutive turns of one path,
-  /// all to the left or all to the right. So each of these windows ends where the next one begins: on the continuation
-  /// of the path beyond the later root. Of right turns, the first root has the leftmost window, the last root the
-  /// rightmost.
+  /// A bundle consists of the windows of two or more roots on one edge. Its roots follow each other on one path. The
+  /// first root may be the start or any turn. The others are all left turns or all right turns. So each of these
+  /// windows ends where the next one begins: on the continuation of the path beyond the later root. If they are right
+  /// turns, the first root has the leftmost window, and the last root has the rightmost one.
   struct Node {
     Kind kind;
     bool has_window;       ///< of a turn: whether a window waits in this node until the search makes the turn
