@@ -42,12 +42,12 @@ void check(const Case& at, Decided& decided) {
   const RationalPoint centre = centre_of_circle(w, x, y);
   const RationalPoint end = {2 * centre.x - w.x, 2 * centre.y - w.y};
   const Diameter::Errors errors(at.rounding);
-  const auto seen = [&](std::size_t i) { return Diameter::seen(at.rounded[i] - at.rounded[0], errors); };
-  const Diameter diameter(seen(1), seen(2), errors);
-  Diameter::Seen right = seen(3);
-  Diameter::Seen left = seen(4);
-  diameter.place(right);
-  diameter.place(left);
+  const auto vector_to = [&](std::size_t i) { return Diameter::vector(at.rounded[i] - at.rounded[0], errors); };
+  const Diameter diameter(vector_to(1), vector_to(2), errors);
+  Diameter::Vector right = vector_to(3);
+  Diameter::Vector left = vector_to(4);
+  diameter.compute_s(right);
+  diameter.compute_s(left);
   if (const Sign side = diameter.sure_side_of(left); side != Sign::zero) {
     EXPECT_EQ(side, rational_orientation(w, centre, q));
     ++decided.sides;
