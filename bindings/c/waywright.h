@@ -809,7 +809,8 @@ typedef struct ww_search_window {
 
 /* Lists the windows that the search has followed since its last start, in order: one or more for each triangle that it
    has entered. The list is empty if the search does not record them; if the algorithm is not WW_ALGORITHM_OPTIMAL; if
-   the radius is above 0; and if no wall lies between the start and the goal, because then there is no search. */
+   the radius is above 0; and if no search was necessary, for example because the straight segment from the start to
+   the goal meets no wall, and no vertex between its ends. */
 WW_API ww_status ww_search_windows(const ww_search* search, ww_search_window* windows, size_t capacity, size_t* count);
 /* Cancels the search, if one is running. */
 WW_API ww_status ww_search_cancel(ww_search* search);

@@ -30,10 +30,10 @@ class World;
 /// Between the slices a program may query the world, run other searches, move the world and change it. If a change
 /// touches the start, the goal, or a triangle at which the search has looked, the next slice starts the search again.
 /// Otherwise the search continues. In three cases it counts as a search that has looked at all triangles: it has moved
-/// an end; begin() has found the answer already, for example because no wall meets the straight segment; or its
-/// algorithm is PathAlgorithm::tra. While searches run, each operation on the world also records the triangles that it
-/// touches, at a cost proportional to the number of these triangles. If you move a search to another object, you may
-/// only assign to the first object or destroy it.
+/// an end; begin() has found the answer already, for example because the straight segment meets no wall, and no vertex
+/// between its ends; or its algorithm is PathAlgorithm::tra. While searches run, each operation on the world also
+/// records the triangles that it touches, at a cost proportional to the number of these triangles. If you move a search
+/// to another object, you may only assign to the first object or destroy it.
 ///
 /// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again.
 ///
@@ -49,9 +49,9 @@ class WAYWRIGHT_API PathSearch {
   /// search is running afterwards.
   /// Errors: the errors of World::find_path.
   /// Cost: the location of both ends, and the triangles that the straight segment between them crosses up to the first
-  /// wall. If the segment meets no wall, the first call of step() ends the search. For a radius above 0: the location
-  /// of both ends, the walls near them, and the triangles that the straight segment crosses or that are nearer to it
-  /// than the radius.
+  /// wall. If the segment meets no wall, and no vertex between its ends, the first call of step() ends the search. For
+  /// a radius above 0: the location of both ends, the walls near them, and the triangles that the straight segment
+  /// crosses or that are nearer to it than the radius.
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
@@ -83,8 +83,8 @@ class WAYWRIGHT_API PathSearch {
   /// of this object that is not const.
   ///
   /// The list is empty if record_windows() was not called before begin(); if the algorithm is not
-  /// PathAlgorithm::optimal; if PathQuery::radius is above 0; and if no wall lies between the start and the goal,
-  /// because then there is no search.
+  /// PathAlgorithm::optimal; if PathQuery::radius is above 0; and if no search was necessary, for example because the
+  /// straight segment from the start to the goal meets no wall, and no vertex between its ends.
   ///
   /// @code{.cpp}
   /// PathSearch search;

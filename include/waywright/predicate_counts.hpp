@@ -19,7 +19,8 @@ struct StageCounts {
   friend bool operator==(const StageCounts&, const StageCounts&) = default;
 };
 
-/// The number of calls of each predicate.
+/// The number of calls of three predicates, and the number of computed crossings. The library does not count the
+/// predicates about gaps and distances of discs.
 ///
 /// @code{.cpp}
 /// const PredicateCounts counts = predicate_counts();

@@ -114,7 +114,8 @@ struct SvgKey {
 
 /// The content of a picture on top of the world: queries with their answers, and other marks that you add. Texts and
 /// colours may contain any bytes. The picture omits marks whose coordinates are not finite. It draws later members of
-/// this struct over earlier ones.
+/// this struct over earlier ones, with one exception: the marks and texts of all queries (`disc_paths` to `locations`)
+/// lie over the lines of all queries.
 ///
 /// @code{.cpp}
 /// SvgOverlay overlay;
@@ -199,9 +200,8 @@ class WAYWRIGHT_API SvgFrame {
 /// @endcode
 ///
 /// The function computes positions in doubles. If an item reaches out of a crop box by more than 2^40 times the size of
-/// the box, the picture may show the item at a wrong position. It may also show a disc at a wrong position if the
-/// radius of the disc is more than 10,000 times the size of the box. The function omits details of large worlds to keep
-/// the text small:
+/// the box, the picture may show the item at a wrong position. An SvgDisc whose radius would be more than 10^7 pixels
+/// has this radius in the picture. The function omits details of large worlds to keep the text small:
 /// - It omits a mesh of more than 300,000 edges in the picture, and the legend says so.
 /// - If the picture shows more than 50,000 items, no item shows its id on hover.
 ///

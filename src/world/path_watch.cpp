@@ -14,6 +14,7 @@
 #include "base/ieee.hpp"
 #include "constraint/slot_sets.hpp"
 #include "nav/kept_cover.hpp"
+#include "nav/point_agent.hpp"
 #include "path/pieces.hpp"
 #include "path/polyline_walk.hpp"
 #include "world/box_tree.hpp"
@@ -354,7 +355,7 @@ void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, con
       const Point& from = geometry.rounded(number(mesh.origin(h)));
       const Point& to = geometry.rounded(number(mesh.target(h)));
       if (!probably_meets(from, to, box)) continue;
-      if (mesh.is_fixed(h) && h < mesh.twin(h)) walls.push_back({from, to});
+      if (!nav::PointAgent::can_cross(mesh, h) && h < mesh.twin(h)) walls.push_back({from, to});
       reach(mesh.twin(h));
     }
   }
