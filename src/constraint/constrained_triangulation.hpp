@@ -207,8 +207,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] Step leave_corner(mesh::Vertex u, const Side& side);
   /// The next step of a side from a vertex on it. Call the first function at a vertex that existed before, and the
   /// second one at a vertex that cut() has just made. `behind` is the half-edge from this vertex back along the side.
-  /// `guide` is another side that lies on the edge of `behind` and continues beyond the vertex, if there is one.
-  [[nodiscard]] Step leave_vertex(mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide);
+  /// `leading_side` is another side that lies on the edge of `behind` and continues beyond the vertex, if there is one.
+  [[nodiscard]] Step leave_vertex(mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> leading_side);
   [[nodiscard]] Step leave_crossing(mesh::HalfEdge behind, const Side& side);
   /// The next step from a vertex, into the angle between two half-edges that start there. The target of `right` lies
   /// right of the side, or behind the vertex. The target of `left` lies left of the side, or behind the vertex.
@@ -219,7 +219,7 @@ class ConstrainedTriangulation {
   /// The step from `u` to the new vertex `x`. `crossed_` lists the edges that the side crossed before `x` was made.
   [[nodiscard]] Step step_to_crossing(mesh::Vertex u, mesh::Vertex x);
   /// Returns a side that lies on the edge of `along` and does not end at its target, or nothing.
-  [[nodiscard]] std::optional<std::uint32_t> guide_along(mesh::HalfEdge along) const;
+  [[nodiscard]] std::optional<std::uint32_t> side_beyond(mesh::HalfEdge along) const;
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
   mesh::HalfEdge add_piece(mesh::Vertex u, const Step& step, std::uint32_t side);
   void split_uses(mesh::HalfEdge half);

@@ -114,7 +114,7 @@ void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
       step = leave_crossing(topology().twin(piece), side);
       u = x;
     } else {
-      const std::optional<std::uint32_t> guide = guide_along(step.along);
+      const std::optional<std::uint32_t> leading_side = side_beyond(step.along);
       const mesh::HalfEdge piece = add_piece(u, step, slot);
       u = step.vertex;
       if (u == end) return;
@@ -124,20 +124,20 @@ void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
         u = side.from;
         step = leave_corner(u, side);
       } else {
-        step = leave_vertex(topology().twin(piece), side, guide);
+        step = leave_vertex(topology().twin(piece), side, leading_side);
       }
     }
   }
 }
 
 template <class Geometry>
-std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::guide_along(mesh::HalfEdge along) const {
+std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::side_beyond(mesh::HalfEdge along) const {
   if (along == mesh::kNoHalfEdge || !topology().is_fixed(along)) return std::nullopt;
-  const std::uint32_t guide = uses_.any(topology().label(along));
-  const Side& side = items_.side(guide);
+  const std::uint32_t leading_side = uses_.any(topology().label(along));
+  const Side& side = items_.side(leading_side);
   const mesh::Vertex v = topology().target(along);
   if (side.from == v || side.to == v) return std::nullopt;
-  return guide;
+  return leading_side;
 }
 
 // The insertion of x has rebuilt exactly the faces around x. They form a polygon that is star-shaped around x. So the
@@ -201,15 +201,15 @@ typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geome
   }
 }
 
-// The guide is another side on which the last piece lies, and which continues beyond the vertex. Both sides lie on one
-// line. So the next edge of the guide is the next edge of this side.
+// The leading side is another side on which the last piece lies, and which continues beyond the vertex. Both sides lie
+// on one line. So the next edge of the leading side is the next edge of this side.
 template <class Geometry>
 typename ConstrainedTriangulation<Geometry>::Step ConstrainedTriangulation<Geometry>::leave_vertex(
-    mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> guide) {
-  if (!guide) return leave_between(behind, behind, side);
+    mesh::HalfEdge behind, const Side& side, std::optional<std::uint32_t> leading_side) {
+  if (!leading_side) return leave_between(behind, behind, side);
   const mesh::TriangleMesh& mesh = topology();
   mesh::HalfEdge h = mesh.next_around(behind);
-  while (!mesh.is_fixed(h) || !uses_.contains(mesh.label(h), *guide)) h = mesh.next_around(h);
+  while (!mesh.is_fixed(h) || !uses_.contains(mesh.label(h), *leading_side)) h = mesh.next_around(h);
   return {mesh.target(h), h, mesh::kNoHalfEdge};
 }
 
