@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   waywright::bench::register_updates();
   waywright::bench::register_degenerate();
   waywright::bench::register_paths();
+  waywright::bench::register_disc_paths();
   waywright::bench::register_many_paths();
   waywright::bench::register_abstraction();
   waywright::bench::register_maps();

@@ -9,6 +9,7 @@ void register_locations();
 void register_updates();
 void register_degenerate();
 void register_paths();
+void register_disc_paths();
 void register_many_paths();
 void register_abstraction();
 void register_maps();

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "waywright/path.hpp"
+#include "waywright/query_context.hpp"
+#include "waywright/world.hpp"
+
+#include "harness.hpp"
+#include "real_scenes.hpp"
+#include "registers.hpp"
+#include "timing.hpp"
+#include "world_of.hpp"
+
+// What a path of a disc costs beside the path of a point agent with the same ends, on real maps.
+
+namespace waywright::bench {
+namespace {
+
+struct Map {
+  std::string_view name;
+  const char* map;
+  const char* queries;
+};
+constexpr std::array<Map, 3> kMaps = {{
+    {"brc202d", "grid/dao/brc202d.map", "grid/anyangle/brc202d.anyangle.scen"},
+    {"Aurora", "grid/sc1/Aurora.map", "grid/anyangle/Aurora.anyangle.scen"},
+    {"AR0500SR", "grid/bgmaps/AR0500SR.map", "grid/anyangle/AR0500SR.anyangle.scen"},
+}};
+
+struct Algorithm {
+  std::string_view name;
+  PathAlgorithm algorithm;
+};
+constexpr std::array<Algorithm, 2> kAlgorithms = {{
+    {"optimal", PathAlgorithm::optimal},
+    {"tra", PathAlgorithm::tra},
+}};
+
+/// In cells of the map.
+constexpr std::array<double, 5> kRadii = {0.25, 0.5, 1.0, 2.0, 4.0};
+
+/// The disc and the point agent take turns, this many times. The shorter time of each counts.
+constexpr int kPasses = 3;
+
+/// Returns the queries for which the disc has a path.
+std::vector<KnownPath> queries_with_path(const World& world, const std::vector<KnownPath>& queries, double radius) {
+  QueryContext context;
+  Path path;
+  std::vector<KnownPath> found;
+  for (const KnownPath& query : queries) {
+    const PathQuery of_disc{query.start, query.goal, radius, PathAlgorithm::tra};
+    world.find_path(of_disc, context, path).value();
+    if (path.status == PathStatus::found) found.push_back(query);
+  }
+  return found;
+}
+
+/// Returns the microseconds that all queries take.
+double time_queries(const World& world, const std::vector<KnownPath>& queries, double radius, PathAlgorithm algorithm,
+                    QueryContext& context) {
+  Path path;
+  const auto start = Clock::now();
+  for (const KnownPath& query : queries) {
+    world.find_path({query.start, query.goal, radius, algorithm}, context, path).value();
+    benchmark::DoNotOptimize(path.length);
+  }
+  return microseconds_since(start);
+}
+
+void time_disc_paths(benchmark::State& state, const Map& map, PathAlgorithm algorithm, double radius) {
+  const auto workload = read_real_scene(map.map);
+  if (!workload) return skip_without_data(state, map.map);
+  const auto queries = read_known_paths(map.queries);
+  if (!queries) return skip_without_data(state, map.queries);
+  const World world = world_of(*workload, {.keep_bridges = true});
+  const std::vector<KnownPath> found = queries_with_path(world, *queries, radius);
+  if (found.empty()) return state.SkipWithError("the disc has no path for any query");
+  QueryContext context;
+  double disc = std::numeric_limits<double>::infinity();
+  double point = disc;
+  for ([[maybe_unused]] const auto iteration : state) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      disc = std::min(disc, time_queries(world, found, radius, algorithm, context));
+      point = std::min(point, time_queries(world, found, 0.0, algorithm, context));
+    }
+  }
+  const double count = static_cast<double>(found.size());
+  state.counters["queries"] = count;
+  state.counters["disc_us"] = disc / count;
+  state.counters["point_us"] = point / count;
+  state.counters["ratio"] = disc / point;
+}
+
+}  // namespace
+
+void register_disc_paths() {
+  for (const Map& map : kMaps) {
+    for (const Algorithm& algorithm : kAlgorithms) {
+      for (const double radius : kRadii) {
+        const std::string name = "disc_path/" + std::string(map.name) + '/' + std::string(algorithm.name) + '/' +
+                                 std::to_string(radius).substr(0, 4);
+        register_single_run(name, [map, algorithm, radius](benchmark::State& state) {
+          time_disc_paths(state, map, algorithm.algorithm, radius);
+        });
+      }
+    }
+  }
+}
+
+}  // namespace waywright::bench
