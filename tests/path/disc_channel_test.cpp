@@ -12,6 +12,7 @@
 #include "support/case_count.hpp"
 #include "support/disc_oracle.hpp"
 #include "support/disc_scenes.hpp"
+#include "support/random.hpp"
 #include "support/wall_mesh.hpp"
 
 namespace waywright::test {
@@ -129,6 +130,33 @@ TEST_P(RandomChannels, ExistIfTheDiscCanReachTheGoal) {
     check_scene(disc::random_scene(random, GetParam()));
     if (testing::Test::HasFailure()) FAIL() << "scene " << i;
   }
+}
+
+// The test takes radii of about half the length of each foot bridge. For the last ones, doubles cannot tell the length
+// from the width of the disc.
+TEST_P(RandomChannels, KnowLongFootBridgesOnlyIfTheyAreLong) {
+  Random random(5);
+  std::size_t long_feet = 0;
+  for (std::uint64_t i = 0; i < (case_count() + 9) / 10; ++i) {
+    const NamedScene scene = disc::random_scene(random, GetParam());
+    const WallMesh mesh(scene);
+    const Point& start = scene.queries[0].first;
+    for (std::uint32_t h = 0; h < 3 * mesh.walls().topology().face_slots(); ++h) {
+      const HalfEdge corner{h};
+      if (mesh.bridges().foot_at(corner) == clearance::Bridges::kNone) continue;
+      const path::DiscMap widest(mesh.walls(), mesh.bridges(), 1e6, start);
+      const Point from = widest.position(mesh.walls().topology().origin(corner));
+      const double half = 0.5 * length(widest.narrow_bridge_foot(corner).value() - from);
+      for (const double share : {0.5, 0.999, 1.0 - 0x1p-40, 1.0 - 0x1p-53, 1.0, 1.0 + 0x1p-52, 1.0 + 0x1p-40, 1.001}) {
+        const path::DiscMap map(mesh.walls(), mesh.bridges(), half * share, start);
+        const bool is_long = map.is_foot_surely_long(corner);
+        ASSERT_FALSE(is_long && map.narrow_bridge_foot(corner))
+            << "scene " << i << ", half-edge " << h << ", " << share;
+        if (is_long) ++long_feet;
+      }
+    }
+  }
+  EXPECT_GT(long_feet, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(DiscChannel, RandomChannels, testing::ValuesIn(disc::kSceneKinds),
