@@ -48,7 +48,7 @@ void check_exits(const path::DiscMap& map, const path::DiscEnds& ends, const pat
     // A narrow foot bridge at the vertex of the entry and the exit would separate them.
     const HalfEdge entry = mesh.twin(exits[i - 1]);
     const HalfEdge corner = exits[i] == mesh::previous(entry) ? entry : exits[i];
-    ASSERT_FALSE(map.has_narrow_bridge_foot(corner)) << "exit " << i;
+    ASSERT_FALSE(map.narrow_bridge_foot(corner).has_value()) << "exit " << i;
   }
 }
 
